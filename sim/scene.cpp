@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#include "sim/scene.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace throng {
+
+std::int64_t Time::steps() const { return static_cast<std::int64_t>(std::ceil(until / dt - 1e-9)); }
+
+double mass(const Scene& scene, std::size_t row) {
+  const Bodies& bodies = scene.bodies;
+  const Shape& shape = scene.shapes[bodies.shape[row]];
+  const double radius = bodies.radius[row];
+  const double area = shape.kind == ShapeKind::disc ? std::numbers::pi * radius * radius : shape.area;
+  return area * scene.materials[bodies.material[row]].density;
+}
+
+double inertia(const Scene& scene, std::size_t row) {
+  const Bodies& bodies = scene.bodies;
+  const Shape& shape = scene.shapes[bodies.shape[row]];
+  const double radius = bodies.radius[row];
+  return mass(scene, row) * (shape.kind == ShapeKind::disc ? 0.5 * radius * radius : shape.gyration2);
+}
+
+}  // namespace throng

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "narrowphase/convex.h"
+
+/// What is simulated: read once from a scenario, const ever after. What changes stands in `State`.
+namespace throng {
+
+using Vec = Eigen::Vector2d;
+
+enum class Engine { native, box2d };
+enum class ContactModel { none, impulse };
+enum class DomainKind { unbounded, box, periodic };
+enum class BodyKind : std::uint8_t { dynamic, fixed, kinematic };  // `fixed` is the file's "static"
+enum class ShapeKind { disc, polygon, composite };
+
+struct Material {
+  std::string name = "default";
+  double density = 1.0;      ///< kg/m², > 0
+  double restitution = 0.0;  ///< 0 to 1; a pair takes the larger of its two
+  double friction = 0.5;     ///< Coulomb's coefficient, >= 0; a pair takes the geometric mean
+};
+
+/// A rigid shape about its centre of mass.
+struct Shape {
+  std::string name;
+  ShapeKind kind = ShapeKind::disc;
+  std::vector<narrowphase::Convex> parts;  ///< convex; empty for a disc, whose radius is its body's
+  std::vector<Vec> outline;                ///< m, the polygon as drawn, counter-clockwise; polygons only
+  Vec centre{0.0, 0.0};                    ///< m, where the centre of mass stood in the file's coordinates
+  double area = 0.0;                       ///< m²; 0 for a disc
+  double gyration2 = 0.0;                  ///< m², moment of inertia over mass; 0 for a disc
+  double radius = 0.0;                     ///< m, of the smallest disc about the centre that holds all of it; 0 for a disc
+};
+
+/// A row per body in the order of the file; the id of a row is row + 1.
+struct Bodies {
+  std::vector<std::uint32_t> shape;     ///< row of Scene::shapes
+  std::vector<std::uint32_t> material;  ///< row of Scene::materials
+  std::vector<BodyKind> kind;
+  std::vector<double> radius;  ///< m: a disc's own, else that of its shape
+  std::vector<Vec> position;   ///< m, of the centre of mass
+  std::vector<double> angle;   ///< rad
+  std::vector<Vec> velocity;   ///< m/s
+  std::vector<double> spin;    ///< rad/s
+
+  std::size_t size() const { return shape.size(); }
+};
+
+/// A thin wall with two sides: a line through its points, back to the first where it is closed.
+struct Wall {
+  std::vector<Vec> points;  ///< m, two or more
+  bool closed = false;
+  std::uint32_t material = 0;
+};
+
+struct Domain {
+  DomainKind kind = DomainKind::unbounded;
+  Vec min{0.0, 0.0}, max{0.0, 0.0};  ///< m
+};
+
+struct Time {
+  double dt = 0.01;     ///< s, > 0
+  double until = 10.0;  ///< s, >= 0
+  int substeps = 4;     ///< >= 1
+
+  std::int64_t steps() const;  ///< the fewest steps that reach `until`, up to rounding
+};
+
+struct Record {
+  int every = 1;  ///< steps from frame to frame
+  bool position = true, angle = true, velocity = true, spin = false;
+  bool single = false;  ///< positions as float32
+};
+
+struct Scene {
+  std::string name;
+  std::string description;
+  std::uint64_t seed = 1;
+  Engine engine = Engine::native;
+  bool sleep = false;  ///< resting bodies may leave the loop
+  Vec gravity{0.0, 0.0};  ///< m/s²
+  Time time;
+  Domain domain;
+  ContactModel contact = ContactModel::impulse;
+  Record record;
+  std::vector<Material> materials;
+  std::vector<Shape> shapes;
+  Bodies bodies;
+  std::vector<Wall> walls;
+};
+
+double mass(const Scene& scene, std::size_t row);     ///< kg
+double inertia(const Scene& scene, std::size_t row);  ///< kg m², about the centre of mass
+
+}  // namespace throng

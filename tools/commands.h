@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+/// The commands of the program, a file each. `add_x` declares the command's options on `app`; when the user chose it,
+/// its callback runs and leaves the exit code of design.md in `exit_code`. Errors are thrown: InputError ends with 2.
+namespace throng::tools {
+
+void add_validate(CLI::App& app, int& exit_code);
+void add_plan(CLI::App& app, int& exit_code);
+void add_run(CLI::App& app, int& exit_code);
+void add_replay(CLI::App& app, int& exit_code);
+void add_query(CLI::App& app, int& exit_code);
+void add_pairs(CLI::App& app, int& exit_code);
+void add_info(CLI::App& app, int& exit_code);
+void add_bench(CLI::App& app, int& exit_code);
+
+}  // namespace throng::tools
