@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The program: reads the command line, runs one command, turns what went wrong into a sentence and an exit code.
+#include <cstdio>
+#include <exception>
+
+#include "sim/input_error.h"
+#include "tools/commands.h"
+
+int main(int argc, char** argv) {
+  using namespace throng::tools;
+  CLI::App app{
+      "throng simulates crowds and particles in the plane: a scenario file in, an HDF5 trajectory out.\n"
+      "Exit codes: 0 done, 1 the simulation failed, 2 bad input, 130 stopped by a signal."};
+  app.set_version_flag("--version", THRONG_VERSION);
+  app.require_subcommand(1);
+  int exit_code = 0;
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  } catch (const throng::InputError& error) {
+    std::fprintf(stderr, "throng: %s\n", error.what());
+    return 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "throng: %s\n", error.what());
+    return 1;
+  }
+  return exit_code;
+}
