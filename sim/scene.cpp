@@ -6,7 +6,9 @@
 
 namespace throng {
 
-std::int64_t Time::steps() const { return static_cast<std::int64_t>(std::ceil(until / dt - 1e-9)); }
+std::int64_t Time::steps() const {
+  return static_cast<std::int64_t>(std::ceil(until / dt - 1e-9));
+}
 
 double mass(const Scene& scene, std::size_t row) {
   const Bodies& bodies = scene.bodies;

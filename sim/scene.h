@@ -34,7 +34,7 @@ struct Shape {
   Vec centre{0.0, 0.0};                    ///< m, where the centre of mass stood in the file's coordinates
   double area = 0.0;                       ///< m²; 0 for a disc
   double gyration2 = 0.0;                  ///< m², moment of inertia over mass; 0 for a disc
-  double radius = 0.0;                     ///< m, of the smallest disc about the centre that holds all of it; 0 for a disc
+  double radius = 0.0;  ///< m, of the smallest disc about the centre that holds all of it; 0 for a disc
 };
 
 /// A row per body in the order of the file; the id of a row is row + 1.
@@ -82,7 +82,7 @@ struct Scene {
   std::string description;
   std::uint64_t seed = 1;
   Engine engine = Engine::native;
-  bool sleep = false;  ///< resting bodies may leave the loop
+  bool sleep = false;     ///< resting bodies may leave the loop
   Vec gravity{0.0, 0.0};  ///< m/s²
   Time time;
   Domain domain;

@@ -19,7 +19,9 @@ std::uint64_t mix(std::uint64_t hash, std::uint64_t word) {
 }
 
 /// The bits of a number, with one zero.
-std::uint64_t bits(double x) { return std::bit_cast<std::uint64_t>(x + 0.0); }
+std::uint64_t bits(double x) {
+  return std::bit_cast<std::uint64_t>(x + 0.0);
+}
 
 }  // namespace
 
@@ -39,8 +41,8 @@ std::uint64_t hash(const State& state) {
   std::uint64_t result = mix(0x7468726f6e673031ULL, static_cast<std::uint64_t>(state.step));
   for (std::size_t row = 0; row < state.id.size(); ++row) {
     result = mix(result, state.id[row]);
-    for (double x : {state.position[row].x(), state.position[row].y(), state.angle[row], state.velocity[row].x(),
-                     state.velocity[row].y(), state.spin[row]})
+    for (double x : {state.position[row].x(), state.position[row].y(), state.angle[row],
+                     state.velocity[row].x(), state.velocity[row].y(), state.spin[row]})
       result = mix(result, bits(x));
   }
   return result;

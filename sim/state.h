@@ -11,25 +11,27 @@ namespace throng {
 
 /// Impulses of one contact point, kept from step to step to start the solver warm.
 struct ContactImpulse {
-  std::uint64_t key;       ///< the two colliders, the smaller row first
+  std::uint64_t key;       ///< which two colliders; see `Contacts`
   std::uint32_t feature;   ///< the pair of features in contact
   double normal, tangent;  ///< N s
 };
 
 struct State {
-  std::int64_t step = 0;          ///< the time is step * dt, never a sum
-  std::vector<std::uint32_t> id;  ///< the body's name; rows may move, names don't
-  std::vector<Vec> position;      ///< m, of the centre of mass
-  std::vector<double> angle;      ///< rad
-  std::vector<Vec> velocity;      ///< m/s
-  std::vector<double> spin;       ///< rad/s
-  std::vector<ContactImpulse> contacts;  ///< of the last step, ascending by (key, feature)
+  std::int64_t step = 0;                       ///< the time is step * dt, never a sum
+  std::vector<std::uint32_t> id;               ///< the body's name; rows may move, names don't
+  std::vector<Vec> position;                   ///< m, of the centre of mass
+  std::vector<double> angle;                   ///< rad
+  std::vector<Vec> velocity;                   ///< m/s
+  std::vector<double> spin;                    ///< rad/s
+  std::vector<ContactImpulse> disc_contacts;   ///< pressing in the last step, ascending by key
+  std::vector<ContactImpulse> point_contacts;  ///< likewise; the points of one manifold stand together
 };
 
 /// The state at time 0.
 State initial_state(const Scene& scene);
 
-/// 64 bits over step, ids and all motion, in order of id: equal states on every machine, and only they, agree.
+/// 64 bits over step, ids and all motion, in order of id: equal states on every machine, and only they,
+/// agree.
 std::uint64_t hash(const State& state);
 
 }  // namespace throng

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "narrowphase/half_plane.h"
+#include "sim/plan.h"
+#include "sim/scene.h"
+
+/// What may touch: the moving bodies' convex parts, and the obstacles, which never move.
+namespace throng {
+
+/// A row per convex part of a moving body. In a scene of discs a row is a body, and all but `body`, `radius`,
+/// `movable` stay empty.
+struct Colliders {
+  std::vector<std::uint32_t> body;                ///< row of the body
+  std::vector<double> radius;                     ///< m, of the part's bounding disc
+  std::vector<std::uint8_t> movable;              ///< 1 where the body is dynamic
+  std::vector<Vec> centre;                        ///< m, of the bounding disc, in the body's frame
+  std::vector<const narrowphase::Convex*> shape;  ///< the part; null for a disc about the body's centre
+
+  std::size_t size() const { return body.size(); }
+};
+
+Colliders colliders(const Scene& scene, const Plan& plan);
+
+/// What never moves. Rows: first the sides of the domain's box, then walls and static bodies as convex parts
+/// in the world's frame. In a periodic domain each part stands in all its images that the domain can touch.
+struct Obstacles {
+  std::vector<narrowphase::HalfPlane> side;  ///< four of a box, else none
+  std::vector<narrowphase::Convex> part;
+  std::vector<std::uint32_t> material;  ///< of every row, sides and parts
+
+  std::size_t size() const { return side.size() + part.size(); }
+};
+
+/// `reach` (m): how far beyond the domain's border an image still matters.
+Obstacles obstacles(const Scene& scene, double reach);
+
+}  // namespace throng

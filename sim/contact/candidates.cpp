@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "sim/contact/candidates.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace throng {
+
+namespace {
+
+/// Where a body's velocity and gravity take a point of it within dt, and a little more: a slow body may be
+/// hit by the fastest one and hit a third within the same step, as in Newton's cradle.
+constexpr double kSkin = 0.1;  // of the radius, at most
+
+double fastest(const State& state) {
+  double most = 0.0;
+  for (const Vec& v : state.velocity) most = std::max(most, v.squaredNorm());
+  return std::sqrt(most);
+}
+
+}  // namespace
+
+Candidates::Candidates(const Scene& scene, const Plan& plan)
+    : scene_(scene), plan_(plan), colliders_(throng::colliders(scene, plan)) {
+  period_ = {scene.domain.min, scene.domain.max - scene.domain.min};
+  if (!plan.obstacles && !plan.box) return;
+  const double widest = colliders_.radius.empty() ? 0.0 : *std::ranges::max_element(colliders_.radius);
+  obstacles_ = throng::obstacles(scene, 4.0 * widest);
+  if (plan.obstacles) index_.build(index_items(obstacles_));
+}
+
+void Candidates::find(const State& state) {
+  place(state);
+  if (plan_.pairs) {
+    disc_pairs_.find(centre_, reach_, plan_.periodic ? &period_ : nullptr, pairs_, colliders_.movable);
+    if (plan_.composites) drop_own_parts();
+  }
+  if (plan_.obstacles || plan_.box) find_obstacle_pairs();
+}
+
+void Candidates::place(const State& state) {
+  const std::size_t n = colliders_.size();
+  const double dt = scene_.time.dt;
+  const double fall = plan_.gravity ? scene_.gravity.norm() * dt * dt : 0.0;
+  const double chain = fastest(state) * dt;
+  centre_.resize(n), margin_.resize(n), reach_.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::uint32_t body = colliders_.body[i];
+    const double radius = colliders_.radius[i];
+    centre_[i] = state.position[body];
+    margin_[i] = state.velocity[body].norm() * dt + fall + std::min(chain, kSkin * radius);
+    if (!colliders_.centre.empty()) {
+      const Vec offset = narrowphase::pose({0.0, 0.0}, state.angle[body]).rotate(colliders_.centre[i]);
+      centre_[i] += offset;
+      margin_[i] += std::abs(state.spin[body]) * offset.norm() * dt;
+    }
+    reach_[i] = radius + margin_[i];
+  }
+}
+
+void Candidates::drop_own_parts() {
+  std::erase_if(pairs_, [&](const broadphase::Pair& pair) {
+    return colliders_.body[pair.a] == colliders_.body[pair.b];
+  });
+}
+
+void Candidates::find_obstacle_pairs() {
+  obstacle_pairs_.clear();
+  for (std::uint32_t i = 0; i < colliders_.size(); ++i) {
+    if (!colliders_.movable[i]) continue;
+    if (plan_.box) add_box_sides(i);
+    if (!plan_.obstacles) continue;
+    const Eigen::AlignedBox2d box(centre_[i].array() - reach_[i], centre_[i].array() + reach_[i]);
+    const auto first = static_cast<std::uint32_t>(obstacles_.side.size());
+    index_.for_each_near(box, [&](std::uint32_t item) { obstacle_pairs_.push_back({i, first + item}); });
+  }
+}
+
+void Candidates::add_box_sides(std::uint32_t collider) {
+  for (std::uint32_t i = 0; i < obstacles_.side.size(); ++i) {
+    const narrowphase::HalfPlane& side = obstacles_.side[i];
+    if (side.normal.dot(centre_[collider] - side.point) < reach_[collider])
+      obstacle_pairs_.push_back({collider, i});
+  }
+}
+
+Vec Candidates::shift(broadphase::Pair pair) const {
+  if (!plan_.periodic) return {0.0, 0.0};
+  const Vec between = centre_[pair.b] - centre_[pair.a];
+  return {-period_.size.x() * std::floor(between.x() / period_.size.x() + 0.5),
+          -period_.size.y() * std::floor(between.y() / period_.size.y() + 0.5)};
+}
+
+}  // namespace throng

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "narrowphase/manifold.h"
+#include "sim/contact/candidates.h"
+#include "sim/contact/contact.h"
+#include "sim/workers.h"
+
+namespace throng {
+
+/// The contacts of one step, with the names under which `State` keeps their impulses. Ascending by key: the
+/// smaller collider, then the other; contacts with obstacles come after all pairs.
+struct Contacts {
+  std::vector<DiscContact> discs;
+  std::vector<std::uint64_t> disc_key;
+  std::vector<PointContact> points;
+  std::vector<std::uint64_t> point_key;
+  std::vector<std::uint32_t> point_feature;
+
+  void save(State& state) const;  ///< the impulses of contacts that press, for the next step
+};
+
+/// Narrowphase: what the solver must look at among the candidates, with the impulses of the step before.
+class ContactFinder {
+ public:
+  ContactFinder(const Scene& scene, const Plan& plan);
+
+  /// Replaces `contacts`. `bodies` has a row for each body of `state`, then one that stands for all
+  /// obstacles.
+  void find(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
+            Contacts& contacts, Workers& workers);
+
+ private:
+  struct Slot {  // candidates of which one is no disc about its body's centre
+    broadphase::Pair pair;
+    bool obstacle;  // the pair's b is an obstacle
+    Vec shift;      // m, to the image of b that is nearest to a
+    narrowphase::Manifold manifold;
+  };
+
+  void sort_out(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
+                Contacts& contacts);
+  void find_manifold(const Candidates& candidates, Slot& slot) const;
+  void add_points(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
+                  Contacts& contacts) const;
+
+  const Scene& scene_;
+  const Plan& plan_;
+  std::vector<narrowphase::Pose> pose_;  ///< of each body; only where manifolds are
+  std::vector<Slot> slots_;
+};
+
+}  // namespace throng

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+
+#include "sim/contact/contact.h"
+
+/// Sequential impulses (Catto 2005) over all contacts, in their order: one sweep of Gauss and Seidel a call.
+namespace throng {
+
+struct SolverSettings {
+  double h;               ///< s, the substep
+  Softness softness;      ///< of the biased sweep
+  double push_out = 3.0;  ///< m/s, the fastest that overlapping bodies are driven apart
+  bool friction;          ///< some surface rubs
+};
+
+/// Normals, arms and offsets at the bodies' present positions. `period`: the domain's, or null.
+void prepare(std::span<DiscContact> contacts, std::span<const SolverBody> bodies, const Vec* period);
+void prepare(std::span<PointContact> contacts, std::span<const SolverBody> bodies);
+
+/// Applies the impulses that the last sweep left.
+void warm_start(std::span<const DiscContact> contacts, std::span<SolverBody> bodies);
+void warm_start(std::span<const PointContact> contacts, std::span<SolverBody> bodies);
+
+/// Before the positions move: keeps contacts from closing further than they touch, drives overlapping ones
+/// apart softly.
+void push_apart(std::span<DiscContact> contacts, std::span<SolverBody> bodies,
+                const SolverSettings& settings);
+void push_apart(std::span<PointContact> contacts, std::span<SolverBody> bodies,
+                const SolverSettings& settings);
+
+/// After they moved: takes out again the velocity that push_apart put in.
+void relax(std::span<DiscContact> contacts, std::span<SolverBody> bodies, const SolverSettings& settings);
+void relax(std::span<PointContact> contacts, std::span<SolverBody> bodies, const SolverSettings& settings);
+
+/// Bounces, one pair after the other as in Guendelman, Bridson and Fedkiw (2003), where bodies would meet in
+/// this substep faster than `threshold` (m/s). `kick` (m/s): what gravity adds to a dynamic body's velocity
+/// in the substep. To be called before gravity acts: then the flight after a bounce with e = 1 mirrors the
+/// one before, and energy stays. Returns whether anything bounced: call again until nothing does.
+bool bounce(std::span<DiscContact> contacts, std::span<SolverBody> bodies, double h, double threshold,
+            const Vec& kick);
+bool bounce(std::span<PointContact> contacts, std::span<SolverBody> bodies, double h, double threshold,
+            const Vec& kick);
+
+}  // namespace throng

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include "sim/engine_box2d.h"
+
+#include <box2d/box2d.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "sim/input_error.h"
+
+namespace throng {
+
+namespace {
+
+using narrowphase::Convex;
+
+b2Vec2 to_b2(const Vec& v) {
+  return {static_cast<float>(v.x()), static_cast<float>(v.y())};
+}
+
+Vec from_b2(const b2Vec2& v) {
+  return {v.x, v.y};
+}
+
+b2BodyType to_b2(BodyKind kind) {
+  return kind == BodyKind::dynamic     ? b2_dynamicBody
+         : kind == BodyKind::kinematic ? b2_kinematicBody
+                                       : b2_staticBody;
+}
+
+void refuse_unsupported(const Scene& scene) {
+  if (scene.domain.kind == DomainKind::periodic)
+    throw InputError("engine box2d: domain.periodic: Box2D has no periodic domains");
+  if (scene.contact == ContactModel::none)
+    throw InputError("engine box2d: contact.model = \"none\": Box2D always handles contacts");
+}
+
+class Box2dSimulation : public Simulation {
+ public:
+  explicit Box2dSimulation(const Scene& scene)
+      : scene_(scene), state_(initial_state(scene)), world_(to_b2(scene.gravity)) {
+    refuse_unsupported(scene);
+    world_.SetAllowSleeping(scene.sleep);
+    for (std::size_t row = 0; row < scene.bodies.size(); ++row) bodies_.push_back(add_body(row));
+    add_walls();
+  }
+
+  void step() override {
+    const auto begin = std::chrono::steady_clock::now();
+    const int n = scene_.time.substeps;
+    world_.Step(static_cast<float>(scene_.time.dt), 2 * n, std::max(1, n - 1));
+    solve_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    ++state_.step;
+    for (std::size_t row = 0; row < bodies_.size(); ++row) {
+      const b2Body& body = *bodies_[row];
+      state_.position[row] = from_b2(body.GetPosition());
+      state_.angle[row] = body.GetAngle();
+      state_.velocity[row] = from_b2(body.GetLinearVelocity());
+      state_.spin[row] = body.GetAngularVelocity();
+      check_body(state_, row);
+    }
+  }
+
+  const State& state() const override { return state_; }
+
+  std::size_t contacts() const override {
+    std::size_t count = 0;
+    for (const b2Contact* contact = world_.GetContactList(); contact; contact = contact->GetNext())
+      if (contact->IsTouching()) count += static_cast<std::size_t>(contact->GetManifold()->pointCount);
+    return count;
+  }
+
+  std::vector<std::pair<std::string, double>> stage_times() const override { return {{"box2d", solve_}}; }
+
+ private:
+  b2Body* add_body(std::size_t row) {
+    const Bodies& bodies = scene_.bodies;
+    b2BodyDef definition;
+    definition.type = to_b2(bodies.kind[row]);
+    definition.position = to_b2(bodies.position[row]);
+    definition.angle = static_cast<float>(bodies.angle[row]);
+    definition.linearVelocity = to_b2(bodies.velocity[row]);
+    definition.angularVelocity = static_cast<float>(bodies.spin[row]);
+    b2Body* body = world_.CreateBody(&definition);
+    const Shape& shape = scene_.shapes[bodies.shape[row]];
+    const Material& material = scene_.materials[bodies.material[row]];
+    if (shape.kind == ShapeKind::disc) add_disc(*body, Vec(0.0, 0.0), bodies.radius[row], material);
+    for (const Convex& part : shape.parts) add_part(*body, part, shape, material);
+    set_mass(*body, row);
+    return body;
+  }
+
+  /// Box2D would count overlapping parts twice.
+  void set_mass(b2Body& body, std::size_t row) {
+    if (body.GetType() != b2_dynamicBody) return;
+    b2MassData data;
+    data.mass = static_cast<float>(mass(scene_, row));
+    data.center.SetZero();
+    data.I = static_cast<float>(inertia(scene_, row));
+    body.SetMassData(&data);
+  }
+
+  static void add_fixture(b2Body& body, const b2Shape& shape, const Material& material) {
+    b2FixtureDef definition;
+    definition.shape = &shape;
+    definition.density = static_cast<float>(material.density);
+    definition.friction = static_cast<float>(material.friction);
+    definition.restitution = static_cast<float>(material.restitution);
+    definition.restitutionThreshold = 0.0f;
+    body.CreateFixture(&definition);
+  }
+
+  static void add_disc(b2Body& body, const Vec& centre, double radius, const Material& material) {
+    b2CircleShape disc;
+    disc.m_p = to_b2(centre);
+    disc.m_radius = static_cast<float>(radius);
+    add_fixture(body, disc, material);
+  }
+
+  /// Box2D's polygons have at most b2_maxPolygonVertices: a larger one is cut into a fan.
+  static void add_part(b2Body& body, const Convex& part, const Shape& shape, const Material& material) {
+    const auto n = static_cast<int>(part.vertices.size());
+    if (n == 1) return add_disc(body, part.vertices[0], part.radius, material);
+    for (int first = 1; first + 1 < n; first += b2_maxPolygonVertices - 2) {
+      b2Vec2 points[b2_maxPolygonVertices];
+      int count = 0;
+      points[count++] = to_b2(part.vertices[0]);
+      for (int i = first; i < n && count < b2_maxPolygonVertices; ++i)
+        points[count++] = to_b2(part.vertices[static_cast<std::size_t>(i)]);
+      refuse_thin({points, static_cast<std::size_t>(count)}, shape);
+      b2PolygonShape polygon;
+      polygon.Set(points, count);
+      add_fixture(body, polygon, material);
+    }
+  }
+
+  /// Box2D welds points nearer than half its slop and asserts where fewer than three are left.
+  static void refuse_thin(std::span<const b2Vec2> points, const Shape& shape) {
+    const float nearest = b2_linearSlop;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (b2Distance(points[i], points[(i + 1) % points.size()]) < nearest)
+        throw InputError("engine box2d: shapes." + shape.name + ": has an edge shorter than Box2D's 5 mm");
+  }
+
+  void add_walls() {
+    b2BodyDef definition;
+    ground_ = world_.CreateBody(&definition);
+    for (const Wall& wall : scene_.walls)
+      for (std::size_t i = 0; i + (wall.closed ? 0 : 1) < wall.points.size(); ++i)
+        add_edge(wall.points[i], wall.points[(i + 1) % wall.points.size()], scene_.materials[wall.material]);
+    if (scene_.domain.kind != DomainKind::box) return;
+    const Vec a = scene_.domain.min, c = scene_.domain.max, b(c.x(), a.y()), d(a.x(), c.y());
+    add_edge(a, b, scene_.materials[0]);
+    add_edge(b, c, scene_.materials[0]);
+    add_edge(c, d, scene_.materials[0]);
+    add_edge(d, a, scene_.materials[0]);
+  }
+
+  void add_edge(const Vec& from, const Vec& to, const Material& material) {
+    b2EdgeShape edge;
+    edge.SetTwoSided(to_b2(from), to_b2(to));
+    add_fixture(*ground_, edge, material);
+  }
+
+  const Scene& scene_;
+  State state_;
+  b2World world_;
+  b2Body* ground_ = nullptr;
+  std::vector<b2Body*> bodies_;
+  double solve_ = 0.0;  ///< s
+};
+
+}  // namespace
+
+std::unique_ptr<Simulation> box2d_simulation(const Scene& scene) {
+  return std::make_unique<Box2dSimulation>(scene);
+}
+
+}  // namespace throng

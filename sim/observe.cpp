@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "sim/observe.h"
+
+#include <algorithm>
+
+#include "narrowphase/distance.h"
+#include "sim/contact/candidates.h"
+
+namespace throng {
+
+using narrowphase::Convex;
+using narrowphase::Pose;
+
+namespace {
+
+/// Calls f(row) for dynamic bodies.
+template <class F>
+void for_dynamic(const Scene& scene, F f) {
+  for (std::size_t row = 0; row < scene.bodies.size(); ++row)
+    if (scene.bodies.kind[row] == BodyKind::dynamic) f(row);
+}
+
+/// The convex part of each collider, in the world.
+class Parts {
+ public:
+  Parts(const State& state, const Colliders& colliders) : state_(state), colliders_(colliders) {}
+
+  Pose pose(std::uint32_t row) const {
+    const std::uint32_t body = colliders_.body[row];
+    return narrowphase::pose(state_.position[body], state_.angle[body]);
+  }
+  Convex shape(std::uint32_t row) const {
+    const bool disc = colliders_.shape.empty() || !colliders_.shape[row];
+    return disc ? narrowphase::disc(colliders_.radius[row]) : *colliders_.shape[row];
+  }
+
+ private:
+  const State& state_;
+  const Colliders& colliders_;
+};
+
+double obstacle_distance(const Convex& shape, const Pose& pose, const Obstacles& obstacles,
+                         std::uint32_t row) {
+  const std::size_t sides = obstacles.side.size();
+  if (row < sides) return narrowphase::distance(shape, pose, obstacles.side[row]);
+  return narrowphase::separation(shape, pose, obstacles.part[row - sides], Pose{}).distance;
+}
+
+}  // namespace
+
+Overlap overlap(const Scene& scene, const State& state) {
+  const Plan plan = plan_for(scene);
+  Overlap result;
+  if (!plan.contacts()) return result;
+  Candidates candidates(scene, plan);
+  candidates.find(state);
+  const Parts parts(state, candidates.colliders());
+  double sum = 0.0;
+  const auto count = [&](double distance) {
+    if (!(distance < 0.0)) return;
+    ++result.pairs;
+    sum -= distance;
+    result.max = std::max(result.max, -distance);
+  };
+  for (const broadphase::Pair& pair : candidates.pairs()) {
+    Pose pose_b = parts.pose(pair.b);
+    pose_b.position += candidates.shift(pair);
+    count(narrowphase::separation(parts.shape(pair.a), parts.pose(pair.a), parts.shape(pair.b), pose_b)
+              .distance);
+  }
+  for (const broadphase::Pair& pair : candidates.obstacle_pairs())
+    count(obstacle_distance(parts.shape(pair.a), parts.pose(pair.a), candidates.obstacles(), pair.b));
+  if (result.pairs > 0) result.mean = sum / static_cast<double>(result.pairs);
+  return result;
+}
+
+double kinetic_energy(const Scene& scene, const State& state) {
+  double sum = 0.0;
+  for_dynamic(scene, [&](std::size_t row) {
+    sum += 0.5 * mass(scene, row) * state.velocity[row].squaredNorm() +
+           0.5 * inertia(scene, row) * state.spin[row] * state.spin[row];
+  });
+  return sum;
+}
+
+double potential_energy(const Scene& scene, const State& state) {
+  double sum = 0.0;
+  for_dynamic(scene,
+              [&](std::size_t row) { sum -= mass(scene, row) * scene.gravity.dot(state.position[row]); });
+  return sum;
+}
+
+Vec momentum(const Scene& scene, const State& state) {
+  Vec sum(0.0, 0.0);
+  for_dynamic(scene, [&](std::size_t row) { sum += mass(scene, row) * state.velocity[row]; });
+  return sum;
+}
+
+}  // namespace throng

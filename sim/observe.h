@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "sim/scene.h"
+#include "sim/state.h"
+
+/// What is measured on a state, whichever engine made it.
+namespace throng {
+
+/// Pairs that are inside each other: bodies with bodies, walls and the domain's box, by the exact
+/// narrowphase.
+struct Overlap {
+  std::size_t pairs = 0;  ///< overlapping pairs of convex parts
+  double max = 0.0;       ///< m, the deepest; 0 where nothing overlaps
+  double mean = 0.0;      ///< m, over the overlapping pairs
+};
+
+Overlap overlap(const Scene& scene, const State& state);
+
+double kinetic_energy(const Scene& scene, const State& state);    ///< J, of dynamic bodies
+double potential_energy(const Scene& scene, const State& state);  ///< J, -m g . x, of dynamic bodies
+Vec momentum(const Scene& scene, const State& state);             ///< kg m/s, of dynamic bodies
+
+}  // namespace throng

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "sim/plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace throng {
+
+namespace {
+
+bool is_disc(const Scene& scene, std::size_t row) {
+  return scene.shapes[scene.bodies.shape[row]].kind == ShapeKind::disc;
+}
+
+std::size_t count(const Scene& scene, BodyKind kind) {
+  return static_cast<std::size_t>(std::ranges::count(scene.bodies.kind, kind));
+}
+
+std::vector<Surface> surfaces(const Scene& scene) {
+  std::vector<Surface> result;
+  for (const Material& a : scene.materials)
+    for (const Material& b : scene.materials)
+      result.push_back({std::sqrt(a.friction * b.friction), std::max(a.restitution, b.restitution)});
+  return result;
+}
+
+/// Some moving body for which `wanted` holds.
+template <class F>
+bool any_moving(const Scene& scene, F wanted) {
+  for (std::size_t row = 0; row < scene.bodies.size(); ++row)
+    if (scene.bodies.kind[row] != BodyKind::fixed && wanted(row)) return true;
+  return false;
+}
+
+std::string counted(std::size_t n, const char* what) {
+  return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+}
+
+std::vector<Stage> stages(const Scene& scene, const Plan& plan) {
+  const std::size_t moving = count(scene, BodyKind::dynamic) + count(scene, BodyKind::kinematic);
+  const bool off = scene.contact == ContactModel::none;
+  const std::string no_contact = "contact.model is none";
+  const std::string substeps = counted(static_cast<std::size_t>(scene.time.substeps), "substep");
+  return {
+      {"find_pairs", plan.pairs,
+       plan.pairs ? counted(moving, "moving body").append(" may meet")
+                  : (off ? no_contact : "no two bodies of which one is dynamic")},
+      {"find_contacts", plan.contacts(),
+       plan.contacts() ? (plan.polygons ? "discs and manifolds of convex parts" : "discs only: no manifolds")
+                       : (off ? no_contact : "nothing to touch")},
+      {"obstacles", plan.obstacles,
+       plan.obstacles ? "walls or static bodies, indexed once"
+                      : (off ? no_contact : "no walls, no static bodies")},
+      {"box", plan.box, plan.box ? "the domain's four walls" : "the domain is no box"},
+      {"integrate", moving > 0,
+       moving > 0 ? counted(moving, "moving body") + ", " + substeps : "nothing moves"},
+      {"gravity", plan.gravity, plan.gravity ? "bodies fall" : "gravity is zero, or nothing is dynamic"},
+      {"collide", plan.restitution, plan.restitution ? "some surface bounces" : "no surface bounces"},
+      {"solve", plan.contacts(),
+       plan.contacts() ? "contacts, " + substeps : (off ? no_contact : "nothing to touch")},
+      {"friction", plan.friction, plan.friction ? "some surface rubs" : "no surface rubs"},
+      {"wrap", plan.periodic, plan.periodic ? "the domain is periodic" : "the domain is not periodic"},
+  };
+}
+
+}  // namespace
+
+Plan plan_for(const Scene& scene) {
+  const std::size_t dynamic = count(scene, BodyKind::dynamic);
+  const bool touching = scene.contact != ContactModel::none && dynamic > 0;
+  Plan plan;
+  plan.substep = scene.time.dt / scene.time.substeps;
+  plan.gravity = dynamic > 0 && scene.gravity != Vec(0.0, 0.0);
+  plan.pairs = touching && dynamic + count(scene, BodyKind::kinematic) > 1;
+  plan.obstacles = touching && (!scene.walls.empty() || count(scene, BodyKind::fixed) > 0);
+  plan.box = touching && scene.domain.kind == DomainKind::box;
+  plan.periodic = scene.domain.kind == DomainKind::periodic;
+  plan.polygons = any_moving(scene, [&](std::size_t row) { return !is_disc(scene, row); });
+  plan.composites = any_moving(
+      scene, [&](std::size_t row) { return scene.shapes[scene.bodies.shape[row]].parts.size() > 1; });
+  plan.surfaces = surfaces(scene);
+  plan.friction =
+      plan.contacts() && std::ranges::any_of(plan.surfaces, [](const Surface& s) { return s.friction > 0; });
+  plan.restitution = plan.contacts() &&
+                     std::ranges::any_of(plan.surfaces, [](const Surface& s) { return s.restitution > 0; });
+  plan.stages = stages(scene, plan);
+  return plan;
+}
+
+}  // namespace throng

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/scene.h"
+
+/// What a scene needs, decided once: a stage that it doesn't need is not run and allocates nothing.
+namespace throng {
+
+/// How two materials act on each other.
+struct Surface {
+  double friction;     ///< Coulomb's coefficient: the geometric mean of the two
+  double restitution;  ///< the larger of the two
+};
+
+/// One stage of the step, for people: does it run, and why.
+struct Stage {
+  std::string name;
+  bool runs;
+  std::string reason;
+};
+
+struct Plan {
+  double substep = 0.0;           ///< s, dt over the number of substeps
+  bool gravity = false;           ///< something falls
+  bool pairs = false;             ///< two bodies may touch, one of them dynamic
+  bool obstacles = false;         ///< there are walls or static bodies
+  bool box = false;               ///< the domain is a box
+  bool periodic = false;          ///< the domain repeats
+  bool composites = false;        ///< some moving body has several parts, or a part off its centre
+  bool polygons = false;          ///< some moving body is not a disc: manifolds, and angles turn shapes
+  bool friction = false;          ///< some surface rubs
+  bool restitution = false;       ///< some surface bounces
+  std::vector<Surface> surfaces;  ///< of materials i, j at i * materials.size() + j
+  std::vector<Stage> stages;      ///< in the order of the step, those that are skipped too
+
+  bool contacts() const { return pairs || obstacles || box; }
+};
+
+Plan plan_for(const Scene& scene);
+
+}  // namespace throng

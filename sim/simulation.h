@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/plan.h"
+#include "sim/scene.h"
+#include "sim/simulation_error.h"
+#include "sim/state.h"
+
+namespace throng {
+
+/// One run of a scene by the engine that the scene names.
+class Simulation {
+ public:
+  virtual ~Simulation() = default;
+
+  /// Advances by dt. Throws SimulationError where the run can't go on.
+  virtual void step() = 0;
+
+  virtual const State& state() const = 0;
+
+  /// Points at which bodies pressed on each other or on obstacles in the last step.
+  virtual std::size_t contacts() const = 0;
+
+  /// Name and total time (s) of each stage that ran.
+  virtual std::vector<std::pair<std::string, double>> stage_times() const = 0;
+};
+
+/// `scene` must outlive the simulation. Throws InputError where the engine can't run the scene, with the
+/// reason.
+std::unique_ptr<Simulation> simulation(const Scene& scene, int threads = 1);
+
+}  // namespace throng

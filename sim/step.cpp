@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// The step is the story: find pairs, find contacts, solve in substeps, store.
+#include "sim/step.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "sim/simulation_error.h"
+
+namespace throng {
+
+namespace {
+
+constexpr double kContactHertz =
+    0.125;  // of the substep's rate: contacts are springs as stiff as h can carry
+constexpr double kContactDamping = 10.0;
+constexpr double kPushOut = 10.0;   // radii a second: the fastest that overlap is undone
+constexpr int kBounceSweeps = 64;   // a cluster that still rattles after these ends the substep inelastically
+constexpr double kRestSpeed = 2.0;  // slower than what gravity gives in so many substeps, a contact rests
+
+/// Measures the time from lap to lap.
+class StageClock {
+ public:
+  void lap(double& total) {
+    const auto now = std::chrono::steady_clock::now();
+    total += std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+void load(const State& state, std::span<SolverBody> bodies) {
+  for (std::size_t i = 0; i < state.position.size(); ++i) {
+    bodies[i].position = state.position[i];
+    bodies[i].velocity = state.velocity[i];
+    bodies[i].spin = state.spin[i];
+    bodies[i].turn = 0.0;
+  }
+}
+
+void fall(std::span<SolverBody> bodies, const Vec& kick) {
+  for (SolverBody& body : bodies)
+    if (body.inverse_mass > 0.0) body.velocity += kick;
+}
+
+void move(std::span<SolverBody> bodies, double h) {
+  for (SolverBody& body : bodies) {
+    body.position += h * body.velocity;
+    body.turn += h * body.spin;
+  }
+}
+
+/// Bounces all that meets in this substep, and what that sets in motion, until nothing meets any more.
+void bounce(Workspace& work, const Vec& kick) {
+  const double h = work.solver.h;
+  const double threshold = kRestSpeed * kick.norm();
+  for (int sweep = 0; sweep < kBounceSweeps; ++sweep) {
+    const bool discs = bounce(work.contacts.discs, work.bodies, h, threshold, kick);
+    const bool points = bounce(work.contacts.points, work.bodies, h, threshold, kick);
+    if (!discs && !points) return;
+  }
+}
+
+/// The discs' normals, each on its own.
+void prepare_all(const Scene& scene, const Plan& plan, Workspace& work) {
+  const Vec period = scene.domain.max - scene.domain.min;
+  const std::span<DiscContact> discs = work.contacts.discs;
+  work.workers.for_ranges(discs.size(), [&](std::size_t begin, std::size_t end) {
+    prepare(discs.subspan(begin, end - begin), work.bodies, plan.periodic ? &period : nullptr);
+  });
+  prepare(work.contacts.points, work.bodies);
+}
+
+void substep(const Scene& scene, const Plan& plan, Workspace& work) {
+  const Vec kick = work.solver.h * scene.gravity;
+  Contacts& contacts = work.contacts;
+  const std::span<SolverBody> bodies = work.bodies;
+  if (plan.contacts()) prepare_all(scene, plan, work);
+  if (plan.restitution) bounce(work, plan.gravity ? kick : Vec(0.0, 0.0));
+  if (plan.gravity) fall(bodies, kick);
+  if (plan.contacts()) {
+    warm_start(contacts.discs, bodies);
+    warm_start(contacts.points, bodies);
+    push_apart(contacts.discs, bodies, work.solver);
+    push_apart(contacts.points, bodies, work.solver);
+  }
+  move(bodies, work.solver.h);
+  if (plan.contacts()) {
+    relax(contacts.discs, bodies, work.solver);
+    relax(contacts.points, bodies, work.solver);
+  }
+}
+
+/// Into [origin, origin + size).
+double wrapped(double x, double origin, double size) {
+  const double y = x - size * std::floor((x - origin) / size);
+  return y >= origin + size || y < origin ? origin : y;
+}
+
+void store(const Scene& scene, const Plan& plan, std::span<const SolverBody> bodies, State& state) {
+  const Domain& domain = scene.domain;
+  for (std::size_t i = 0; i < state.position.size(); ++i) {
+    state.position[i] = bodies[i].position;
+    state.velocity[i] = bodies[i].velocity;
+    state.spin[i] = bodies[i].spin;
+    state.angle[i] += bodies[i].turn;
+    check_body(state, i);
+    if (!plan.periodic) continue;
+    for (int axis : {0, 1})
+      state.position[i][axis] =
+          wrapped(state.position[i][axis], domain.min[axis], domain.max[axis] - domain.min[axis]);
+  }
+}
+
+double mean_radius(const Colliders& colliders) {
+  const double sum = std::accumulate(colliders.radius.begin(), colliders.radius.end(), 0.0);
+  return colliders.radius.empty() ? 0.0 : sum / static_cast<double>(colliders.size());
+}
+
+}  // namespace
+
+Workspace::Workspace(const Scene& scene, const Plan& plan, int threads)
+    : workers(threads), candidates(scene, plan), finder(scene, plan), bodies(scene.bodies.size() + 1) {
+  for (SolverBody& body : bodies) body = {Vec(0.0, 0.0), Vec(0.0, 0.0), 0.0, 0.0, 0.0, 0.0};
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    if (scene.bodies.kind[i] != BodyKind::dynamic) continue;
+    bodies[i].inverse_mass = 1.0 / mass(scene, i);
+    bodies[i].inverse_inertia = 1.0 / inertia(scene, i);
+  }
+  const double h = plan.substep;
+  solver = {h, softness(kContactHertz / h, kContactDamping, h),
+            kPushOut * mean_radius(candidates.colliders()), plan.friction};
+}
+
+void step(const Scene& scene, const Plan& plan, State& state, Workspace& work) {
+  StageClock clock;
+  load(state, work.bodies);
+  if (plan.contacts()) {
+    work.candidates.find(state);
+    clock.lap(work.times.find_pairs);
+    work.finder.find(work.candidates, state, work.bodies, work.contacts, work.workers);
+    clock.lap(work.times.find_contacts);
+  }
+  for (int i = 0; i < scene.time.substeps; ++i) substep(scene, plan, work);
+  clock.lap(work.times.solve);
+  ++state.step;
+  store(scene, plan, work.bodies, state);
+  if (plan.contacts()) work.contacts.save(state);
+  clock.lap(work.times.store);
+}
+
+}  // namespace throng

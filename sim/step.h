@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <span>
+#include <vector>
+
+#include "sim/contact/candidates.h"
+#include "sim/contact/find_contacts.h"
+#include "sim/contact/solve.h"
+#include "sim/plan.h"
+#include "sim/scene.h"
+#include "sim/state.h"
+#include "sim/workers.h"
+
+/// The native fixed-step loop.
+namespace throng {
+
+/// How long the stages took so far.
+struct StageTimes {
+  double find_pairs = 0.0, find_contacts = 0.0, solve = 0.0, store = 0.0;  ///< s
+};
+
+/// What a step needs besides the state and may forget: buffers, and indexes of what never moves.
+struct Workspace {
+  Workspace(const Scene& scene, const Plan& plan, int threads);
+
+  Workers workers;
+  Candidates candidates;
+  ContactFinder finder;
+  Contacts contacts;
+  std::vector<SolverBody> bodies;  ///< a row per body, and one for all obstacles
+  SolverSettings solver;
+  StageTimes times;
+};
+
+/// Advances `state` by dt. Allocates nothing once its buffers have grown. Semi-implicit Euler in substeps:
+/// free fall is late by g h t / 2, h = dt / substeps. Throws SimulationError where a body is no longer at a
+/// finite place.
+void step(const Scene& scene, const Plan& plan, State& state, Workspace& workspace);
+
+}  // namespace throng
