@@ -29,4 +29,10 @@ struct Pose {
 /// The pose at `angle` (rad), by throng's own sine and cosine: the same bits on every machine.
 Pose pose(const Vec& position, double angle);
 
+/// A Convex with its normals. Expects vertices as Convex has them; a stranger's polygon goes through `clean`
+/// and `decompose` of polygon.h first.
+Convex convex(std::vector<Vec> vertices, double radius = 0.0);
+Convex disc(double radius, const Vec& centre = Vec{0.0, 0.0});
+Convex segment(const Vec& p, const Vec& q, double radius = 0.0);  ///< expects p != q
+
 }  // namespace throng::narrowphase
