@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "sim/recording/frame_hash.h"
+
+#include <array>
+#include <bit>
+#include <cstring>
+
+namespace throng::recording {
+
+namespace {
+
+constexpr std::uint64_t kPrime1 = 0x9E3779B185EBCA87ULL, kPrime2 = 0xC2B2AE3D27D4EB4FULL;
+
+std::uint64_t mix(std::uint64_t hash, std::uint64_t word) {
+  return std::rotl(hash + word * kPrime2, 31) * kPrime1;
+}
+
+std::uint64_t word_at(std::span<const std::byte> bytes, std::size_t at) {
+  std::uint64_t word = 0;
+  std::memcpy(&word, bytes.data() + at, std::min<std::size_t>(8, bytes.size() - at));
+  return word;
+}
+
+}  // namespace
+
+std::uint64_t hash_bytes(std::span<const std::byte> bytes) {
+  static_assert(std::endian::native == std::endian::little);
+  std::array<std::uint64_t, 4> lane{kPrime1 + kPrime2, kPrime2, 0, 0 - kPrime1};
+  std::size_t at = 0;
+  for (; at + 32 <= bytes.size(); at += 32)
+    for (std::size_t i = 0; i < 4; ++i) lane[i] = mix(lane[i], word_at(bytes, at + 8 * i));
+  for (std::size_t i = 0; at < bytes.size(); at += 8, ++i) lane[i] = mix(lane[i], word_at(bytes, at));
+  std::uint64_t hash = bytes.size();
+  for (std::uint64_t l : lane) hash = mix(hash ^ (hash >> 29), l);
+  return hash ^ (hash >> 32);
+}
+
+FrameHash::FrameHash(std::int64_t step, double time, std::uint64_t state_hash)
+    : hash_(mix(mix(mix(kPrime1, static_cast<std::uint64_t>(step)), std::bit_cast<std::uint64_t>(time)),
+                state_hash)) {}
+
+void FrameHash::add(std::span<const std::byte> field) {
+  hash_ = mix(hash_ ^ (hash_ >> 29), hash_bytes(field));
+}
+
+std::uint64_t FrameHash::value() const {
+  return hash_ == 0 ? 1 : hash_;
+}
+
+}  // namespace throng::recording

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+/// The checksums of a trajectory file. They catch damage and mistakes, not malice.
+namespace throng::recording {
+
+/// 64 bits over the bytes and their number: words of 8 bytes (the last padded with zeros) dealt to four
+/// lanes, each stepped as in XXH64 (Collet 2012), so that any change of one word changes the result. About 8
+/// bytes a ns.
+std::uint64_t hash_bytes(std::span<const std::byte> bytes);
+
+/// The running hash of a frame: starts with the row's numbers, then takes each stored field in the order of
+/// layout.h.
+class FrameHash {
+ public:
+  FrameHash(std::int64_t step, double time, std::uint64_t state_hash);
+  void add(std::span<const std::byte> field);
+  std::uint64_t value() const;  ///< never 0
+
+ private:
+  std::uint64_t hash_;
+};
+
+}  // namespace throng::recording

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "sim/recording/frame_queue.h"
+
+#include <algorithm>
+
+namespace throng::recording {
+
+namespace {
+
+constexpr std::size_t kBytes = 64'000'000, kBytesPerBody = 52;
+
+std::size_t depth(const State& first) {
+  return std::clamp<std::size_t>(kBytes / (kBytesPerBody * first.id.size() + 1), 2, 16);
+}
+
+void copy(const State& from, State& to) {
+  to.step = from.step;
+  to.id = from.id;
+  to.position = from.position;
+  to.angle = from.angle;
+  to.velocity = from.velocity;
+  to.spin = from.spin;
+}
+
+}  // namespace
+
+FrameQueue::FrameQueue(const State& first) : slots_(depth(first)) {
+  for (State& slot : slots_) copy(first, slot);
+}
+
+void FrameQueue::push(const State& state) {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [&] { return count_ < slots_.size() || error_; });
+  if (error_) std::rethrow_exception(error_);
+  State& slot = slots_[(head_ + count_) % slots_.size()];
+  lock.unlock();  // the slot is the producer's until it is counted
+  copy(state, slot);
+  lock.lock();
+  ++count_;
+  changed_.notify_all();
+}
+
+void FrameQueue::close() {
+  const std::lock_guard lock(mutex_);
+  closed_ = true;
+  changed_.notify_all();
+}
+
+const State* FrameQueue::front() {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [&] { return count_ > 0 || closed_; });
+  return count_ > 0 ? &slots_[head_] : nullptr;
+}
+
+void FrameQueue::pop() {
+  const std::lock_guard lock(mutex_);
+  head_ = (head_ + 1) % slots_.size();
+  --count_;
+  changed_.notify_all();
+}
+
+void FrameQueue::fail(std::exception_ptr error) {
+  const std::lock_guard lock(mutex_);
+  error_ = std::move(error);
+  changed_.notify_all();
+}
+
+void FrameQueue::check() {
+  const std::lock_guard lock(mutex_);
+  if (error_) std::rethrow_exception(error_);
+}
+
+}  // namespace throng::recording

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <exception>
+#include <mutex>
+#include <vector>
+
+#include "sim/state.h"
+
+namespace throng::recording {
+
+/// Frames on their way from the loop to the writer: a ring of buffers made in advance, one producer, one
+/// consumer.
+class FrameQueue {
+ public:
+  /// As many frames as fit into 64 MB, at least 2 and at most 16, all as large as `first`.
+  explicit FrameQueue(const State& first);
+
+  /// Copies step, ids and motion in; waits while the queue is full. Allocates nothing while the number of
+  /// bodies is that of `first`. Throws what the consumer failed with.
+  void push(const State& state);
+
+  /// Nothing more will come.
+  void close();
+
+  /// The oldest frame, once there is one; nullptr after the last. It stays until `pop`.
+  const State* front();
+  void pop();
+
+  /// The consumer gives up: every later push and check throws `error`.
+  void fail(std::exception_ptr error);
+  void check();
+
+  std::size_t capacity() const { return slots_.size(); }
+
+ private:
+  std::vector<State> slots_;
+  std::size_t head_ = 0, count_ = 0;
+  bool closed_ = false;
+  std::exception_ptr error_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+};
+
+}  // namespace throng::recording

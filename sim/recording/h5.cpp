@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "sim/recording/h5.h"
+
+#include <cstdlib>
+#include <cstring>
+#include <mutex>
+
+namespace throng::recording::h5 {
+
+namespace {
+
+/// The errno that HDF5's file driver wrote into a message such as "..., errno = 28, error message = ...",
+/// else 0.
+int errno_in(const char* description) {
+  const char* at = std::strstr(description, "errno = ");
+  return at ? std::atoi(at + std::strlen("errno = ")) : 0;
+}
+
+/// Keeps the first reason with an errno, else the first of all: the walk starts at the innermost call.
+herr_t keep_reason(unsigned, const H5E_error2_t* error, void* out) {
+  std::string& reason = *static_cast<std::string*>(out);
+  if (!error->desc) return 0;
+  if (const int number = errno_in(error->desc)) {
+    reason = std::strerror(number);
+    return 1;
+  }
+  if (reason.empty()) reason = error->desc;
+  return 0;
+}
+
+}  // namespace
+
+void prepare() {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    H5dont_atexit();
+    H5open();
+    H5PLset_loading_state(0);
+  });
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
+void fail(const std::string& what) {
+  std::string reason;
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_reason, &reason);
+  throw Error(reason.empty() ? what : what + ": " + reason);
+}
+
+template <>
+hid_t type<double>() {
+  return H5T_IEEE_F64LE;
+}
+template <>
+hid_t type<float>() {
+  return H5T_IEEE_F32LE;
+}
+template <>
+hid_t type<std::uint8_t>() {
+  return H5T_STD_U8LE;
+}
+template <>
+hid_t type<std::int32_t>() {
+  return H5T_STD_I32LE;
+}
+template <>
+hid_t type<std::uint32_t>() {
+  return H5T_STD_U32LE;
+}
+template <>
+hid_t type<std::int64_t>() {
+  return H5T_STD_I64LE;
+}
+template <>
+hid_t type<std::uint64_t>() {
+  return H5T_STD_U64LE;
+}
+
+}  // namespace throng::recording::h5

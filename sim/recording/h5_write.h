@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/recording/h5.h"
+
+/// Making groups, attributes and datasets that are complete when made. All throw h5::Error.
+namespace throng::recording::h5 {
+
+Handle create_group(hid_t at, const char* name);
+
+void write_attribute(hid_t at, const char* name, std::string_view text);
+void write_attribute(hid_t at, const char* name, const std::vector<std::string>& texts);
+template <class T>
+void write_attribute(hid_t at, const char* name, T value);
+template <class T>
+void write_attribute(hid_t at, const char* name, std::span<const T> values);
+
+/// A scalar text of its own length. Unchecksummed: keep its hash elsewhere.
+void write_text(hid_t at, const char* name, std::string_view text);
+
+/// A list of texts, all padded to the longest, with fletcher32.
+void write_texts(hid_t at, const char* name, const std::vector<std::string>& texts);
+
+/// values[n * columns] as a dataset [n] or, with columns > 1, [n, columns]; with fletcher32 where it isn't
+/// empty.
+template <class T>
+void write_array(hid_t at, const char* name, std::span<const T> values, hsize_t columns = 1);
+
+/// An empty dataset that grows in its first dimension; `dims` and `chunk` without it hold one row each.
+Handle create_growing(hid_t at, const char* name, hid_t type, std::vector<hsize_t> dims,
+                      std::vector<hsize_t> chunk, bool fletcher32);
+
+}  // namespace throng::recording::h5

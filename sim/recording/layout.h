@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+/// Where everything stands in a trajectory file: H5MD 1.1 (http://nongnu.org/h5md) with throng's own below
+/// /throng.
+///
+/// F frames, N bodies; all types little-endian and of fixed size; texts of fixed length, UTF-8. Created whole
+/// before the first frame with `libver=latest`, then only appended to, in SWMR mode: readers may follow a
+/// run.
+/// ```
+/// /h5md                          attribute version int32[2] = {1, 1}; author, creator as H5MD wants them
+/// /parameters                    attributes dt, until (f64), substeps, every (i64), seed (u64), threads
+/// (i64), engine,
+///                                version, compiler, flags, scenario_hash, resolved_hash (u64, hash_bytes of
+///                                the texts)
+///   scenario, resolved           scalar texts: the scenario as given, and with every override applied
+///   command_line                 scalar text
+/// /particles/trajectory
+///   box                          attributes dimension = 2, boundary[2]; dataset edges f64[2] in a bounded
+///   domain id                           i64[N], ascending; the row of a body is the same in every frame
+///   position, velocity           groups with value f64[F,N,2] (f32 with record.precision = "single"), step,
+///   time angle, spin                  the same with value [F,N]; only what the scenario records is there
+/// /throng                        attribute version int32[2] = {kMajor, kMinor}; name, description
+///   finished                     u64: 0 while the run goes on, then the hash of frames/frame_hash
+///   frames                       step i64[F], time f64[F] = step * dt, state_hash u64[F], frame_hash u64[F];
+///                                every `step` and `time` above is a hard link to these two
+///   domain                       attributes kind, min f64[2], max f64[2]
+///   materials                    name, density, restitution, friction
+///   shapes                       name, kind u8, centre, area, gyration2, radius; outlines and convex parts
+///   as flat
+///                                arrays: outline_offset u64[S+1] -> outline f64[,2]; part_offset u64[S+1] ->
+///                                part_radius f64, vertex_offset u64[parts+1] -> vertices f64[,2]
+///   bodies                       shape u32, material u32, kind u8 (0 dynamic, 1 static, 2 kinematic),
+///   radius, mass walls                        offset u64[W+1] -> points f64[,2]; closed u8, material u32
+/// ```
+/// `state_hash` is throng::hash of the whole state, so that a run can be checked against another.
+/// `frame_hash` covers step, time, state_hash and exactly the stored bytes of the frame; 0 never occurs. It
+/// is the commit record: a frame counts once its row stands there, whatever the extents of the other datasets
+/// say. Values carry fletcher32 and one chunk a frame (at most kMaxChunk bytes). The four rows of `frames`
+/// carry none: their last chunk is rewritten as it fills, and a reader or a crash in between would see a
+/// wrong checksum; `frame_hash` and `finished` cover them.
+namespace throng::recording {
+
+inline constexpr int kMajor = 1;  ///< a reader refuses a newer one
+inline constexpr int kMinor = 0;  ///< grows when datasets are added that older readers may overlook
+
+inline constexpr std::size_t kMaxChunk = std::size_t{1} << 20;  ///< bytes
+inline constexpr std::size_t kRowChunk = 512;                   ///< rows: one page of 8-byte numbers
+
+/// What may be recorded of a body, in the order in which frame_hash covers it.
+enum FieldIndex { kPosition, kAngle, kVelocity, kSpin, kFields };
+
+inline constexpr std::array<const char*, kFields> kFieldName{"position", "angle", "velocity", "spin"};
+inline constexpr std::array<int, kFields> kComponents{2, 1, 2, 1};
+
+}  // namespace throng::recording

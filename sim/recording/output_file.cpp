@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "sim/recording/output_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <sys/statvfs.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <limits>
+
+#include "sim/input_error.h"
+
+namespace throng::recording {
+
+namespace {
+
+constexpr double kReserve = 16e6;  // bytes that a recording never plans to use
+
+std::string folder_of(const std::string& path) {
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  return folder.empty() ? "." : folder;
+}
+
+[[noreturn]] void refuse(const std::string& path, const std::string& why) {
+  throw InputError("cannot write " + path + ": " + why);
+}
+
+void check_target(const std::string& path, bool force) {
+  struct stat found;
+  if (path.empty()) throw InputError("the output has no name");
+  if (stat(folder_of(path).c_str(), &found) != 0)
+    refuse(path,
+           errno == ENOENT ? "the folder " + folder_of(path) + " does not exist" : std::strerror(errno));
+  if (!S_ISDIR(found.st_mode)) refuse(path, folder_of(path) + " is no folder");
+  if (lstat(path.c_str(), &found) != 0) return;
+  if (!S_ISREG(found.st_mode)) refuse(path, "it exists and is no regular file");
+  if (!force) refuse(path, "it exists already; --force overwrites it");
+}
+
+/// A lock on the whole file that belongs to the open file, not to the process: HDF5 opens and closes the same
+/// file.
+struct flock whole_file() {
+  struct flock lock = {};
+  lock.l_type = F_WRLCK;
+  lock.l_whence = SEEK_SET;
+  return lock;
+}
+
+bool same_file(int fd, const std::string& path) {
+  struct stat open, named;
+  return fstat(fd, &open) == 0 && lstat(path.c_str(), &named) == 0 && open.st_ino == named.st_ino &&
+         open.st_dev == named.st_dev;
+}
+
+[[noreturn]] void fail(const std::string& path) {
+  throw std::runtime_error("cannot complete " + path + ": " + std::strerror(errno));
+}
+
+void sync_folder(const std::string& path) {
+  const int fd = open(folder_of(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (fd < 0) return;  // a folder that may be written but not read: the name reaches the disk in its own time
+  const bool failed = fsync(fd) != 0 && errno != EINVAL;
+  close(fd);
+  if (failed) fail(path);
+}
+
+}  // namespace
+
+OutputFile::OutputFile(std::string path, bool force)
+    : path_(std::move(path)), part_(path_ + ".part"), force_(force) {
+  check_target(path_, force_);
+  open_part();
+  try {
+    lock_part();
+  } catch (...) {
+    close(fd_);
+    throw;
+  }
+}
+
+OutputFile::~OutputFile() {
+  if (fd_ < 0) return;
+  if (!keep_ && same_file(fd_, part_)) unlink(part_.c_str());
+  close(fd_);
+}
+
+void OutputFile::open_part() {
+  const int flags = O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK;
+  fd_ = open(part_.c_str(), flags, 0666);
+  if (fd_ < 0) refuse(path_, part_ + ": " + std::strerror(errno));
+}
+
+void OutputFile::lock_part() {
+  struct flock lock = whole_file();
+  if (fcntl(fd_, F_OFD_SETLK, &lock) != 0 && (errno == EAGAIN || errno == EACCES))
+    refuse(path_, "another run is writing it (" + part_ + " is locked)");
+  struct stat found;
+  if (fstat(fd_, &found) != 0 || !S_ISREG(found.st_mode)) refuse(path_, part_ + " is no regular file");
+  if (!same_file(fd_, part_)) refuse(path_, "another run has just finished it");
+  if (found.st_size > 0 && !force_)
+    refuse(path_, part_ + " is left from a run that did not end, and may hold frames; --force overwrites it");
+}
+
+double OutputFile::free_bytes() const {
+  struct statvfs system;
+  if (statvfs(folder_of(path_).c_str(), &system) != 0) return std::numeric_limits<double>::max();
+  return static_cast<double>(system.f_bavail) * static_cast<double>(system.f_frsize);
+}
+
+void OutputFile::expect_room(double bytes) const {
+  const double have = free_bytes();
+  if (bytes + kReserve <= have) return;
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "the recording needs about %.3g MB and %s has %.3g MB left; record fewer frames",
+                (bytes + kReserve) / 1e6, folder_of(path_).c_str(), have / 1e6);
+  refuse(path_, text);
+}
+
+void OutputFile::sync() const {
+  if (fdatasync(fd_) != 0) fail(part_);
+}
+
+void OutputFile::publish() {
+  keep();
+  if (fsync(fd_) != 0) fail(part_);
+  int status = renameat2(AT_FDCWD, part_.c_str(), AT_FDCWD, path_.c_str(), force_ ? 0 : RENAME_NOREPLACE);
+  if (status != 0 && errno == EINVAL) status = rename(part_.c_str(), path_.c_str());
+  if (status != 0) fail(path_);
+  sync_folder(path_);
+}
+
+bool is_being_written(const std::string& part) {
+  const int fd = open(part.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (fd < 0) return false;
+  struct flock lock = whole_file();
+  const bool locked = fcntl(fd, F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
+  close(fd);
+  return locked;
+}
+
+}  // namespace throng::recording

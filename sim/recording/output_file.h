@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+/// The place in the file system that a recording takes: OUT.part while it is written, OUT once it is
+/// complete.
+namespace throng::recording {
+
+class OutputFile {
+ public:
+  /// Claims `path`: makes and locks `path`.part. Throws InputError, leaving nothing behind, where the folder
+  /// is missing or not writable, where `path` or the part of an earlier run exists without `force`, or where
+  /// another run is writing there.
+  OutputFile(std::string path, bool force);
+
+  /// Lets go of the part, and removes it where nothing worth keeping was said to be in it.
+  ~OutputFile();
+
+  const std::string& path() const { return path_; }  ///< the final name
+  const std::string& part() const { return part_; }  ///< where to write
+
+  /// Throws InputError where the file system has less than `bytes` and a reserve left.
+  void expect_room(double bytes) const;
+
+  /// Bytes that the file system has left for this user; the largest number where it doesn't tell.
+  double free_bytes() const;
+
+  /// From now on the part stays, whatever happens.
+  void keep() { keep_ = true; }
+
+  /// Hands the data to the disk. Throws std::runtime_error.
+  void sync() const;
+
+  /// Syncs, gives the part its final name and syncs the folder. Expects the part to be complete and closed.
+  /// Throws std::runtime_error; the part then stays.
+  void publish();
+
+ private:
+  void open_part();
+  void lock_part();
+
+  std::string path_, part_;
+  bool force_, keep_ = false;
+  int fd_ = -1;
+};
+
+/// True while a run holds the lock of this part.
+bool is_being_written(const std::string& part);
+
+}  // namespace throng::recording

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+namespace throng {
+
+/// Where a recording comes from: enough to run it again.
+struct Provenance {
+  std::string scenario;      ///< the scenario's text as given
+  std::string resolved;      ///< the same with every override applied; loads to the scene
+  std::string command_line;  ///< as typed
+  int threads = 1;
+};
+
+}  // namespace throng

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include "sim/recording/recorder.h"
+
+#include <pthread.h>
+#include <signal.h>
+
+#include <chrono>
+#include <functional>
+#include <future>
+#include <thread>
+
+#include "sim/input_error.h"
+#include "sim/recording/frame_queue.h"
+#include "sim/recording/output_file.h"
+#include "sim/recording/trajectory_writer.h"
+
+namespace throng {
+
+using namespace recording;
+
+namespace {
+
+constexpr auto kCommitEach = std::chrono::seconds(1), kSyncEach = std::chrono::seconds(10);
+constexpr double kCommitBytes = 64e6;
+constexpr double kEnoughRoom = 4e6;  // bytes: below it, stop while the file can still be closed in order
+
+double expected_bytes(const Scene& scene, const Provenance& provenance) {
+  const double frames = static_cast<double>(scene.time.steps()) / scene.record.every + 1;
+  const double texts = static_cast<double>(provenance.scenario.size() + provenance.resolved.size());
+  return frames * frame_bytes(scene) + 64.0 * static_cast<double>(scene.bodies.size()) + texts + 1e5;
+}
+
+/// Signals are for the threads that know what to do; a limit on the file's size comes back as an error
+/// instead.
+void block_signals() {
+  sigset_t all;
+  sigfillset(&all);
+  pthread_sigmask(SIG_BLOCK, &all, nullptr);
+}
+
+}  // namespace
+
+struct Recorder::Impl {
+  Impl(const std::string& path, const Scene& scene, const Provenance& provenance, bool force);
+  ~Impl();
+
+  void write_all(const Scene& scene, const Provenance& provenance, std::promise<void>& ready);
+  void write_frames(TrajectoryWriter& writer);
+  void commit_when_due(TrajectoryWriter& writer);
+  void end(TrajectoryWriter& writer);
+  void keep_what_is_there(TrajectoryWriter& writer);
+  void guarded(TrajectoryWriter& writer, const std::function<void()>& work);
+
+  using Clock = std::chrono::steady_clock;
+  OutputFile output;
+  double bytes_per_frame;
+  double uncommitted = 0;  ///< bytes
+  Clock::time_point last_commit = Clock::now(), last_sync = Clock::now();
+  FrameQueue queue;
+  bool complete = false;  ///< set before the queue closes: the file deserves its final name
+  std::size_t frames = 0;
+  std::thread writer_thread;
+};
+
+Recorder::Impl::Impl(const std::string& path, const Scene& scene, const Provenance& provenance, bool force)
+    : output(path, force), bytes_per_frame(frame_bytes(scene)), queue(initial_state(scene)) {
+  output.expect_room(expected_bytes(scene, provenance));
+  std::promise<void> promise;
+  std::future<void> ready = promise.get_future();
+  writer_thread =
+      std::thread([&, told = std::move(promise)]() mutable { write_all(scene, provenance, told); });
+  try {
+    ready.get();
+  } catch (...) {
+    writer_thread.join();
+    throw;
+  }
+}
+
+Recorder::Impl::~Impl() {
+  queue.close();
+  if (writer_thread.joinable()) writer_thread.join();
+}
+
+/// The writer's whole life. `ready` is told when the file is made, or why it is not; the arguments live until
+/// then.
+void Recorder::Impl::write_all(const Scene& scene, const Provenance& provenance, std::promise<void>& ready) {
+  block_signals();
+  std::unique_ptr<TrajectoryWriter> writer;
+  try {
+    writer = std::make_unique<TrajectoryWriter>(output.part(), scene, provenance);
+  } catch (const std::exception& error) {
+    const std::string message = "cannot write " + output.part() + ": " + error.what();
+    ready.set_exception(std::make_exception_ptr(std::runtime_error(message)));
+    return;
+  }
+  ready.set_value();
+  guarded(*writer, [&] {
+    write_frames(*writer);
+    end(*writer);
+  });
+}
+
+/// Does `work`; after an error the file is closed in order, except that nothing follows a failed write.
+void Recorder::Impl::guarded(TrajectoryWriter& writer, const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const h5::Error& error) {
+    writer.abandon();
+    const std::string kept = std::to_string(writer.committed()) + " frames in it are readable";
+    queue.fail(std::make_exception_ptr(
+        std::runtime_error("writing " + output.part() + " failed: " + error.what() + "; " + kept)));
+  } catch (...) {
+    queue.fail(std::current_exception());
+    guarded(writer, [&] { keep_what_is_there(writer); });
+  }
+}
+
+void Recorder::Impl::write_frames(TrajectoryWriter& writer) {
+  while (const State* state = queue.front()) {
+    writer.append(*state);
+    queue.pop();
+    uncommitted += bytes_per_frame;
+    commit_when_due(writer);
+  }
+}
+
+void Recorder::Impl::commit_when_due(TrajectoryWriter& writer) {
+  const auto now = Clock::now();
+  if (now - last_commit < kCommitEach && uncommitted < kCommitBytes) return;
+  writer.commit();
+  output.keep();
+  last_commit = now;
+  if (now - last_sync >= kSyncEach) {
+    output.sync();
+    last_sync = now;
+  }
+  const double room = output.free_bytes();
+  const double needed = uncommitted + kEnoughRoom;
+  uncommitted = 0;
+  if (room >= needed) return;
+  throw std::runtime_error("stopped writing " + output.part() + ": the disk is nearly full; " +
+                           std::to_string(writer.committed()) + " frames in it are readable");
+}
+
+void Recorder::Impl::end(TrajectoryWriter& writer) {
+  if (!complete) return keep_what_is_there(writer);
+  writer.finish();
+  output.publish();
+}
+
+void Recorder::Impl::keep_what_is_there(TrajectoryWriter& writer) {
+  writer.close();
+  if (writer.committed() > 0) output.keep();
+}
+
+Recorder::Recorder(const std::string& path, const Scene& scene, const Provenance& provenance, bool force)
+    : impl_(std::make_unique<Impl>(path, scene, provenance, force)) {}
+
+Recorder::~Recorder() = default;
+
+void Recorder::record(const State& state) {
+  impl_->queue.push(state);
+  ++impl_->frames;
+}
+
+void Recorder::finish() {
+  impl_->complete = true;
+  impl_->queue.close();
+  if (impl_->writer_thread.joinable()) impl_->writer_thread.join();
+  impl_->queue.check();
+}
+
+const std::string& Recorder::path() const {
+  return impl_->output.path();
+}
+std::size_t Recorder::frames() const {
+  return impl_->frames;
+}
+
+}  // namespace throng

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "sim/recording/scene_writer.h"
+
+#include "sim/recording/h5_write.h"
+
+namespace throng::recording {
+
+namespace {
+
+using h5::write_array;
+
+template <class T>
+std::span<const T> flat(const std::vector<T>& values) {
+  return values;
+}
+
+std::span<const double> flat(const std::vector<Vec>& values) {
+  return {values.empty() ? nullptr : values[0].data(), 2 * values.size()};
+}
+
+/// One column of a list of structs.
+template <class Item, class F>
+auto column(const std::vector<Item>& items, F value) {
+  std::vector<decltype(value(items[0]))> result;
+  for (const Item& item : items) result.push_back(value(item));
+  return result;
+}
+
+/// Lists of points end to end; list i is points[offset[i]] to points[offset[i + 1]].
+struct Ragged {
+  std::vector<std::uint64_t> offset{0};
+  std::vector<Vec> points;
+
+  void add(const std::vector<Vec>& list) {
+    points.insert(points.end(), list.begin(), list.end());
+    offset.push_back(points.size());
+  }
+};
+
+void write_domain(hid_t throng, const Domain& domain) {
+  constexpr const char* kinds[] = {"unbounded", "box", "periodic"};
+  const h5::Handle group = h5::create_group(throng, "domain");
+  h5::write_attribute(group, "kind", std::string_view(kinds[static_cast<int>(domain.kind)]));
+  h5::write_attribute(group, "min", std::span<const double>(domain.min.data(), 2));
+  h5::write_attribute(group, "max", std::span<const double>(domain.max.data(), 2));
+}
+
+void write_materials(hid_t throng, const std::vector<Material>& materials) {
+  const h5::Handle group = h5::create_group(throng, "materials");
+  h5::write_texts(group, "name", column(materials, [](const Material& m) { return m.name; }));
+  write_array(group, "density", flat(column(materials, [](const Material& m) { return m.density; })));
+  write_array(group, "restitution", flat(column(materials, [](const Material& m) { return m.restitution; })));
+  write_array(group, "friction", flat(column(materials, [](const Material& m) { return m.friction; })));
+}
+
+void write_outlines(hid_t group, const std::vector<Shape>& shapes) {
+  Ragged outlines, parts;
+  std::vector<std::uint64_t> part_offset{0};
+  std::vector<double> part_radius;
+  for (const Shape& shape : shapes) {
+    outlines.add(shape.outline);
+    for (const narrowphase::Convex& part : shape.parts) {
+      parts.add(part.vertices);
+      part_radius.push_back(part.radius);
+    }
+    part_offset.push_back(part_radius.size());
+  }
+  write_array(group, "outline_offset", flat(outlines.offset));
+  write_array(group, "outline", flat(outlines.points), 2);
+  write_array(group, "part_offset", flat(part_offset));
+  write_array(group, "part_radius", flat(part_radius));
+  write_array(group, "vertex_offset", flat(parts.offset));
+  write_array(group, "vertices", flat(parts.points), 2);
+}
+
+void write_shapes(hid_t throng, const std::vector<Shape>& shapes) {
+  const h5::Handle group = h5::create_group(throng, "shapes");
+  h5::write_texts(group, "name", column(shapes, [](const Shape& s) { return s.name; }));
+  write_array(group, "kind",
+              flat(column(shapes, [](const Shape& s) { return static_cast<std::uint8_t>(s.kind); })));
+  write_array(group, "centre", flat(column(shapes, [](const Shape& s) { return s.centre; })), 2);
+  write_array(group, "area", flat(column(shapes, [](const Shape& s) { return s.area; })));
+  write_array(group, "gyration2", flat(column(shapes, [](const Shape& s) { return s.gyration2; })));
+  write_array(group, "radius", flat(column(shapes, [](const Shape& s) { return s.radius; })));
+  write_outlines(group, shapes);
+}
+
+void write_bodies(hid_t throng, const Scene& scene) {
+  const h5::Handle group = h5::create_group(throng, "bodies");
+  const Bodies& bodies = scene.bodies;
+  std::vector<double> masses;
+  for (std::size_t row = 0; row < bodies.size(); ++row) masses.push_back(mass(scene, row));
+  write_array(group, "shape", flat(bodies.shape));
+  write_array(group, "material", flat(bodies.material));
+  write_array(group, "kind",
+              flat(column(bodies.kind, [](BodyKind k) { return static_cast<std::uint8_t>(k); })));
+  write_array(group, "radius", flat(bodies.radius));
+  write_array(group, "mass", flat(masses));
+}
+
+void write_walls(hid_t throng, const std::vector<Wall>& walls) {
+  const h5::Handle group = h5::create_group(throng, "walls");
+  Ragged lines;
+  for (const Wall& wall : walls) lines.add(wall.points);
+  write_array(group, "offset", flat(lines.offset));
+  write_array(group, "points", flat(lines.points), 2);
+  write_array(group, "closed", flat(column(walls, [](const Wall& w) { return std::uint8_t{w.closed}; })));
+  write_array(group, "material", flat(column(walls, [](const Wall& w) { return w.material; })));
+}
+
+}  // namespace
+
+void write_scene(hid_t throng, const Scene& scene) {
+  h5::write_attribute(throng, "name", std::string_view(scene.name));
+  h5::write_attribute(throng, "description", std::string_view(scene.description));
+  write_domain(throng, scene.domain);
+  write_materials(throng, scene.materials);
+  write_shapes(throng, scene.shapes);
+  write_bodies(throng, scene);
+  write_walls(throng, scene.walls);
+}
+
+}  // namespace throng::recording
