@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// throng plan: the stages that a scene runs and those that it skips, each with its reason.
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "sim/plan.h"
+#include "tools/commands.h"
+#include "tools/scenario.h"
+
+namespace throng::tools {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Frames that a whole run records: step 0 and each `every`-th.
+std::int64_t frames(const Scene& scene) { return scene.time.steps() / scene.record.every + 1; }
+
+/// Bytes of one frame as recorded: what the fields take, and the frame's own row.
+std::int64_t frame_bytes(const Scene& scene) {
+  const Record& record = scene.record;
+  const auto n = static_cast<std::int64_t>(scene.bodies.size());
+  const std::int64_t position = record.position ? (record.single ? 8 : 16) : 0;
+  return n * (position + (record.angle ? 8 : 0) + (record.velocity ? 16 : 0) + (record.spin ? 8 : 0)) + 48;
+}
+
+std::size_t count(const Scene& scene, BodyKind kind) {
+  std::size_t n = 0;
+  for (BodyKind k : scene.bodies.kind) n += k == kind;
+  return n;
+}
+
+Json to_json(const Scene& scene, const Plan& plan) {
+  Json stages = Json::array();
+  for (const Stage& stage : plan.stages)
+    stages.push_back({{"stage", stage.name}, {"runs", stage.runs}, {"reason", stage.reason}});
+  return {{"scenario", scene.name},
+          {"engine", scene.engine == Engine::box2d ? "box2d" : "native"},
+          {"bodies", scene.bodies.size()},
+          {"dynamic", count(scene, BodyKind::dynamic)},
+          {"static", count(scene, BodyKind::fixed)},
+          {"kinematic", count(scene, BodyKind::kinematic)},
+          {"walls", scene.walls.size()},
+          {"steps", scene.time.steps()},
+          {"dt", scene.time.dt},
+          {"substeps", scene.time.substeps},
+          {"stages", stages},
+          {"frames", frames(scene)},
+          {"output_bytes", frames(scene) * frame_bytes(scene)}};
+}
+
+std::string size_text(double bytes) {
+  const char* units[] = {"B", "kB", "MB", "GB", "TB"};
+  int unit = 0;
+  while (bytes >= 1000.0 && unit < 4) bytes /= 1000.0, ++unit;
+  char text[32];
+  std::snprintf(text, sizeof text, unit == 0 ? "%.0f %s" : "%.1f %s", bytes, units[unit]);
+  return text;
+}
+
+void print(const Scene& scene, const Plan& plan) {
+  std::printf("%s: %zu bodies (%zu dynamic, %zu static, %zu kinematic), %zu walls; engine %s\n", scene.name.c_str(),
+              scene.bodies.size(), count(scene, BodyKind::dynamic), count(scene, BodyKind::fixed),
+              count(scene, BodyKind::kinematic), scene.walls.size(),
+              scene.engine == Engine::box2d ? "box2d" : "native");
+  std::printf("%lld steps of %g s in %d substeps\n\n", static_cast<long long>(scene.time.steps()), scene.time.dt,
+              scene.time.substeps);
+  if (scene.engine == Engine::box2d)
+    std::puts("Box2D runs the whole step in one stage; the native engine would run:");
+  for (const Stage& stage : plan.stages)
+    std::printf("  %-7s %-14s %s\n", stage.runs ? "runs" : "skipped", stage.name.c_str(), stage.reason.c_str());
+  std::printf("\nrecorded in full: %lld frames, about %s\n", static_cast<long long>(frames(scene)),
+              size_text(static_cast<double>(frames(scene) * frame_bytes(scene))).c_str());
+}
+
+struct Options {
+  std::string scene;
+  std::vector<std::string> set;
+  bool json = false;
+};
+
+}  // namespace
+
+void add_plan(CLI::App& app, int&) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("plan", "Shows which stages a scene runs or skips, why, and what it will write");
+  command->add_option("SCENE", options->scene, "scenario file")->required();
+  command->add_option("--set", options->set, "PATH=VALUE: another value for a field; may be repeated")->allow_extra_args(false);
+  command->add_flag("--json", options->json, "one JSON object instead of text");
+  command->footer("Example: throng plan scenarios/pile.toml");
+  command->callback([options] {
+    const Loaded loaded = load_or_throw(options->scene, options->set);
+    const Plan plan = plan_for(loaded.scene);
+    if (options->json)
+      std::puts(to_json(loaded.scene, plan).dump(2).c_str());
+    else
+      print(loaded.scene, plan);
+  });
+}
+
+}  // namespace throng::tools

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+// throng run: a scenario in, a summary out, and a recording where one is asked for.
+#include <sys/stat.h>
+
+#include <cerrno>
+#include <climits>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <optional>
+
+#include "sim/input_error.h"
+#include "sim/recording/recorder.h"
+#include "sim/simulation.h"
+#include "tools/commands.h"
+#include "tools/progress.h"
+#include "tools/scenario.h"
+#include "tools/summary.h"
+
+namespace throng::tools {
+
+namespace {
+
+struct Options {
+  std::string scene, output, progress = "auto", command_line;
+  std::vector<std::string> overrides;
+  int threads = 1;
+  bool force = false, dry_run = false;
+};
+
+volatile std::sig_atomic_t stop_requested = 0;
+
+/// The first signal ends the run in good order, the second at once.
+void stop_on_signals() {
+  struct sigaction action = {};
+  action.sa_handler = [](int) { stop_requested = 1; };
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  for (int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
+}
+
+/// Steps until the end or a signal. Returns the timings.
+RunTimes advance(Simulation& simulation, const Scene& scene, std::optional<Recorder>& recorder, Progress& progress) {
+  RunTimes times;
+  const std::int64_t steps = scene.time.steps();
+  if (recorder) recorder->record(simulation.state());
+  while (simulation.state().step < steps && !stop_requested) {
+    times.begin_step();
+    simulation.step();
+    times.end_step();
+    if (recorder && simulation.state().step % scene.record.every == 0) recorder->record(simulation.state());
+    progress.update(simulation.state().step);
+  }
+  return times;
+}
+
+/// What to type to see the same failure again.
+std::string reproduction(const Options& options) {
+  std::string text = "throng run " + options.scene;
+  for (const std::string& o : options.overrides) text += " --set '" + o + "'";
+  return text + " --threads " + std::to_string(options.threads);
+}
+
+void report_stop(const Options& options, const Scene& scene, const State& state) {
+  std::fprintf(stderr, "throng: stopped by a signal after step %lld of %lld", static_cast<long long>(state.step),
+               static_cast<long long>(scene.time.steps()));
+  if (!options.output.empty())
+    std::fprintf(stderr, "; %s.part holds the frames so far, closed and readable", options.output.c_str());
+  std::fputc('\n', stderr);
+}
+
+int run(const Options& options) {
+  const Loaded loaded = load_or_throw(options.scene, options.overrides);
+  const Scene& scene = loaded.scene;
+  const auto simulation = throng::simulation(scene, options.threads);
+  std::optional<Recorder> recorder;
+  if (!options.output.empty() && !options.dry_run)
+    recorder.emplace(options.output, scene,
+                     Provenance{loaded.text, loaded.resolved, options.command_line, options.threads}, options.force);
+  Progress progress(options.dry_run ? Progress::Style::none : Progress::style(options.progress), scene.time.steps(),
+                    scene.time.dt);
+  RunTimes times;
+  if (!options.dry_run) {
+    stop_on_signals();
+    try {
+      times = advance(*simulation, scene, recorder, progress);
+    } catch (const SimulationError& error) {
+      throw SimulationError(std::string(error.what()) + "; to reproduce: " + reproduction(options));
+    }
+    progress.finish(simulation->state().step);
+    if (stop_requested) {
+      recorder.reset();
+      report_stop(options, scene, simulation->state());
+    } else if (recorder) {
+      recorder->finish();
+    }
+  }
+  std::puts(summary(scene, *simulation, times, options.dry_run ? "" : options.output).dump(2).c_str());
+  return stop_requested ? 130 : 0;
+}
+
+/// An option that is short for a field of the scenario.
+void add_field(CLI::App& command, Options& options, const char* name, const char* field, bool text, const char* help) {
+  command.add_option_function<std::string>(
+      name,
+      [&options, field, text](const std::string& value) {
+        options.overrides.push_back(std::string(field) + "=" + (text ? "\"" + value + "\"" : value));
+      },
+      help);
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, int& exit_code, const std::string& command_line) {
+  auto options = std::make_shared<Options>();
+  options->command_line = command_line;
+  CLI::App* command = app.add_subcommand("run", "Runs a scenario; prints a summary as JSON, records with -o");
+  command->add_option("SCENE", options->scene, "scenario file")->required();
+  command->add_option("-o,--output", options->output, "recording to write (HDF5); without it nothing is recorded");
+  add_field(*command, *options, "--until", "time.until", false, "end of the run (s)");
+  add_field(*command, *options, "--dt", "time.dt", false, "length of a step (s)");
+  add_field(*command, *options, "--substeps", "time.substeps", false, "solver's substeps in a step");
+  add_field(*command, *options, "--engine", "engine", true, "native or box2d");
+  add_field(*command, *options, "--seed", "seed", false, "of all randomness");
+  add_field(*command, *options, "--every", "record.every", false, "record each Nth step");
+  command->add_option_function<std::vector<std::string>>(
+             "--set",
+             [options](const std::vector<std::string>& given) {
+               options->overrides.insert(options->overrides.end(), given.begin(), given.end());
+             },
+             "PATH=VALUE: another value for any field, as in time.dt=0.005 or bodies.0.spin=2; may be repeated")
+      ->allow_extra_args(false);
+  command->add_option("--threads", options->threads, "threads; the result doesn't depend on it")
+      ->check(CLI::Range(1, 256));
+  command->add_option("--progress", options->progress, "auto, plain, json or none")
+      ->check(CLI::IsMember({"auto", "plain", "json", "none"}));
+  command->add_flag("--dry-run", options->dry_run, "reads and checks everything, summarises the first state, runs nothing");
+  command->add_flag("--force", options->force, "overwrites the recording where it exists");
+  command->footer(
+      "Example: throng run scenarios/pile.toml -o pile.h5 --until 5 --threads 2\n"
+      "A stopped or failed run leaves its frames in OUT.h5.part, which every command reads.");
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace throng::tools

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+namespace throng::tools {
+
+/// How far a run is, on stderr: a bar on a terminal, a plain line every few seconds elsewhere.
+class Progress {
+ public:
+  enum class Style { bar, plain, json, none };
+
+  /// `name` is auto, plain, json or none; auto is a bar where stderr is a terminal, else plain.
+  static Style style(const std::string& name);
+
+  Progress(Style style, std::int64_t steps, double dt);
+
+  void update(std::int64_t step);  ///< cheap: looks at the clock, and seldom prints
+  void finish(std::int64_t step);  ///< clears the bar, or prints the last line
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void print(std::int64_t step, double elapsed) const;
+
+  Style style_;
+  std::int64_t steps_;
+  double dt_;
+  Clock::time_point begin_ = Clock::now(), next_;
+};
+
+}  // namespace throng::tools

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#include "tools/scenario.h"
+
+#include <cstdio>
+
+#include "sim/input_error.h"
+
+namespace throng::tools {
+
+Loaded load_or_throw(const std::string& file, const std::vector<std::string>& overrides) {
+  Loaded loaded = load_scenario(file, overrides);
+  std::fputs(to_string(loaded.diagnostics, file).c_str(), stderr);
+  if (const int n = loaded.errors(); n > 0)
+    throw InputError(file + ": " + std::to_string(n) + (n == 1 ? " error" : " errors"));
+  return loaded;
+}
+
+}  // namespace throng::tools

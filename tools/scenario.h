@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scenarios/load.h"
+
+namespace throng::tools {
+
+/// Reads a scenario, prints its warnings and errors to stderr, and throws InputError where there are errors.
+Loaded load_or_throw(const std::string& file, const std::vector<std::string>& overrides = {});
+
+}  // namespace throng::tools
