@@ -17,6 +17,7 @@ struct Diagnostic {
   int line = 0, column = 0;  ///< from 1; 0 where it belongs to no place in the text
   std::string path;          ///< of the field, such as "shapes.ball.disc.radius"
   std::string message;       ///< what, and what is allowed
+  std::string source = {};   ///< the override that it came from, such as "--set time.dt=0"; empty: the file
 };
 
 /// A scenario as read: usable where `errors()` is 0.
@@ -33,7 +34,8 @@ struct Loaded {
 Loaded load_scenario(const std::string& file, std::span<const std::string> overrides = {});
 
 /// The same for a text; `name` stands for the file in messages and `folder` is where relative paths start.
-Loaded load_scenario_text(std::string_view text, const std::string& name, std::span<const std::string> overrides = {});
+Loaded load_scenario_text(std::string_view text, const std::string& name,
+                          std::span<const std::string> overrides = {});
 
 /// "FILE:LINE:COLUMN: error: PATH: MESSAGE", a line each.
 std::string to_string(std::span<const Diagnostic> diagnostics, const std::string& file);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The program: reads the command line, runs one command, turns what went wrong into a sentence and an exit code.
+// The program: reads the command line, runs one command, turns what went wrong into a sentence and an exit
+// code.
 #include <cstdio>
 #include <exception>
 
@@ -14,6 +15,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", THRONG_VERSION);
   app.require_subcommand(1);
   int exit_code = 0;
+  add_validate(app, exit_code);
 
   try {
     app.parse(argc, argv);

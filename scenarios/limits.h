@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+
+/// What a scenario may ask for. The bounds are far beyond any use and keep every later sum and product
+/// finite.
+namespace throng::scenarios {
+
+constexpr std::size_t kMostBytes = std::size_t{64} << 20;  ///< of a file
+constexpr int kDeepest = 32;                               ///< levels of lists, tables and dotted keys
+constexpr std::size_t kMostItems = 10'000'000;             ///< values in a file
+constexpr std::size_t kMostBodies = 10'000'000;
+constexpr std::size_t kMostParts = 10'000;  ///< discs of one composite
+
+constexpr double kFarthest = 1e9;        ///< m, any coordinate
+constexpr double kShortest = 1e-9;       ///< m, any radius
+constexpr double kFastest = 1e9;         ///< m/s
+constexpr double kShortestStep = 1e-12;  ///< s
+constexpr double kMostSteps = 1e12;
+
+}  // namespace throng::scenarios

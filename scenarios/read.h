@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Geometry>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scenarios/report.h"
+#include "sim/scene.h"
+
+/// From a checked tree to a scene, a part each. Nodes that the check marked bad are left out, so that
+/// whatever else is wrong comes to light in the same go; what a table can't say (bounds in the wrong order,
+/// impossible polygons) is reported here.
+namespace throng::scenarios {
+
+/// A number drawn uniformly, or the one number that both bounds are.
+struct Uniform {
+  double low = 0.0, high = 0.0;
+};
+
+/// What the bodies of a shape still need, by row of Scene::shapes.
+struct ShapeDraw {
+  Uniform radius;  ///< m, discs only
+};
+
+/// One [[bodies]] entry.
+struct Entry {
+  enum class Place { at, lattice, random };
+
+  std::uint32_t first = 0, count = 0;  ///< rows of Scene::bodies
+  std::uint32_t shape = 0, material = 0;
+  BodyKind kind = BodyKind::dynamic;
+  Uniform angle;  ///< rad
+  Vec velocity{0.0, 0.0};
+  std::optional<double> maxwell;  ///< m/s, standard deviation of each component
+  double spin = 0.0;
+  Place place = Place::at;
+  Vec origin{0.0, 0.0}, spacing{0.0, 0.0};  ///< m; `at` is the origin
+  std::uint32_t columns = 1;
+  Eigen::AlignedBox2d within;
+  double gap = 0.0;                  ///< m
+  std::size_t index = 0;             ///< in the file
+  const toml::node* node = nullptr;  ///< where it stands
+};
+
+/// Name, description, seed, engine, gravity, sleep, time, domain, contact, record.
+void read_settings(const toml::table& root, Scene& scene, Report& report);
+
+/// Row 0 is "default", which needs no entry; the others follow by name.
+void read_materials(const toml::table& root, Scene& scene, const Report& report);
+
+/// All shapes by name, about their centres of mass. A shape with a fault in it keeps its row, empty.
+std::vector<ShapeDraw> read_shapes(const toml::table& root, Scene& scene, Report& report);
+
+void read_walls(const toml::table& root, Scene& scene, Report& report);
+
+/// The entries that are free of faults, in the order of the file.
+std::vector<Entry> read_entries(const toml::table& root, const Scene& scene, Report& report);
+
+// The small readers that these share. All expect nodes that the check found good.
+
+double number(const toml::node& node);
+double number(const toml::table& table, std::string_view key, double fallback);
+std::string text(const toml::table& table, std::string_view key, std::string_view fallback);
+Vec point(const toml::node& node);
+std::vector<Vec> points(const toml::node& node);
+Eigen::AlignedBox2d box(const toml::node& node);
+
+/// The table's entry of this key, unless it is absent or bad.
+const toml::node* good(const toml::table& table, std::string_view key, const Report& report);
+
+/// The material of this name in `table`.material; row 0 without one.
+std::uint32_t material_row(const toml::table& table, const Scene& scene);
+
+}  // namespace throng::scenarios

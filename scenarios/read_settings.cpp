@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "scenarios/limits.h"
+#include "scenarios/read.h"
+
+namespace throng::scenarios {
+
+namespace {
+
+void read_time(const toml::table& root, Scene& scene, Report& report) {
+  const toml::node* node = good(root, "time", report);
+  if (!node) return;
+  const toml::table& table = *node->as_table();
+  Time& time = scene.time;
+  time.dt = number(table, "dt", time.dt);
+  time.until = number(table, "until", time.until);
+  time.substeps = static_cast<int>(number(table, "substeps", time.substeps));
+  if (!(time.until / time.dt <= kMostSteps)) {
+    const toml::node* place = table.get("until") ? table.get("until") : table.get("dt");
+    report.error(
+        *place, "time",
+        "until / dt is " + to_text(time.until / time.dt) + " steps; must be at most " + to_text(kMostSteps));
+  }
+}
+
+void read_domain(const toml::table& root, Scene& scene, Report& report) {
+  const toml::node* node = good(root, "domain", report);
+  if (!node) return;
+  const toml::node* walls = node->as_table()->get("box");
+  const toml::node& value = walls ? *walls : *node->as_table()->get("periodic");
+  const Eigen::AlignedBox2d bounds = box(value);
+  scene.domain.kind = walls ? DomainKind::box : DomainKind::periodic;
+  scene.domain.min = bounds.min(), scene.domain.max = bounds.max();
+  if ((bounds.max() - bounds.min()).minCoeff() > 0.0) return;
+  report.mark_bad(*node);
+  report.error(value, walls ? "domain.box" : "domain.periodic",
+               "must have its least x and y first, [[min x, min y], [max x, max y]]");
+}
+
+void read_record(const toml::table& root, Scene& scene, const Report& report) {
+  const toml::node* node = good(root, "record", report);
+  if (!node) return;
+  const toml::table& table = *node->as_table();
+  Record& record = scene.record;
+  record.every = static_cast<int>(number(table, "every", record.every));
+  record.single = text(table, "precision", "double") == "single";
+  if (!table.contains("fields")) return;
+  record.position = record.angle = record.velocity = record.spin = false;
+  for (const toml::node& entry : *table.get("fields")->as_array()) {
+    const std::string& field = entry.as_string()->get();
+    if (field == "position") record.position = true;
+    if (field == "angle") record.angle = true;
+    if (field == "velocity") record.velocity = true;
+    if (field == "spin") record.spin = true;
+  }
+}
+
+void read_contact(const toml::table& root, Scene& scene, const Report& report) {
+  const toml::node* node = good(root, "contact", report);
+  if (!node) return;
+  scene.contact =
+      text(*node->as_table(), "model", "impulse") == "none" ? ContactModel::none : ContactModel::impulse;
+}
+
+void read_sleep(const toml::table& root, Scene& scene, Report& report) {
+  const toml::node* node = good(root, "sleep", report);
+  if (!node) return;
+  scene.sleep = node->as_boolean()->get();
+  if (scene.sleep && scene.engine == Engine::native)
+    report.warning(node->source(), "sleep", "the native engine keeps every body awake so far");
+}
+
+}  // namespace
+
+void read_settings(const toml::table& root, Scene& scene, Report& report) {
+  if (good(root, "name", report)) scene.name = text(root, "name", "");
+  if (good(root, "description", report)) scene.description = text(root, "description", "");
+  if (const auto* seed = good(root, "seed", report))
+    scene.seed = static_cast<std::uint64_t>(seed->as_integer()->get());
+  if (const auto* engine = good(root, "engine", report))
+    scene.engine = engine->as_string()->get() == "box2d" ? Engine::box2d : Engine::native;
+  if (const auto* gravity = good(root, "gravity", report)) scene.gravity = point(*gravity);
+  read_sleep(root, scene, report);
+  read_time(root, scene, report);
+  read_domain(root, scene, report);
+  read_contact(root, scene, report);
+  read_record(root, scene, report);
+}
+
+void read_materials(const toml::table& root, Scene& scene, const Report& report) {
+  scene.materials = {Material{}};
+  const toml::node* node = root.get("materials");
+  if (!node || !node->is_table()) return;
+  for (const auto& [name, entry] : *node->as_table()) {
+    Material material;
+    material.name = name.str();
+    if (!report.bad(entry)) {
+      const toml::table& table = *entry.as_table();
+      material.density = number(table, "density", material.density);
+      material.restitution = number(table, "restitution", material.restitution);
+      material.friction = number(table, "friction", material.friction);
+    }
+    if (material.name == "default")
+      scene.materials[0] = material;
+    else
+      scene.materials.push_back(material);
+  }
+}
+
+}  // namespace throng::scenarios

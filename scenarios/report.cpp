@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "scenarios/report.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+
+namespace throng::scenarios {
+
+namespace {
+
+/// The fewest letters to insert, remove or change. O(|a| |b|).
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t changed = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, changed});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+void Report::add(Diagnostic::Severity severity, const toml::source_region& place, std::string path,
+                 std::string message) {
+  Diagnostic diagnostic;
+  diagnostic.severity = severity;
+  diagnostic.path = std::move(path);
+  diagnostic.message = std::move(message);
+  if (place.path && place.path != file_) {
+    diagnostic.source = *place.path;
+  } else {
+    diagnostic.line = static_cast<int>(place.begin.line);
+    diagnostic.column = static_cast<int>(place.begin.column);
+  }
+  diagnostics_.push_back(std::move(diagnostic));
+}
+
+void Report::error(const toml::source_region& place, std::string path, std::string message) {
+  if (full()) return;
+  ++errors_;
+  add(Diagnostic::Severity::error, place, std::move(path), std::move(message));
+}
+
+void Report::error(const toml::node& node, std::string path, std::string message) {
+  mark_bad(node);
+  error(node.source(), std::move(path), std::move(message));
+}
+
+void Report::error_of_override(const std::string& override_, std::string path, std::string message) {
+  if (full()) return;
+  ++errors_;
+  diagnostics_.push_back(
+      {Diagnostic::Severity::error, 0, 0, std::move(path), std::move(message), "--set " + override_});
+}
+
+void Report::warning(const toml::source_region& place, std::string path, std::string message) {
+  if (warnings_ >= kMostWarnings) return;
+  ++warnings_;
+  add(Diagnostic::Severity::warning, place, std::move(path), std::move(message));
+}
+
+std::vector<Diagnostic> Report::take() {
+  std::stable_sort(diagnostics_.begin(), diagnostics_.end(), [](const Diagnostic& a, const Diagnostic& b) {
+    return std::pair(a.line, a.column) < std::pair(b.line, b.column);
+  });
+  return std::move(diagnostics_);
+}
+
+std::string quoted(std::string_view text) {
+  constexpr std::size_t kMost = 60;
+  std::string result = "\"";
+  for (char c : text.substr(0, kMost)) {
+    const auto byte = static_cast<unsigned char>(c);
+    result += byte < 0x20 || byte == 0x7f ? '?' : c;
+  }
+  while (text.size() > kMost && !result.empty() && (static_cast<unsigned char>(result.back()) & 0x80) != 0)
+    result.pop_back();  // no half of a character
+  return result + (text.size() > kMost ? "...\"" : "\"");
+}
+
+std::string to_text(double x) {
+  if (std::isnan(x)) return "nan";
+  if (std::isinf(x)) return x > 0 ? "inf" : "-inf";
+  char buffer[40];
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, x);
+  return std::string(buffer, end.ptr);
+}
+
+std::string suggestion(std::string_view word, const std::vector<std::string>& known) {
+  if (word.size() > 64) return "";
+  std::size_t best = std::max<std::size_t>(1, word.size() / 2) + 1;
+  const std::string* nearest = nullptr;
+  for (const std::string& candidate : known) {
+    if (candidate.size() > 64) continue;
+    const std::size_t d = edit_distance(word, candidate);
+    if (d < best) best = d, nearest = &candidate;
+  }
+  return nearest ? ", did you mean " + quoted(*nearest) + "?" : "";
+}
+
+}  // namespace throng::scenarios

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include <cstdio>
+#include <memory>
+
+#include "scenarios/load.h"
+#include "tools/commands.h"
+
+namespace throng::tools {
+
+namespace {
+
+struct Options {
+  std::string file;
+  std::vector<std::string> overrides;
+};
+
+int validate(const Options& options) {
+  const Loaded loaded = load_scenario(options.file, options.overrides);
+  std::fputs(to_string(loaded.diagnostics, options.file).c_str(), stderr);
+  if (loaded.errors() > 0) return 2;
+  const Scene& scene = loaded.scene;
+  std::printf("%s: ok, %zu bodies, %zu shapes, %zu materials, %zu walls, %lld steps\n", options.file.c_str(),
+              scene.bodies.size(), scene.shapes.size(), scene.materials.size(), scene.walls.size(),
+              static_cast<long long>(scene.time.steps()));
+  return 0;
+}
+
+}  // namespace
+
+void add_validate(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("validate", "Reads a scenario and reports every fault in it");
+  command->footer("Example: throng validate scenarios/pile.toml --set time.dt=0.005");
+  const auto options = std::make_shared<Options>();
+  command->add_option("SCENE", options->file, "The scenario file")->required();
+  command->add_option("--set", options->overrides, "PATH=VALUE: another value for a field; may be repeated")
+      ->allow_extra_args(false);
+  command->callback([options, &exit_code] { exit_code = validate(*options); });
+}
+
+}  // namespace throng::tools
