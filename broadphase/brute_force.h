@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "broadphase/neighbours.h"
 #include "broadphase/pairs.h"
 #include "broadphase/point.h"
 
@@ -35,6 +39,20 @@ inline std::vector<Pair> pairs(std::span<const Point> points, std::span<const do
     const double most = reach[a] + reach[b];
     return squared_distance(points[a], points[b], period) <= most * most;
   });
+}
+
+/// All points near `p`, ascending by (distance, row).
+inline std::vector<Neighbour> near(std::span<const Point> points, const Point& p, const Near& near,
+                                   const Period* period = nullptr, std::optional<std::uint32_t> except = {}) {
+  std::vector<Neighbour> result;
+  for (std::uint32_t row = 0; row < points.size(); ++row) {
+    const double squared = squared_distance(points[row], p, period);
+    if (row != except && squared <= near.radius * near.radius) result.push_back({row, std::sqrt(squared)});
+  }
+  std::stable_sort(result.begin(), result.end(),
+                   [](const Neighbour& a, const Neighbour& b) { return a.distance < b.distance; });
+  if (result.size() > near.most) result.resize(near.most);
+  return result;
 }
 
 }  // namespace throng::broadphase::brute_force
