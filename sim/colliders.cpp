@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "sim/colliders.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 
 namespace throng {
 
 using narrowphase::Convex;
 
-namespace {
-
-Eigen::AlignedBox2d bounds(const Convex& shape) {
+Eigen::AlignedBox2d bounds(const Convex& part) {
   Eigen::AlignedBox2d box;
-  for (const Vec& v : shape.vertices) box.extend(v);
-  return {box.min().array() - shape.radius, box.max().array() + shape.radius};
+  for (const Vec& v : part.vertices) box.extend(v);
+  return {box.min().array() - part.radius, box.max().array() + part.radius};
 }
+
+namespace {
 
 /// The middle of the part's bounding box, and how far its surface reaches from there.
 void add_part(Colliders& colliders, std::uint32_t body, bool movable, const Convex& part) {

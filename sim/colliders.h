@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "narrowphase/half_plane.h"
@@ -35,6 +35,9 @@ struct Obstacles {
 
   std::size_t size() const { return side.size() + part.size(); }
 };
+
+/// The box round a part, in its own frame (m).
+Eigen::AlignedBox2d bounds(const narrowphase::Convex& part);
 
 /// `reach` (m): how far beyond the domain's border an image still matters.
 Obstacles obstacles(const Scene& scene, double reach);

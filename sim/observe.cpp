@@ -42,7 +42,7 @@ class Parts {
 double obstacle_distance(const Convex& shape, const Pose& pose, const Obstacles& obstacles,
                          std::uint32_t row) {
   const std::size_t sides = obstacles.side.size();
-  if (row < sides) return narrowphase::distance(shape, pose, obstacles.side[row]);
+  if (row < sides) return narrowphase::clearance(shape, pose, obstacles.side[row]);
   return narrowphase::separation(shape, pose, obstacles.part[row - sides], Pose{}).distance;
 }
 

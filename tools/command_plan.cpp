@@ -15,7 +15,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Frames that a whole run records: step 0 and each `every`-th.
-std::int64_t frames(const Scene& scene) { return scene.time.steps() / scene.record.every + 1; }
+std::int64_t frames(const Scene& scene) {
+  return scene.time.steps() / scene.record.every + 1;
+}
 
 /// Bytes of one frame as recorded: what the fields take, and the frame's own row.
 std::int64_t frame_bytes(const Scene& scene) {
@@ -60,16 +62,17 @@ std::string size_text(double bytes) {
 }
 
 void print(const Scene& scene, const Plan& plan) {
-  std::printf("%s: %zu bodies (%zu dynamic, %zu static, %zu kinematic), %zu walls; engine %s\n", scene.name.c_str(),
-              scene.bodies.size(), count(scene, BodyKind::dynamic), count(scene, BodyKind::fixed),
-              count(scene, BodyKind::kinematic), scene.walls.size(),
+  std::printf("%s: %zu bodies (%zu dynamic, %zu static, %zu kinematic), %zu walls; engine %s\n",
+              scene.name.c_str(), scene.bodies.size(), count(scene, BodyKind::dynamic),
+              count(scene, BodyKind::fixed), count(scene, BodyKind::kinematic), scene.walls.size(),
               scene.engine == Engine::box2d ? "box2d" : "native");
-  std::printf("%lld steps of %g s in %d substeps\n\n", static_cast<long long>(scene.time.steps()), scene.time.dt,
-              scene.time.substeps);
+  std::printf("%lld steps of %g s in %d substeps\n\n", static_cast<long long>(scene.time.steps()),
+              scene.time.dt, scene.time.substeps);
   if (scene.engine == Engine::box2d)
     std::puts("Box2D runs the whole step in one stage; the native engine would run:");
   for (const Stage& stage : plan.stages)
-    std::printf("  %-7s %-14s %s\n", stage.runs ? "runs" : "skipped", stage.name.c_str(), stage.reason.c_str());
+    std::printf("  %-7s %-14s %s\n", stage.runs ? "runs" : "skipped", stage.name.c_str(),
+                stage.reason.c_str());
   std::printf("\nrecorded in full: %lld frames, about %s\n", static_cast<long long>(frames(scene)),
               size_text(static_cast<double>(frames(scene) * frame_bytes(scene))).c_str());
 }
@@ -84,9 +87,11 @@ struct Options {
 
 void add_plan(CLI::App& app, int&) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("plan", "Shows which stages a scene runs or skips, why, and what it will write");
+  CLI::App* command =
+      app.add_subcommand("plan", "Shows which stages a scene runs or skips, why, and what it will write");
   command->add_option("SCENE", options->scene, "scenario file")->required();
-  command->add_option("--set", options->set, "PATH=VALUE: another value for a field; may be repeated")->allow_extra_args(false);
+  command->add_option("--set", options->set, "PATH=VALUE: another value for a field; may be repeated")
+      ->allow_extra_args(false);
   command->add_flag("--json", options->json, "one JSON object instead of text");
   command->footer("Example: throng plan scenarios/pile.toml");
   command->callback([options] {

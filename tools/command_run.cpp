@@ -40,7 +40,8 @@ void stop_on_signals() {
 }
 
 /// Steps until the end or a signal. Returns the timings.
-RunTimes advance(Simulation& simulation, const Scene& scene, std::optional<Recorder>& recorder, Progress& progress) {
+RunTimes advance(Simulation& simulation, const Scene& scene, std::optional<Recorder>& recorder,
+                 Progress& progress) {
   RunTimes times;
   const std::int64_t steps = scene.time.steps();
   if (recorder) recorder->record(simulation.state());
@@ -62,8 +63,8 @@ std::string reproduction(const Options& options) {
 }
 
 void report_stop(const Options& options, const Scene& scene, const State& state) {
-  std::fprintf(stderr, "throng: stopped by a signal after step %lld of %lld", static_cast<long long>(state.step),
-               static_cast<long long>(scene.time.steps()));
+  std::fprintf(stderr, "throng: stopped by a signal after step %lld of %lld",
+               static_cast<long long>(state.step), static_cast<long long>(scene.time.steps()));
   if (!options.output.empty())
     std::fprintf(stderr, "; %s.part holds the frames so far, closed and readable", options.output.c_str());
   std::fputc('\n', stderr);
@@ -76,9 +77,10 @@ int run(const Options& options) {
   std::optional<Recorder> recorder;
   if (!options.output.empty() && !options.dry_run)
     recorder.emplace(options.output, scene,
-                     Provenance{loaded.text, loaded.resolved, options.command_line, options.threads}, options.force);
-  Progress progress(options.dry_run ? Progress::Style::none : Progress::style(options.progress), scene.time.steps(),
-                    scene.time.dt);
+                     Provenance{loaded.text, loaded.resolved, options.command_line, options.threads},
+                     options.force);
+  Progress progress(options.dry_run ? Progress::Style::none : Progress::style(options.progress),
+                    scene.time.steps(), scene.time.dt);
   RunTimes times;
   if (!options.dry_run) {
     stop_on_signals();
@@ -100,7 +102,8 @@ int run(const Options& options) {
 }
 
 /// An option that is short for a field of the scenario.
-void add_field(CLI::App& command, Options& options, const char* name, const char* field, bool text, const char* help) {
+void add_field(CLI::App& command, Options& options, const char* name, const char* field, bool text,
+               const char* help) {
   command.add_option_function<std::string>(
       name,
       [&options, field, text](const std::string& value) {
@@ -116,25 +119,28 @@ void add_run(CLI::App& app, int& exit_code, const std::string& command_line) {
   options->command_line = command_line;
   CLI::App* command = app.add_subcommand("run", "Runs a scenario; prints a summary as JSON, records with -o");
   command->add_option("SCENE", options->scene, "scenario file")->required();
-  command->add_option("-o,--output", options->output, "recording to write (HDF5); without it nothing is recorded");
+  command->add_option("-o,--output", options->output,
+                      "recording to write (HDF5); without it nothing is recorded");
   add_field(*command, *options, "--until", "time.until", false, "end of the run (s)");
   add_field(*command, *options, "--dt", "time.dt", false, "length of a step (s)");
   add_field(*command, *options, "--substeps", "time.substeps", false, "solver's substeps in a step");
   add_field(*command, *options, "--engine", "engine", true, "native or box2d");
   add_field(*command, *options, "--seed", "seed", false, "of all randomness");
   add_field(*command, *options, "--every", "record.every", false, "record each Nth step");
-  command->add_option_function<std::vector<std::string>>(
-             "--set",
-             [options](const std::vector<std::string>& given) {
-               options->overrides.insert(options->overrides.end(), given.begin(), given.end());
-             },
-             "PATH=VALUE: another value for any field, as in time.dt=0.005 or bodies.0.spin=2; may be repeated")
+  command
+      ->add_option_function<std::vector<std::string>>(
+          "--set",
+          [options](const std::vector<std::string>& given) {
+            options->overrides.insert(options->overrides.end(), given.begin(), given.end());
+          },
+          "PATH=VALUE: another value for any field, as in time.dt=0.005 or bodies.0.spin=2; may be repeated")
       ->allow_extra_args(false);
   command->add_option("--threads", options->threads, "threads; the result doesn't depend on it")
       ->check(CLI::Range(1, 256));
   command->add_option("--progress", options->progress, "auto, plain, json or none")
       ->check(CLI::IsMember({"auto", "plain", "json", "none"}));
-  command->add_flag("--dry-run", options->dry_run, "reads and checks everything, summarises the first state, runs nothing");
+  command->add_flag("--dry-run", options->dry_run,
+                    "reads and checks everything, summarises the first state, runs nothing");
   command->add_flag("--force", options->force, "overwrites the recording where it exists");
   command->footer(
       "Example: throng run scenarios/pile.toml -o pile.h5 --until 5 --threads 2\n"

@@ -3,13 +3,15 @@
 
 #include <CLI/CLI.hpp>
 
-/// The commands of the program, a file each. `add_x` declares the command's options on `app`; when the user chose it,
-/// its callback runs and leaves the exit code of design.md in `exit_code`. Errors are thrown: InputError ends with 2.
+/// The commands of the program, a file each. `add_x` declares the command's options on `app`; when the user
+/// chose it, its callback runs and leaves the exit code of design.md in `exit_code`. Errors are thrown:
+/// InputError ends with 2.
 namespace throng::tools {
 
 void add_validate(CLI::App& app, int& exit_code);
 void add_plan(CLI::App& app, int& exit_code);
-void add_run(CLI::App& app, int& exit_code, const std::string& command_line);  ///< as typed, for the recording
+void add_run(CLI::App& app, int& exit_code,
+             const std::string& command_line);  ///< as typed, for the recording
 void add_replay(CLI::App& app, int& exit_code);
 void add_query(CLI::App& app, int& exit_code);
 void add_pairs(CLI::App& app, int& exit_code);

@@ -12,7 +12,9 @@ namespace {
 
 constexpr std::chrono::milliseconds kBarPeriod{100}, kLinePeriod{3000};
 
-double seconds(std::chrono::steady_clock::duration d) { return std::chrono::duration<double>(d).count(); }
+double seconds(std::chrono::steady_clock::duration d) {
+  return std::chrono::duration<double>(d).count();
+}
 
 std::string bar(double fraction) {
   constexpr int kWidth = 30;
@@ -60,10 +62,13 @@ void Progress::print(std::int64_t step, double elapsed) const {
     std::fprintf(stderr, "\r\033[K%s %3.0f %%  t = %.2f s  %.0f steps/s  %.0f s left", bar(fraction).c_str(),
                  100.0 * fraction, time, rate, left);
   else if (style_ == Style::json)
-    std::fprintf(stderr, "{\"step\": %lld, \"steps\": %lld, \"time\": %.9g, \"steps_per_s\": %.1f, \"left_s\": %.1f}\n",
-                 at, all, time, rate, left);
+    std::fprintf(
+        stderr,
+        "{\"step\": %lld, \"steps\": %lld, \"time\": %.9g, \"steps_per_s\": %.1f, \"left_s\": %.1f}\n", at,
+        all, time, rate, left);
   else
-    std::fprintf(stderr, "step %lld of %lld  t = %.2f s  %.0f steps/s  %.0f s left\n", at, all, time, rate, left);
+    std::fprintf(stderr, "step %lld of %lld  t = %.2f s  %.0f steps/s  %.0f s left\n", at, all, time, rate,
+                 left);
 }
 
 }  // namespace throng::tools

@@ -15,7 +15,9 @@ namespace {
 
 constexpr std::size_t kLast = 100;  // steps
 
-double seconds(std::chrono::steady_clock::duration d) { return std::chrono::duration<double>(d).count(); }
+double seconds(std::chrono::steady_clock::duration d) {
+  return std::chrono::duration<double>(d).count();
+}
 
 std::string hex(std::uint64_t hash) {
   char text[17];
@@ -33,13 +35,19 @@ void RunTimes::end_step() {
   if (last_.size() > kLast) last_.pop_front();
 }
 
-double RunTimes::wall() const { return seconds(Clock::now() - begin_); }
-double RunTimes::mean() const { return sum_ / static_cast<double>(std::max<std::int64_t>(steps_, 1)); }
+double RunTimes::wall() const {
+  return seconds(Clock::now() - begin_);
+}
+double RunTimes::mean() const {
+  return sum_ / static_cast<double>(std::max<std::int64_t>(steps_, 1));
+}
 double RunTimes::mean_last() const {
-  return std::accumulate(last_.begin(), last_.end(), 0.0) / static_cast<double>(std::max<std::size_t>(last_.size(), 1));
+  return std::accumulate(last_.begin(), last_.end(), 0.0) /
+         static_cast<double>(std::max<std::size_t>(last_.size(), 1));
 }
 
-Json summary(const Scene& scene, const Simulation& simulation, const RunTimes& times, const std::string& output) {
+Json summary(const Scene& scene, const Simulation& simulation, const RunTimes& times,
+             const std::string& output) {
   const double wall = times.wall();
   const State& state = simulation.state();
   const Overlap overlaps = overlap(scene, state);

@@ -15,7 +15,12 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", THRONG_VERSION);
   app.require_subcommand(1);
   int exit_code = 0;
+  std::string command_line = "throng";
+  for (int i = 1; i < argc; ++i) command_line += std::string(" ") + argv[i];
   add_validate(app, exit_code);
+  add_plan(app, exit_code);
+  add_run(app, exit_code, command_line);
+  add_bench(app, exit_code);
 
   try {
     app.parse(argc, argv);

@@ -12,6 +12,16 @@ namespace {
 /// hit by the fastest one and hit a third within the same step, as in Newton's cradle.
 constexpr double kSkin = 0.1;  // of the radius, at most
 
+std::vector<broadphase::Extent> extents(const Obstacles& obstacles) {
+  std::vector<broadphase::Extent> result;
+  for (const narrowphase::Convex& part : obstacles.part) {
+    const auto& v = part.vertices;
+    result.push_back(v.size() == 2 && part.radius == 0.0 ? broadphase::Extent::of_segment(v[0], v[1])
+                                                         : broadphase::Extent::of(bounds(part)));
+  }
+  return result;
+}
+
 double fastest(const State& state) {
   double most = 0.0;
   for (const Vec& v : state.velocity) most = std::max(most, v.squaredNorm());
@@ -26,7 +36,7 @@ Candidates::Candidates(const Scene& scene, const Plan& plan)
   if (!plan.obstacles && !plan.box) return;
   const double widest = colliders_.radius.empty() ? 0.0 : *std::ranges::max_element(colliders_.radius);
   obstacles_ = throng::obstacles(scene, 4.0 * widest);
-  if (plan.obstacles) index_.build(index_items(obstacles_));
+  if (plan.obstacles) index_.rebuild(extents(obstacles_), 2.0 * widest);
 }
 
 void Candidates::find(const State& state) {

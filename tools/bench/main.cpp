@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// throng-bench: the benchmarks, apart from the program so that it alone links the peers' libraries.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <map>
+
+#include "sim/input_error.h"
+#include "tools/bench/benchmarks.h"
+
+int main(int argc, char** argv) {
+  using namespace throng::bench;
+  const std::map<std::string, std::vector<Row> (*)(const Options&)> benchmarks = {
+      {"step", bench_step}, {"recording", bench_recording}};
+  Options options;
+  std::string name, json;
+  CLI::App app{"The benchmarks of throng: time and error beside each other, engines in turn in one run."};
+  app.name("throng bench");
+  app.add_option("NAME", name, "step or recording")->required()->check(CLI::IsMember({"step", "recording"}));
+  app.add_option("--scenarios", options.scenarios, "folder of the gallery")->default_val(THRONG_SCENARIOS);
+  app.add_option("--only", options.only, "cases whose names hold this; may be repeated")
+      ->allow_extra_args(false);
+  app.add_option("--blocks", options.blocks, "figures a row")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  app.add_flag("--quick", options.quick, "short settling, to see that all of it runs");
+  app.add_option("--json", json, "also writes the rows to this file");
+  app.footer("Example: throng bench step --only pile --json step.json");
+  try {
+    app.parse(argc, argv);
+    const std::vector<Row> rows = benchmarks.at(name)(options);
+    expect_agreement(rows);
+    print_table(rows);
+    if (!json.empty()) write_json(rows, json);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  } catch (const throng::InputError& error) {
+    std::fprintf(stderr, "throng bench: %s\n", error.what());
+    return 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "throng bench: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}

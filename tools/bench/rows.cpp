@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "tools/bench/rows.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <map>
+#include <stdexcept>
+
+#include "sim/input_error.h"
+
+namespace throng::bench {
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  return n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
+}
+
+double minimum(const std::vector<double>& values) {
+  return *std::min_element(values.begin(), values.end());
+}
+
+void expect_agreement(const std::vector<Row>& rows) {
+  std::map<std::string, const Row*> first;
+  for (const Row& row : rows) {
+    const Row& other = *first.try_emplace(row.name, &row).first->second;
+    if (other.check != row.check)
+      throw std::runtime_error("case " + row.name + ": " + other.engine + " says " + other.check + ", " +
+                               row.engine + " says " + row.check);
+  }
+}
+
+void print_table(const std::vector<Row>& rows) {
+  std::printf("%-34s %-12s %10s %10s %8s  %s\n", "case", "engine", "ms", "ms_min", "ratio", "error");
+  std::map<std::string, double> first;
+  for (const Row& row : rows) {
+    const double ms = median(row.ms);
+    const double reference = first.try_emplace(row.name, ms).first->second;
+    std::printf("%-34s %-12s %10.4f %10.4f %8.2f  %s\n", row.name.c_str(), row.engine.c_str(), ms,
+                minimum(row.ms), ms / reference, row.error.dump().c_str());
+  }
+}
+
+void write_json(const std::vector<Row>& rows, const std::string& file) {
+  auto list = nlohmann::ordered_json::array();
+  for (const Row& row : rows)
+    list.push_back({{"bench", row.bench},
+                    {"case", row.name},
+                    {"engine", row.engine},
+                    {"threads", row.threads},
+                    {"ms", median(row.ms)},
+                    {"ms_min", minimum(row.ms)},
+                    {"work", row.work},
+                    {"check", row.check},
+                    {"error", row.error}});
+  std::ofstream out(file);
+  out << list.dump(2) << '\n';
+  if (!out.flush()) throw InputError(file + ": can't be written");
+}
+
+}  // namespace throng::bench
