@@ -23,27 +23,30 @@ static_assert(sizeof(SolverBody) == 64);
 
 /// What each kind of contact has.
 struct ContactBase {
-  Vec normal;                        ///< unit, from a to b
-  std::uint32_t a, b;                ///< rows of the bodies
-  double offset;                     ///< m, separation = offset + normal . (position_b - position_a)
-  double normal_mass, tangent_mass;  ///< kg, what the contact feels along and across its normal
-  double friction, restitution;
-  double normal_impulse, tangent_impulse;  ///< N s, on b; a feels the opposite
+  Vec normal{0.0, 0.0};          ///< unit, from a to b
+  std::uint32_t a = 0, b = 0;    ///< rows of the bodies
+  double offset = 0.0;           ///< m, separation = offset + normal . (position_b - position_a)
+  double normal_mass = 0.0;      ///< kg, what the contact feels along its normal
+  double tangent_mass = 0.0;     ///< kg, and across
+  double friction = 0.0;         ///< Coulomb's coefficient
+  double restitution = 0.0;      ///< 0 to 1
+  double normal_impulse = 0.0;   ///< N s, on b; a feels the opposite
+  double tangent_impulse = 0.0;  ///< N s, likewise, along the normal turned left
 };
 
 /// Two discs, each about its body's centre: the arm is radius times normal, and both are exact in each
 /// substep.
 struct DiscContact : ContactBase {
-  double radius_a, radius_b;  ///< m
+  double radius_a = 0.0, radius_b = 0.0;  ///< m
 };
 
 /// One point of a manifold. The normal is that of the step's beginning; the arms turn with their bodies, but
 /// for a disc's, which points along the normal for ever.
 struct PointContact : ContactBase {
-  Vec arm_a, arm_b;         ///< m, from the bodies' centres to the contact, in this substep
-  Vec first_a, first_b;     ///< m, the same at the beginning of the step
-  double turns_a, turns_b;  ///< 1 where the arm turns with the body, 0 for a disc
-  double gap;               ///< m, separation = gap + normal . (position_b + arm_b - position_a - arm_a)
+  Vec arm_a{0.0, 0.0}, arm_b{0.0, 0.0};      ///< m, from the bodies' centres to the contact, in this substep
+  Vec first_a{0.0, 0.0}, first_b{0.0, 0.0};  ///< m, the same at the beginning of the step
+  double turns_a = 0.0, turns_b = 0.0;       ///< 1 where the arm turns with the body, 0 for a disc
+  double gap = 0.0;  ///< m, separation = gap + normal . (position_b + arm_b - position_a - arm_a)
 };
 
 /// A contact as a damped spring of that stiffness which h, and not the masses, limits. Soft constraints as in

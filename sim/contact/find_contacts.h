@@ -34,23 +34,25 @@ class ContactFinder {
             Contacts& contacts, Workers& workers);
 
  private:
-  struct Slot {  // candidates of which one is no disc about its body's centre
+  struct Touch {  // candidates of which one is no disc about its body's centre
     broadphase::Pair pair;
     bool obstacle;  // the pair's b is an obstacle
     Vec shift;      // m, to the image of b that is nearest to a
-    narrowphase::Manifold manifold;
   };
 
   void sort_out(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
                 Contacts& contacts);
-  void find_manifold(const Candidates& candidates, Slot& slot) const;
+  narrowphase::Manifold manifold(const Candidates& candidates, const Touch& touch) const;
   void add_points(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
                   Contacts& contacts) const;
+  PointContact pair_of_bodies(const Colliders& colliders, const Obstacles& obstacles, const Touch& touch,
+                              std::uint32_t obstacle_row) const;
 
   const Scene& scene_;
   const Plan& plan_;
-  std::vector<narrowphase::Pose> pose_;  ///< of each body; only where manifolds are
-  std::vector<Slot> slots_;
+  std::vector<narrowphase::Pose> pose_;  // of each body; only where manifolds are
+  std::vector<Touch> touches_;
+  std::vector<narrowphase::Manifold> manifolds_;  // of each touch
 };
 
 }  // namespace throng
