@@ -36,7 +36,7 @@ Candidates::Candidates(const Scene& scene, const Plan& plan)
   if (!plan.obstacles && !plan.box) return;
   const double widest = colliders_.radius.empty() ? 0.0 : *std::ranges::max_element(colliders_.radius);
   obstacles_ = throng::obstacles(scene, 4.0 * widest);
-  if (plan.obstacles) index_.rebuild(extents(obstacles_), 2.0 * widest);
+  if (plan.obstacles) index_.build(extents(obstacles_), 2.0 * widest);
 }
 
 void Candidates::find(const State& state) {

@@ -61,8 +61,9 @@ bool is_disc(const Colliders& colliders, std::uint32_t row) {
   return colliders.shape.empty() || !colliders.shape[row];
 }
 
+/// The contact of two discs about their bodies' centres; its normal is found in each substep.
 DiscContact disc_contact(const Colliders& colliders, Pair pair, std::span<const SolverBody> bodies,
-                         Surface surface) {
+                         const Surface& surface) {
   DiscContact contact;
   contact.a = colliders.body[pair.a], contact.b = colliders.body[pair.b];
   contact.radius_a = colliders.radius[pair.a], contact.radius_b = colliders.radius[pair.b];
@@ -75,6 +76,17 @@ DiscContact disc_contact(const Colliders& colliders, Pair pair, std::span<const 
   return contact;
 }
 
+/// Fills in what one point of a manifold adds. `radius_a`, `radius_b`: of discs, whose arms are exact.
+void place(PointContact& contact, const ManifoldPoint& point, const SolverBody& a, const SolverBody& b,
+           const Vec& shift, double radius_a, double radius_b) {
+  const Vec& n = contact.normal;
+  contact.first_a = contact.turns_a > 0.0 ? Vec(point.point - a.position) : Vec(radius_a * n);
+  contact.first_b = contact.turns_b > 0.0 ? Vec(point.point - (b.position + shift)) : Vec(-radius_b * n);
+  contact.gap = point.separation - n.dot((b.position - a.position) + (contact.first_b - contact.first_a));
+  contact.normal_mass = effective_mass(a, b, contact.first_a, contact.first_b, n);
+  contact.tangent_mass = effective_mass(a, b, contact.first_a, contact.first_b, tangent(n));
+}
+
 }  // namespace
 
 ContactFinder::ContactFinder(const Scene& scene, const Plan& plan) : scene_(scene), plan_(plan) {}
@@ -82,13 +94,15 @@ ContactFinder::ContactFinder(const Scene& scene, const Plan& plan) : scene_(scen
 void ContactFinder::find(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
                          Contacts& contacts, Workers& workers) {
   sort_out(candidates, state, bodies, contacts);
-  if (slots_.empty() && contacts.points.empty()) return;
+  contacts.points.clear(), contacts.point_key.clear(), contacts.point_feature.clear();
+  if (touches_.empty()) return;
   pose_.resize(state.position.size());
+  manifolds_.resize(touches_.size());
   workers.for_ranges(pose_.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) pose_[i] = narrowphase::pose(state.position[i], state.angle[i]);
   });
-  workers.for_ranges(slots_.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) find_manifold(candidates, slots_[i]);
+  workers.for_ranges(touches_.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) manifolds_[i] = manifold(candidates, touches_[i]);
   });
   add_points(candidates, state, bodies, contacts);
 }
@@ -96,27 +110,26 @@ void ContactFinder::find(const Candidates& candidates, const State& state, std::
 void ContactFinder::sort_out(const Candidates& candidates, const State& state,
                              std::span<const SolverBody> bodies, Contacts& contacts) {
   const Colliders& colliders = candidates.colliders();
+  const std::vector<std::uint32_t>& material = scene_.bodies.material;
   Memory memory(state.disc_contacts);
-  contacts.discs.clear(), contacts.disc_key.clear(), slots_.clear();
+  contacts.discs.clear(), contacts.disc_key.clear(), touches_.clear();
   for (const Pair& pair : candidates.pairs()) {
     if (!is_disc(colliders, pair.a) || !is_disc(colliders, pair.b)) {
-      slots_.push_back({pair, false, candidates.shift(pair), {}});
+      touches_.push_back({pair, false, candidates.shift(pair)});
       continue;
     }
-    const std::size_t materials = scene_.materials.size();
-    const auto material = [&](std::uint32_t row) { return scene_.bodies.material[colliders.body[row]]; };
-    DiscContact contact = disc_contact(colliders, pair, bodies,
-                                       plan_.surfaces[material(pair.a) * materials + material(pair.b)]);
+    const std::size_t row = material[colliders.body[pair.a]] * scene_.materials.size();
+    DiscContact& contact = contacts.discs.emplace_back(
+        disc_contact(colliders, pair, bodies, plan_.surfaces[row + material[colliders.body[pair.b]]]));
     contacts.disc_key.push_back(key_of(pair, false));
     memory.recall(contacts.disc_key.back(), 0, contact);
-    contacts.discs.push_back(contact);
   }
-  for (const Pair& pair : candidates.obstacle_pairs()) slots_.push_back({pair, true, Vec(0.0, 0.0), {}});
+  for (const Pair& pair : candidates.obstacle_pairs()) touches_.push_back({pair, true, Vec(0.0, 0.0)});
 }
 
-void ContactFinder::find_manifold(const Candidates& candidates, Slot& slot) const {
+Manifold ContactFinder::manifold(const Candidates& candidates, const Touch& touch) const {
   const Colliders& colliders = candidates.colliders();
-  const auto [row_a, row_b] = slot.pair;
+  const auto [row_a, row_b] = touch.pair;
   // A disc about its body's centre has no shape of its own: it borrows one.
   thread_local Convex disc_a = narrowphase::disc(1.0), disc_b = disc_a;
   const auto shape = [&](std::uint32_t row, Convex& disc) -> const Convex& {
@@ -126,58 +139,55 @@ void ContactFinder::find_manifold(const Candidates& candidates, Slot& slot) cons
   };
   const Convex& a = shape(row_a, disc_a);
   const Pose& pose_a = pose_[colliders.body[row_a]];
-  if (!slot.obstacle) {
+  if (!touch.obstacle) {
     Pose pose_b = pose_[colliders.body[row_b]];
-    pose_b.position += slot.shift;
-    slot.manifold =
-        narrowphase::manifold(a, pose_a, shape(row_b, disc_b), pose_b, candidates.reach(slot.pair));
-    return;
+    pose_b.position += touch.shift;
+    return narrowphase::manifold(a, pose_a, shape(row_b, disc_b), pose_b, candidates.reach(touch.pair));
   }
   const Obstacles& obstacles = candidates.obstacles();
+  const double reach = candidates.reach(row_a);
   const std::size_t sides = obstacles.side.size();
-  if (row_b < sides)
-    slot.manifold = narrowphase::manifold(a, pose_a, obstacles.side[row_b], candidates.reach(row_a));
-  else
-    slot.manifold =
-        narrowphase::manifold(a, pose_a, obstacles.part[row_b - sides], Pose{}, candidates.reach(row_a));
+  if (row_b < sides) return narrowphase::manifold(a, pose_a, obstacles.side[row_b], reach);
+  return narrowphase::manifold(a, pose_a, obstacles.part[row_b - sides], Pose{}, reach);
+}
+
+/// What all points of one manifold share but the normal.
+PointContact ContactFinder::point_contact(const Colliders& colliders, const Obstacles& obstacles,
+                                          const Touch& touch, std::uint32_t obstacle_row) const {
+  const auto [row_a, row_b] = touch.pair;
+  PointContact contact;
+  contact.a = colliders.body[row_a];
+  contact.b = touch.obstacle ? obstacle_row : colliders.body[row_b];
+  contact.turns_a = is_disc(colliders, row_a) ? 0.0 : 1.0;
+  contact.turns_b = !touch.obstacle && is_disc(colliders, row_b) ? 0.0 : 1.0;
+  const std::uint32_t material_b =
+      touch.obstacle ? obstacles.material[row_b] : scene_.bodies.material[contact.b];
+  const Surface& surface =
+      plan_.surfaces[scene_.bodies.material[contact.a] * scene_.materials.size() + material_b];
+  contact.friction = surface.friction, contact.restitution = surface.restitution;
+  return contact;
 }
 
 void ContactFinder::add_points(const Candidates& candidates, const State& state,
                                std::span<const SolverBody> bodies, Contacts& contacts) const {
   const Colliders& colliders = candidates.colliders();
   Memory memory(state.point_contacts);
-  contacts.points.clear(), contacts.point_key.clear(), contacts.point_feature.clear();
-  const auto obstacle_row = static_cast<std::uint32_t>(bodies.size() - 1);
-  for (const Slot& slot : slots_) {
-    const Manifold& manifold = slot.manifold;
-    const auto [row_a, row_b] = slot.pair;
-    const bool disc_a = is_disc(colliders, row_a), disc_b = !slot.obstacle && is_disc(colliders, row_b);
-    PointContact contact;
-    contact.a = colliders.body[row_a];
-    contact.b = slot.obstacle ? obstacle_row : colliders.body[row_b];
-    const SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
-    const std::uint32_t material_b =
-        slot.obstacle ? candidates.obstacles().material[row_b] : scene_.bodies.material[contact.b];
-    const Surface surface =
-        plan_.surfaces[scene_.bodies.material[contact.a] * scene_.materials.size() + material_b];
-    contact.friction = surface.friction, contact.restitution = surface.restitution;
-    contact.normal = manifold.normal;
-    contact.turns_a = disc_a ? 0.0 : 1.0, contact.turns_b = disc_b ? 0.0 : 1.0;
-    for (int i = 0; i < manifold.count; ++i) {
-      const ManifoldPoint& point = manifold.points[static_cast<std::size_t>(i)];
-      const Vec position_b = b.position + slot.shift;
-      contact.first_a =
-          disc_a ? Vec(colliders.radius[row_a] * manifold.normal) : Vec(point.point - a.position);
-      contact.first_b =
-          disc_b ? Vec(-colliders.radius[row_b] * manifold.normal) : Vec(point.point - position_b);
-      contact.gap = point.separation -
-                    manifold.normal.dot((b.position - a.position) + (contact.first_b - contact.first_a));
-      contact.normal_mass = effective_mass(a, b, contact.first_a, contact.first_b, manifold.normal);
-      contact.tangent_mass = effective_mass(a, b, contact.first_a, contact.first_b, tangent(manifold.normal));
-      contacts.point_key.push_back(key_of(slot.pair, slot.obstacle));
-      contacts.point_feature.push_back(point.feature);
-      memory.recall(contacts.point_key.back(), point.feature, contact);
+  for (std::size_t i = 0; i < touches_.size(); ++i) {
+    const Touch& touch = touches_[i];
+    if (manifolds_[i].count == 0) continue;
+    const std::uint64_t key = key_of(touch.pair, touch.obstacle);
+    PointContact contact = point_contact(colliders, candidates.obstacles(), touch,
+                                         static_cast<std::uint32_t>(bodies.size() - 1));
+    contact.normal = manifolds_[i].normal;
+    const double radius_a = colliders.radius[touch.pair.a];
+    const double radius_b = touch.obstacle ? 0.0 : colliders.radius[touch.pair.b];
+    for (int p = 0; p < manifolds_[i].count; ++p) {
+      const ManifoldPoint& point = manifolds_[i].points[static_cast<std::size_t>(p)];
+      place(contact, point, bodies[contact.a], bodies[contact.b], touch.shift, radius_a, radius_b);
+      memory.recall(key, point.feature, contact);
       contacts.points.push_back(contact);
+      contacts.point_key.push_back(key);
+      contacts.point_feature.push_back(point.feature);
     }
   }
 }

@@ -45,8 +45,8 @@ class ContactFinder {
   narrowphase::Manifold manifold(const Candidates& candidates, const Touch& touch) const;
   void add_points(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
                   Contacts& contacts) const;
-  PointContact pair_of_bodies(const Colliders& colliders, const Obstacles& obstacles, const Touch& touch,
-                              std::uint32_t obstacle_row) const;
+  PointContact point_contact(const Colliders& colliders, const Obstacles& obstacles, const Touch& touch,
+                             std::uint32_t obstacle_row) const;
 
   const Scene& scene_;
   const Plan& plan_;
