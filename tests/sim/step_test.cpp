@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: MIT
+// The loop against laws: what a step must do to a body is known in closed form.
+#include "sim/step.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sim/observe.h"
+#include "sim/simulation_error.h"
+#include "tests/sim/scene_from.h"
+
+namespace throng {
+namespace {
+
+/// A scene and its run.
+struct Run {
+  explicit Run(const std::string& text) : Run(scene_from(text)) {}
+  explicit Run(Scene given, int threads = 1)
+      : scene(std::move(given)),
+        plan(plan_for(scene)),
+        state(initial_state(scene)),
+        work(scene, plan, threads) {}
+
+  void steps(int n) {
+    for (int i = 0; i < n; ++i) step(scene, plan, state, work);
+  }
+  double energy() const { return kinetic_energy(scene, state) + potential_energy(scene, state); }
+
+  Scene scene;
+  Plan plan;
+  State state;
+  Workspace work;
+};
+
+const char* const kDisc = "[shapes]\nball = { disc = { radius = 0.5 } }\n";
+
+std::string material(double restitution, double friction) {
+  return "[materials.default]\nrestitution = " + std::to_string(restitution) +
+         "\nfriction = " + std::to_string(friction) + "\n";
+}
+
+std::string ball(double x, double y, double vx, double vy, double spin = 0.0) {
+  return "[[bodies]]\nshape = \"ball\"\nat = [" + std::to_string(x) + ", " + std::to_string(y) +
+         "]\nvelocity = [" + std::to_string(vx) + ", " + std::to_string(vy) +
+         "]\nspin = " + std::to_string(spin) + "\n";
+}
+
+TEST(Step, FreeFallIsLateByWhatSemiImplicitEulerSays) {
+  Run run(std::string("gravity = [0, -10]\ntime = { dt = 0.01, until = 1, substeps = 4 }\n") + kDisc +
+          ball(0, 0, 3, 0));
+  run.steps(100);
+  const double h = 0.0025, t = 1.0;
+  EXPECT_NEAR(run.state.position[0].y(), -0.5 * 10 * t * t - 0.5 * 10 * h * t, 1e-12);
+  EXPECT_NEAR(run.state.position[0].x(), 3.0, 1e-12);
+  EXPECT_NEAR(run.state.velocity[0].y(), -10.0, 1e-12);
+}
+
+TEST(Step, TimeIsTheNumberOfStepsTimesTheirLength) {
+  Run run(std::string("time = { dt = 0.1, until = 1 }\n") + kDisc + ball(0, 0, 0, 0));
+  run.steps(7);
+  EXPECT_EQ(run.state.step, 7);
+}
+
+TEST(Step, AnElasticDiscBouncesForEverToTheSameHeight) {
+  Run run(std::string("gravity = [0, -10]\ntime = { dt = 0.01, until = 1, substeps = 4 }\ndomain = { box = "
+                      "[[-5, 0], [5, 9]] }\n") +
+          material(1, 0) + kDisc + ball(0, 1.5, 0, 0));
+  const double before = run.energy();
+  double highest = 0.0;
+  for (int i = 0; i < 20000; ++i) {
+    run.steps(1);
+    if (i >= 19000) highest = std::max(highest, run.state.position[0].y());
+  }
+  EXPECT_NEAR(highest, 1.5, 2e-3);
+  EXPECT_NEAR(run.energy() / before, 1.0, 0.02);
+}
+
+TEST(Step, ADiscWithHalfTheRestitutionRisesToAQuarterOfTheHeight) {
+  Run run(std::string("gravity = [0, -10]\ntime = { dt = 0.01, until = 1, substeps = 4 }\ndomain = { box = "
+                      "[[-5, 0], [5, 9]] }\n") +
+          material(0.5, 0) + kDisc + ball(0, 2.5, 0, 0));
+  run.steps(64);  // it lands after sqrt(0.4) = 0.632 s
+  double highest = 0.0;
+  for (int i = 0; i < 50; ++i) {
+    run.steps(1);
+    highest = std::max(highest, run.state.position[0].y());
+  }
+  EXPECT_NEAR(highest - 0.5, 0.25 * 2.0, 0.01 * 2.0);
+}
+
+TEST(Step, TwoElasticDiscsExchangeVelocitiesHeadOn) {
+  Run run(std::string("time = { dt = 0.01, until = 1 }\n") + material(1, 0) + kDisc + ball(0, 0, 2, 0) +
+          ball(3, 0, -1, 0));
+  run.steps(100);
+  EXPECT_NEAR(run.state.velocity[0].x(), -1.0, 1e-12);
+  EXPECT_NEAR(run.state.velocity[1].x(), 2.0, 1e-12);
+}
+
+TEST(Step, AnObliqueImpactObeysCoulomb) {
+  // Against a wall, with I = m r² / 2: either it slides all the while, or it grips (notes in any mechanics
+  // text).
+  for (const double friction : {0.05, 0.8}) {
+    Run run(std::string("time = { dt = 0.001, until = 1 }\ndomain = { box = [[-50, 0], [50, 9]] }\n") +
+            material(0.6, friction) + kDisc + ball(0, 1, 1, -4, 3));
+    run.steps(400);
+    const double r = 0.5, vn = 4, slip = 1 + 3 * r;  // surface against wall
+    const double grip = slip / 3, slide = friction * (1 + 0.6) * vn;
+    const double change = std::min(grip, slide);
+    EXPECT_NEAR(run.state.velocity[0].y(), 0.6 * vn, 1e-9) << "friction " << friction;
+    EXPECT_NEAR(run.state.velocity[0].x(), 1 - change, 1e-9) << "friction " << friction;
+    EXPECT_NEAR(run.state.spin[0], 3 - 2 * change / r, 1e-9) << "friction " << friction;
+  }
+}
+
+TEST(Step, ASlidingDiscEndsUpRolling) {
+  Run run(
+      std::string(
+          "gravity = [0, -10]\ntime = { dt = 0.01, until = 1 }\ndomain = { box = [[-50, 0], [50, 9]] }\n") +
+      material(0, 0.3) + kDisc + ball(0, 0.5, 3, 0));
+  run.steps(100);  // rolls after v0 / (3 mu g) = 0.33 s
+  EXPECT_NEAR(run.state.velocity[0].x(), 2.0, 0.01);
+  EXPECT_NEAR(run.state.spin[0], -4.0, 0.02);
+  EXPECT_NEAR(run.state.position[0].y(), 0.5, 1e-3);
+}
+
+TEST(Step, ABlockOnASlopeSlidesOnlyWhereItIsSteeperThanFriction) {
+  const auto slope = [](double gx) {
+    return "gravity = [" + std::to_string(gx) +
+           ", -10]\ntime = { dt = 0.01, until = 1 }\ndomain = { box = [[-50, 0], [50, 9]] }\n" +
+           material(0, 0.5) +
+           "[shapes]\nblock = { polygon = [[-1, -0.5], [1, -0.5], [1, 0.5], [-1, 0.5]] }\n" +
+           "[[bodies]]\nshape = \"block\"\nat = [0, 0.5]\n";
+  };
+  Run rests(slope(4.5)), slides(slope(6.0));
+  rests.steps(200), slides.steps(200);
+  EXPECT_NEAR(rests.state.position[0].x(), 0.0, 1e-3);
+  EXPECT_NEAR(slides.state.velocity[0].x(), (6.0 - 0.5 * 10) * 2.0, 0.02);
+  EXPECT_NEAR(slides.state.angle[0], 0.0, 1e-6);
+}
+
+TEST(Step, NewtonsCradleSendsTheLastDiscOff) {
+  for (const double gap : {0.0, 1e-6}) {
+    std::string text = "time = { dt = 0.01, until = 1 }\n" + material(1, 0) + kDisc + ball(-1, 0, 2, 0);
+    for (int i = 1; i < 5; ++i) text += "[[bodies]]\nshape = \"ball\"\nat = [" + std::to_string(i) + ", 0]\n";
+    Scene scene = scene_from(text);
+    for (std::size_t i = 1; i < 5; ++i) scene.bodies.position[i].x() = static_cast<double>(i) * (1 + gap);
+    Run run(scene);
+    run.steps(200);
+    for (std::size_t i = 0; i < 4; ++i)
+      EXPECT_NEAR(run.state.velocity[i].x(), 0.0, 1e-9) << i << " gap " << gap;
+    EXPECT_NEAR(run.state.velocity[4].x(), 2.0, 1e-9) << "gap " << gap;
+  }
+}
+
+TEST(Step, AGasKeepsItsMomentumAndEnergy) {
+  Run run(gallery_scene("gas"));
+  const double before = kinetic_energy(run.scene, run.state);
+  const double scale =
+      std::sqrt(2 * before * mass(run.scene, 0) * static_cast<double>(run.scene.bodies.size()));
+  run.steps(500);
+  EXPECT_GT((run.state.position[0] - run.scene.bodies.position[0]).norm(), 0.0);
+  EXPECT_LT(momentum(run.scene, run.state).norm() / scale, 1e-12);
+  EXPECT_NEAR(kinetic_energy(run.scene, run.state) / before, 1.0, 1e-9);
+  EXPECT_LT(overlap(run.scene, run.state).max, 1e-3 * run.scene.bodies.radius[0]);
+}
+
+TEST(Step, AStackOfBoxesStands) {
+  std::string text =
+      "gravity = [0, -10]\ntime = { dt = 0.01, until = 1 }\ndomain = { box = [[-9, 0], [9, 30]] }\n" +
+      material(0, 0.5) + "[shapes]\nbox = { polygon = [[0, 0], [1, 0], [1, 1], [0, 1]] }\n" +
+      "[[bodies]]\nshape = \"box\"\nplace = { lattice = { origin = [0, 0.5], spacing = [1, 1], size = [1, "
+      "10] } }\n";
+  Run run(text);
+  run.steps(2000);
+  for (std::size_t i = 0; i < 10; ++i) {
+    EXPECT_NEAR(run.state.position[i].x(), 0.0, 1e-3) << "box " << i;
+    EXPECT_NEAR(run.state.position[i].y(), 0.5 + static_cast<double>(i), 0.02) << "box " << i;
+    EXPECT_LT(run.state.velocity[i].norm(), 1e-3) << "box " << i;
+  }
+}
+
+TEST(Step, OverlappingDiscsPartWithoutExploding) {
+  Run run(std::string("time = { dt = 0.01, until = 1 }\n") + material(0, 0.5) + kDisc + ball(0, 0, 0, 0) +
+          ball(0.5, 0, 0, 0));
+  double fastest = 0.0;
+  for (int i = 0; i < 200; ++i) {
+    run.steps(1);
+    fastest = std::max(fastest, run.state.velocity[0].norm());
+  }
+  EXPECT_LT(overlap(run.scene, run.state).max, 1e-3);
+  EXPECT_LT(fastest, 1.0);
+}
+
+TEST(Step, CoincidentDiscsPartToo) {
+  Run run(std::string("time = { dt = 0.01, until = 1 }\n") + material(0, 0.5) + kDisc + ball(0, 0, 0, 0) +
+          ball(0, 0, 0, 0));
+  run.steps(200);
+  EXPECT_LT(overlap(run.scene, run.state).max, 1e-3);
+}
+
+TEST(Step, AKinematicBodyPushesAndIsNotPushed) {
+  const std::string push =
+      "[[bodies]]\nshape = \"ball\"\nat = [-2, 0]\nvelocity = [1, 0]\nkind = \"kinematic\"\n";
+  Run run(std::string("time = { dt = 0.01, until = 1 }\n") + material(0, 0) + kDisc + push +
+          ball(0, 0, 0, 0));
+  run.steps(300);
+  EXPECT_NEAR(run.state.position[0].x(), 1.0, 1e-12);
+  EXPECT_NEAR(run.state.position[1].x(), 2.0, 1e-2);
+}
+
+TEST(Step, APeriodicDomainLetsDiscsCollideAcrossItsSeam) {
+  Run run(std::string("time = { dt = 0.01, until = 1 }\ndomain = { periodic = [[0, 0], [10, 10]] }\n") +
+          material(1, 0) + kDisc + ball(9, 5, 1, 0) + ball(1, 5, -1, 0));
+  run.steps(200);
+  EXPECT_NEAR(run.state.velocity[0].x(), -1.0, 1e-12);
+  EXPECT_NEAR(run.state.velocity[1].x(), 1.0, 1e-12);
+}
+
+TEST(Step, ADiscStaysBetweenTwoWallSegments) {
+  Run run(std::string("gravity = [0, -10]\ntime = { dt = 0.01, until = 1 }\n") + material(0, 0.3) + kDisc +
+          ball(0, 3, 0.3, 0) + "[[walls]]\npolyline = [[-4, 4], [0, 0], [4, 4]]\n");
+  run.steps(1000);
+  // The disc rests where both slopes of 45 degrees touch it: its centre is sqrt(2) radii above the corner.
+  EXPECT_NEAR(run.state.position[0].x(), 0.0, 1e-3);
+  EXPECT_NEAR(run.state.position[0].y(), 0.5 * std::sqrt(2.0), 2e-3);
+}
+
+TEST(Step, ABodyThatLeavesTheRepresentablePlaneEndsTheRunByName) {
+  Run run(std::string("gravity = [0, -1e9]\ntime = { dt = 1, until = 1000 }\n") + kDisc + ball(0, 0, 0, 0) +
+          ball(3, 0, 0, 0));
+  try {
+    run.steps(1000);
+    FAIL() << "the run went on";
+  } catch (const SimulationError& error) {
+    EXPECT_THAT(std::string(error.what()), ::testing::HasSubstr("body 1"));
+    EXPECT_THAT(std::string(error.what()), ::testing::HasSubstr("step "));
+  }
+}
+
+}  // namespace
+}  // namespace throng
