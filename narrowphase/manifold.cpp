@@ -79,62 +79,93 @@ std::size_t incident_edge(const Convex& shape, std::size_t vertex, const Vec& no
   return dot(shape.normals[before], normal) < dot(shape.normals[vertex], normal) ? before : vertex;
 }
 
-/// The single point of two corners that face each other.
-void add_corners(Manifold& m, const Roles& roles, std::size_t corner, std::size_t vertex, const Vec& offset,
-                 const Vec& fallback, double reach) {
-  const Direction d = direction(offset, fallback);
-  set_normal(m, roles, d.unit);
-  add(m, roles, roles.reference.vertices[corner], d.unit, d.length,
-      roles.name(Touch::two_vertices, corner, vertex), reach);
+/// The reference face and the incident edge in its frame, which runs against it: the edge's head `p` comes
+/// first.
+struct Clip {
+  const Roles& roles;
+  const Face& face;
+  FaceFrame frame;
+  std::size_t edge, head, face_end;
+  Vec p, q;
+  double p_along, q_along;
+
+  Clip(const Roles& r, const Face& f)
+      : roles(r),
+        face(f),
+        frame(r.reference, f.edge),
+        edge(incident_edge(r.incident, f.vertex, r.incident_in_reference.unrotate(frame.normal))),
+        head(next(edge, r.incident.vertices.size())),
+        face_end(next(f.edge, r.reference.vertices.size())),
+        p(r.incident_in_reference * r.incident.vertices[head]),
+        q(r.incident_in_reference * r.incident.vertices[edge]),
+        p_along(frame.along(p)),
+        q_along(frame.along(q)) {}
+
+  double gap_at(double along) const {
+    const double from = frame.height(p), to = frame.height(q);
+    return from + (to - from) * ((along - p_along) / (q_along - p_along));
+  }
+  End low() const {
+    if (p_along >= 0.0) return {p_along, frame.height(p), roles.name(Touch::vertex_of_b, face.edge, head)};
+    return {0.0, gap_at(0.0), roles.name(Touch::vertex_of_a, face.edge, edge)};
+  }
+  End high() const {
+    if (q_along <= frame.length)
+      return {q_along, frame.height(q), roles.name(Touch::vertex_of_b, face.edge, edge)};
+    return {frame.length, gap_at(frame.length), roles.name(Touch::vertex_of_a, face_end, edge)};
+  }
+  /// Whether the two share more than a point along the face.
+  bool covers() const { return q_along > p_along && q_along > 0.0 && p_along < frame.length; }
+  double deepest_along() const { return face.vertex == edge ? q_along : p_along; }
+};
+
+/// Two corners that face each other.
+struct Corners {
+  std::size_t of_reference, of_incident;
+  Vec offset;
+};
+
+/// The end of the face beyond which the deepest vertex lies, and the nearer end of the incident edge.
+Corners corners(const Clip& c) {
+  const std::size_t corner = c.deepest_along() < 0.0 ? c.face.edge : c.face_end;
+  const Vec to_p = c.p - c.roles.reference.vertices[corner], to_q = c.q - c.roles.reference.vertices[corner];
+  return dot(to_p, to_p) < dot(to_q, to_q) ? Corners{corner, c.head, to_p} : Corners{corner, c.edge, to_q};
 }
 
-/// Clips the incident edge to the reference face and keeps the ends within reach.
-Manifold clip(const Roles& roles, const Face& face, double reach) {
-  const FaceFrame frame(roles.reference, face.edge);
-  const Convex& incident = roles.incident;
-  const std::size_t count = incident.vertices.size();
-  const std::size_t edge =
-      incident_edge(incident, face.vertex, roles.incident_in_reference.unrotate(frame.normal));
-  const std::size_t head = next(edge, count);
-  const Vec p =
-      roles.incident_in_reference * incident.vertices[head];  // the end nearer to the face's beginning
-  const Vec q = roles.incident_in_reference * incident.vertices[edge];
-  const double p_along = frame.along(p), q_along = frame.along(q);
-  const double p_height = frame.height(p), q_height = frame.height(q);
-  const double stretch = q_along - p_along;
-  const auto height_at = [&](double along) {
-    return stretch > 0.0 ? p_height + (q_height - p_height) * ((along - p_along) / stretch) : p_height;
-  };
-  const std::size_t face_end = next(face.edge, roles.reference.vertices.size());
-  const End low = p_along >= 0.0 ? End{p_along, p_height, roles.name(Touch::vertex_of_b, face.edge, head)}
-                                 : End{0.0, height_at(0.0), roles.name(Touch::vertex_of_a, face.edge, edge)};
-  const End high =
-      q_along <= frame.length
-          ? End{q_along, q_height, roles.name(Touch::vertex_of_b, face.edge, edge)}
-          : End{frame.length, height_at(frame.length), roles.name(Touch::vertex_of_a, face_end, edge)};
+Manifold corner_manifold(const Roles& roles, const Corners& c, const Vec& fallback, double reach) {
+  const Direction d = direction(c.offset, fallback);
   Manifold m;
-  const bool covered = low.along <= high.along;
+  add(m, roles, roles.reference.vertices[c.of_reference], d.unit, d.length,
+      roles.name(Touch::two_vertices, c.of_reference, c.of_incident), reach);
+  set_normal(m, roles, d.unit);
+  return m;
+}
 
-  const double deepest_along = face.vertex == edge ? q_along : p_along;
-  if (deepest_along < 0.0 || deepest_along > frame.length) {
-    const std::size_t corner = deepest_along < 0.0 ? face.edge : face_end;
-    const Vec offset = (face.vertex == edge ? q : p) - roles.reference.vertices[corner];
-    const double least = std::min(low.gap, high.gap);
-    if (face.separation > 0.0 && (!covered || least * least > dot(offset, offset))) {
-      add_corners(m, roles, corner, face.vertex, offset, frame.normal, reach);
-      return m;
-    }
+/// Clips the incident edge to the reference face and keeps the ends within reach. Where the cores are apart
+/// and nearest at two corners, these are the contact instead.
+Manifold clip(const Roles& roles, const Face& face, double reach) {
+  const Clip c(roles, face);
+  const double deepest = c.deepest_along();
+  const bool covers = c.covers();
+  if (face.separation > 0.0 && (deepest < 0.0 || deepest > c.frame.length)) {
+    const Corners facing = corners(c);
+    const double least =
+        covers ? std::min(c.low().gap, c.high().gap) : std::numeric_limits<double>::infinity();
+    if (least * least > dot(facing.offset, facing.offset))
+      return corner_manifold(roles, facing, c.frame.normal, reach);
   }
-  set_normal(m, roles, frame.normal);
-  if (!covered) {
-    const double along = std::clamp(deepest_along, 0.0, frame.length);
-    add(m, roles, frame.origin + along * frame.tangent, frame.normal, face.separation,
-        roles.name(Touch::vertex_of_b, face.edge, face.vertex), reach);
-    return m;
+  Manifold m;
+  const auto add_end = [&](const End& end) {
+    add(m, roles, c.frame.origin + end.along * c.frame.tangent, c.frame.normal, end.gap, end.name, reach);
+  };
+  if (covers) {
+    add_end(c.low());
+    add_end(c.high());
+  } else {
+    add_end({std::clamp(deepest, 0.0, c.frame.length), face.separation,
+             roles.name(Touch::vertex_of_b, face.edge, face.vertex)});
   }
-  add(m, roles, frame.origin + low.along * frame.tangent, frame.normal, low.gap, low.name, reach);
-  if (high.along > low.along)
-    add(m, roles, frame.origin + high.along * frame.tangent, frame.normal, high.gap, high.name, reach);
+  set_normal(m, roles, c.frame.normal);
   return m;
 }
 
@@ -175,22 +206,36 @@ Face body_face(const Convex& body, const Convex& wall, const Pose& wall_in_body,
   return best;
 }
 
+/// The widest faces of the two; those of a wall and a body that it cuts are told by the body's side.
+struct Faces {
+  Face of_a, of_b;
+};
+
+void take_sides(Faces& faces, const Convex& a, const Convex& b, const Pose& b_in_a, const Pose& a_in_b) {
+  if (is_wall(a) == is_wall(b) || std::max(faces.of_a.separation, faces.of_b.separation) > 0.0) return;
+  if (is_wall(a)) {
+    faces.of_a = wall_face(a, b, b_in_a);
+    faces.of_b = body_face(b, a, a_in_b, faces.of_a.edge);
+  } else {
+    faces.of_b = wall_face(b, a, a_in_b);
+    faces.of_a = body_face(a, b, b_in_a, faces.of_b.edge);
+  }
+}
+
 Manifold polygon_manifold(const Convex& a, const Pose& pose_a, const Convex& b, const Pose& pose_b,
                           double reach) {
   const double enough = reach + a.radius + b.radius;
   const Pose b_in_a = relative(pose_a, pose_b);
-  const bool wall_a = is_wall(a) && !is_wall(b), wall_b = is_wall(b) && !is_wall(a);
+  Faces faces;
+  faces.of_a = widest_face(a, b, b_in_a, enough);
+  if (faces.of_a.separation > enough) return {};
   const Pose a_in_b = inverse(b_in_a);
-  const Face of_a = wall_a   ? wall_face(a, b, b_in_a)
-                    : wall_b ? body_face(a, b, b_in_a, side(b, a_in_b.position))
-                             : widest_face(a, b, b_in_a, enough);
-  if (of_a.separation > enough) return {};
-  const Face of_b = wall_b   ? wall_face(b, a, a_in_b)
-                    : wall_a ? body_face(b, a, a_in_b, of_a.edge)
-                             : widest_face(b, a, a_in_b, enough);
-  if (of_b.separation > enough) return {};
-  if (of_b.separation > of_a.separation) return clip({b, a, pose_b, a_in_b, false}, of_b, reach);
-  return clip({a, b, pose_a, b_in_a, true}, of_a, reach);
+  faces.of_b = widest_face(b, a, a_in_b, enough);
+  if (faces.of_b.separation > enough) return {};
+  take_sides(faces, a, b, b_in_a, a_in_b);
+  if (faces.of_b.separation > faces.of_a.separation)
+    return clip({b, a, pose_b, a_in_b, false}, faces.of_b, reach);
+  return clip({a, b, pose_a, b_in_a, true}, faces.of_a, reach);
 }
 
 Manifold disc_manifold(const Convex& a, const Pose& pose_a, const Convex& b, const Pose& pose_b,

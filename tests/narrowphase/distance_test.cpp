@@ -163,7 +163,8 @@ TEST(Separation, FlipsToTheBitWhenTheShapesAreSwapped) {
     const auto [family, a, b, scale, world] = random_pair(random);
     const Separation s = separation(a.shape, a.pose, b.shape, b.pose);
     const Separation swapped = separation(b.shape, b.pose, a.shape, a.pose);
-    if (a.shape.vertices == b.shape.vertices && a.pose.position == b.pose.position) continue;  // a segment mirrored
+    if (a.shape.vertices == b.shape.vertices && a.pose.position == b.pose.position)
+      continue;  // a segment mirrored
     ASSERT_EQ(s.distance, swapped.distance) << family << " " << i;
     ASSERT_EQ(s.normal, -swapped.normal) << family << " " << i;
     ASSERT_EQ(s.point_a, swapped.point_b) << family << " " << i;
