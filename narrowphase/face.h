@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 
 #include "narrowphase/convex.h"
 
@@ -14,11 +13,12 @@ struct Face {
   std::size_t edge, vertex;
 };
 
-/// The edge of `a` that keeps `b` farthest outside: above 0 its line separates the two. Ties go to the edge
-/// that comes first after the one that faces b's origin. Expects 2 vertices or more in a, 1 in b; `b_in_a` as
-/// of `relative`. O(n + m): from edge to edge the deepest vertex only moves on. Returns at the first
-/// separation above `enough`.
-Face widest_face(const Convex& a, const Convex& b, const Pose& b_in_a,
-                 double enough = std::numeric_limits<double>::infinity());
+/// The edge of `a` that keeps `b` farthest outside: above 0 its line separates the two. Ties go to the first
+/// edge and the first vertex. Expects 2 vertices or more in a, 1 or more in b; `b_in_a` as of `relative`. O(n
+/// + m), and O(n m) of a fraction of a nanosecond where b has 32 vertices or fewer.
+Face widest_face(const Convex& a, const Convex& b, const Pose& b_in_a);
+
+/// The edge of `a` that looks most towards b's origin: mostly enough to see that the two are apart. O(n + m).
+Face facing_face(const Convex& a, const Convex& b, const Pose& b_in_a);
 
 }  // namespace throng::narrowphase

@@ -226,12 +226,10 @@ Manifold polygon_manifold(const Convex& a, const Pose& pose_a, const Convex& b, 
                           double reach) {
   const double enough = reach + a.radius + b.radius;
   const Pose b_in_a = relative(pose_a, pose_b);
-  Faces faces;
-  faces.of_a = widest_face(a, b, b_in_a, enough);
-  if (faces.of_a.separation > enough) return {};
+  if (facing_face(a, b, b_in_a).separation > enough) return {};
   const Pose a_in_b = inverse(b_in_a);
-  faces.of_b = widest_face(b, a, a_in_b, enough);
-  if (faces.of_b.separation > enough) return {};
+  Faces faces{widest_face(a, b, b_in_a), widest_face(b, a, a_in_b)};
+  if (std::max(faces.of_a.separation, faces.of_b.separation) > enough) return {};
   take_sides(faces, a, b, b_in_a, a_in_b);
   if (faces.of_b.separation > faces.of_a.separation)
     return clip({b, a, pose_b, a_in_b, false}, faces.of_b, reach);
