@@ -13,7 +13,12 @@ struct Separation {
   Vec point_b;      ///< m, world: point_a + distance * normal
 };
 
-/// The exact signed distance of two convex shapes. O(n m) at worst; allocates nothing.
+/// The exact signed distance of two convex shapes, up to rounding at the scale of their coordinates relative
+/// to each other. Swapping a and b swaps the points and flips the normal, to the bit (two equal shapes in
+/// equal places apart). Segments have no inside: where two cross, or one crosses a polygon, the depth is the
+/// shortest way out; the centre of a disc exactly on a segment takes its first normal; coincident discs take
+/// the x axis. O(n + m) where few vertices may be nearest, as nearly always, O(n m) at worst; allocates
+/// nothing.
 Separation separation(const Convex& a, const Pose& pose_a, const Convex& b, const Pose& pose_b);
 
 }  // namespace throng::narrowphase

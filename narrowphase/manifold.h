@@ -10,9 +10,9 @@ namespace throng::narrowphase {
 
 /// One point at which two shapes touch or nearly do.
 struct ManifoldPoint {
-  Vec point;              ///< m, world, midway between the two surfaces
-  double separation;      ///< m, along the manifold's normal; below 0 in penetration
-  std::uint32_t feature;  ///< names the pair of features; the same while they stay in touch
+  Vec point{0.0, 0.0};        ///< m, world, midway between the two surfaces
+  double separation = 0.0;    ///< m, along the manifold's normal; below 0 in penetration
+  std::uint32_t feature = 0;  ///< names the pair of features; the same while they stay in touch
 };
 
 /// Up to two points that share a normal: what a contact solver needs of a pair of convex shapes.
@@ -22,7 +22,8 @@ struct Manifold {
   std::array<ManifoldPoint, 2> points;
 };
 
-/// The contact manifold of two convex shapes; empty where they are more than `reach` apart. Allocates nothing.
+/// The contact manifold of two convex shapes; empty where they are more than `reach` apart. Allocates
+/// nothing.
 Manifold manifold(const Convex& a, const Pose& pose_a, const Convex& b, const Pose& pose_b, double reach);
 
 }  // namespace throng::narrowphase

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "narrowphase/distance.h"
+
+#include <algorithm>
+#include <array>
+
+#include "narrowphase/core_separation.h"
+#include "narrowphase/relative.h"
+
+namespace throng::narrowphase {
+
+namespace {
+
+bool before(const Vec& u, const Vec& v) {
+  return u.x() != v.x() ? u.x() < v.x() : u.y() < v.y();
+}
+
+/// An order of placed shapes that doesn't know which one the caller named first: more vertices first.
+bool precedes(const Convex& a, const Pose& pose_a, const Convex& b, const Pose& pose_b) {
+  if (a.vertices.size() != b.vertices.size()) return a.vertices.size() > b.vertices.size();
+  const std::array of_a{pose_a.position.x(), pose_a.position.y(), pose_a.cos, pose_a.sin, a.radius};
+  const std::array of_b{pose_b.position.x(), pose_b.position.y(), pose_b.cos, pose_b.sin, b.radius};
+  if (of_a != of_b) return of_a < of_b;
+  return std::lexicographical_compare(a.vertices.begin(), a.vertices.end(), b.vertices.begin(),
+                                      b.vertices.end(), before);
+}
+
+CoreSeparation cores(const Convex& a, const Convex& b, const Pose& b_in_a) {
+  if (b.vertices.size() > 1) return polygon_polygon(a, b, b_in_a);
+  const Vec centre = b_in_a * b.vertices[0];
+  return a.vertices.size() > 1 ? polygon_disc(a, centre) : disc_disc(a.vertices[0], centre - a.vertices[0]);
+}
+
+Separation ordered(const Convex& a, const Pose& pose_a, const Convex& b, const Pose& pose_b) {
+  const CoreSeparation core = cores(a, b, relative(pose_a, pose_b));
+  const double distance = core.distance - (a.radius + b.radius);
+  const Vec normal = pose_a.rotate(core.normal);
+  const Vec point = pose_a * (core.point + a.radius * core.normal);
+  return {distance, normal, point, point + distance * normal};
+}
+
+}  // namespace
+
+Separation separation(const Convex& a, const Pose& pose_a, const Convex& b, const Pose& pose_b) {
+  if (!precedes(b, pose_b, a, pose_a)) return ordered(a, pose_a, b, pose_b);
+  const Separation s = ordered(b, pose_b, a, pose_a);
+  return {s.distance, -s.normal, s.point_b, s.point_a};
+}
+
+}  // namespace throng::narrowphase

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+#include "narrowphase/manifold.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "narrowphase/core_separation.h"
+#include "narrowphase/face.h"
+#include "narrowphase/relative.h"
+
+namespace throng::narrowphase {
+
+namespace {
+
+/// What touches what. By places on the shapes, not by who is the reference: the names outlive a change of
+/// roles.
+enum class Touch : std::uint32_t { vertex_of_a, vertex_of_b, two_vertices, points };
+
+std::uint32_t feature(Touch touch, std::size_t of_a, std::size_t of_b) {
+  constexpr std::size_t kMask = 0x7fff;
+  return static_cast<std::uint32_t>(touch) << 30 |
+         static_cast<std::uint32_t>((of_a & kMask) << 15 | (of_b & kMask));
+}
+
+/// Whose face the contact is described on, and the other shape.
+struct Roles {
+  const Convex& reference;
+  const Convex& incident;
+  const Pose& frame;  // of the reference in the world
+  const Pose incident_in_reference;
+  bool reference_is_a;
+
+  std::uint32_t name(Touch touch_if_a, std::size_t of_reference, std::size_t of_incident) const {
+    if (reference_is_a) return feature(touch_if_a, of_reference, of_incident);
+    const Touch touch = touch_if_a == Touch::vertex_of_a   ? Touch::vertex_of_b
+                        : touch_if_a == Touch::vertex_of_b ? Touch::vertex_of_a
+                                                           : touch_if_a;
+    return feature(touch, of_incident, of_reference);
+  }
+};
+
+/// Adds a point whose cores are `gap` apart along `normal`, `base` being on the reference's core. In its
+/// frame.
+void add(Manifold& m, const Roles& roles, const Vec& base, const Vec& normal, double gap, std::uint32_t name,
+         double reach) {
+  const double separation = gap - (roles.reference.radius + roles.incident.radius);
+  if (separation > reach) return;
+  const double middle = 0.5 * (gap + roles.reference.radius - roles.incident.radius);
+  m.points[static_cast<std::size_t>(m.count++)] = {roles.frame * (base + middle * normal), separation, name};
+}
+
+void set_normal(Manifold& m, const Roles& roles, const Vec& normal) {
+  m.normal = roles.frame.rotate(roles.reference_is_a ? normal : -normal);
+}
+
+/// An end of the stretch that both edges cover, along the reference face.
+struct End {
+  double along, gap;
+  std::uint32_t name;
+};
+
+/// The reference face as a frame: `along` from its first vertex, `height` above it.
+struct FaceFrame {
+  Vec origin, normal, tangent;
+  double length;
+
+  FaceFrame(const Convex& shape, std::size_t edge)
+      : origin(shape.vertices[edge]),
+        normal(shape.normals[edge]),
+        tangent(-normal.y(), normal.x()),
+        length(dot(shape.vertices[next(edge, shape.vertices.size())] - origin, tangent)) {}
+  double along(const Vec& p) const { return dot(tangent, p - origin); }
+  double height(const Vec& p) const { return dot(normal, p - origin); }
+};
+
+/// The edge at the deepest vertex that looks most against the face: the index of its first vertex.
+std::size_t incident_edge(const Convex& shape, std::size_t vertex, const Vec& normal) {
+  const std::size_t before = previous(vertex, shape.vertices.size());
+  return dot(shape.normals[before], normal) < dot(shape.normals[vertex], normal) ? before : vertex;
+}
+
+/// The reference face and the incident edge in its frame, which runs against it: the edge's head `p` comes
+/// first.
+struct Clip {
+  const Roles& roles;
+  const Face& face;
+  FaceFrame frame;
+  std::size_t edge, head, face_end;
+  Vec p, q;
+  double p_along, q_along;
+
+  Clip(const Roles& r, const Face& f)
+      : roles(r),
+        face(f),
+        frame(r.reference, f.edge),
+        edge(incident_edge(r.incident, f.vertex, r.incident_in_reference.unrotate(frame.normal))),
+        head(next(edge, r.incident.vertices.size())),
+        face_end(next(f.edge, r.reference.vertices.size())),
+        p(r.incident_in_reference * r.incident.vertices[head]),
+        q(r.incident_in_reference * r.incident.vertices[edge]),
+        p_along(frame.along(p)),
+        q_along(frame.along(q)) {}
+
+  double gap_at(double along) const {
+    const double from = frame.height(p), to = frame.height(q);
+    return from + (to - from) * ((along - p_along) / (q_along - p_along));
+  }
+  End low() const {
+    if (p_along >= 0.0) return {p_along, frame.height(p), roles.name(Touch::vertex_of_b, face.edge, head)};
+    return {0.0, gap_at(0.0), roles.name(Touch::vertex_of_a, face.edge, edge)};
+  }
+  End high() const {
+    if (q_along <= frame.length)
+      return {q_along, frame.height(q), roles.name(Touch::vertex_of_b, face.edge, edge)};
+    return {frame.length, gap_at(frame.length), roles.name(Touch::vertex_of_a, face_end, edge)};
+  }
+  /// Whether the two share more than a point along the face.
+  bool covers() const { return q_along > p_along && q_along > 0.0 && p_along < frame.length; }
+  double deepest_along() const { return face.vertex == edge ? q_along : p_along; }
+};
+
+/// Two corners that face each other.
+struct Corners {
+  std::size_t of_reference, of_incident;
+  Vec offset;
+};
+
+/// The end of the face beyond which the deepest vertex lies, and the nearer end of the incident edge.
+Corners corners(const Clip& c) {
+  const std::size_t corner = c.deepest_along() < 0.0 ? c.face.edge : c.face_end;
+  const Vec to_p = c.p - c.roles.reference.vertices[corner], to_q = c.q - c.roles.reference.vertices[corner];
+  return dot(to_p, to_p) < dot(to_q, to_q) ? Corners{corner, c.head, to_p} : Corners{corner, c.edge, to_q};
+}
+
+Manifold corner_manifold(const Roles& roles, const Corners& c, const Vec& fallback, double reach) {
+  const Direction d = direction(c.offset, fallback);
+  Manifold m;
+  add(m, roles, roles.reference.vertices[c.of_reference], d.unit, d.length,
+      roles.name(Touch::two_vertices, c.of_reference, c.of_incident), reach);
+  set_normal(m, roles, d.unit);
+  return m;
+}
+
+/// Clips the incident edge to the reference face and keeps the ends within reach. Where the cores are apart
+/// and nearest at two corners, these are the contact instead.
+Manifold clip(const Roles& roles, const Face& face, double reach) {
+  const Clip c(roles, face);
+  const double deepest = c.deepest_along();
+  const bool covers = c.covers();
+  if (face.separation > 0.0 && (deepest < 0.0 || deepest > c.frame.length)) {
+    const Corners facing = corners(c);
+    const double least =
+        covers ? std::min(c.low().gap, c.high().gap) : std::numeric_limits<double>::infinity();
+    if (least * least > dot(facing.offset, facing.offset))
+      return corner_manifold(roles, facing, c.frame.normal, reach);
+  }
+  Manifold m;
+  const auto add_end = [&](const End& end) {
+    add(m, roles, c.frame.origin + end.along * c.frame.tangent, c.frame.normal, end.gap, end.name, reach);
+  };
+  if (covers) {
+    add_end(c.low());
+    add_end(c.high());
+  } else {
+    add_end({std::clamp(deepest, 0.0, c.frame.length), face.separation,
+             roles.name(Touch::vertex_of_b, face.edge, face.vertex)});
+  }
+  set_normal(m, roles, c.frame.normal);
+  return m;
+}
+
+bool is_wall(const Convex& shape) {
+  return shape.vertices.size() == 2 && shape.radius == 0.0;
+}
+
+/// The side of a wall on which a body's centre stands, as the wall's edge that looks there.
+std::size_t side(const Convex& wall, const Vec& centre) {
+  return dot(wall.normals[0], centre - wall.vertices[0]) >= 0.0 ? 0 : 1;
+}
+
+/// The face of `wall` towards the body's centre, and the vertex of the body deepest behind it.
+Face wall_face(const Convex& wall, const Convex& body, const Pose& body_in_wall) {
+  const std::size_t edge = side(wall, body_in_wall.position);
+  const Vec normal = body_in_wall.unrotate(wall.normals[edge]);
+  Face face{std::numeric_limits<double>::infinity(), edge, 0};
+  for (std::size_t j = 0; j < body.vertices.size(); ++j)
+    if (const double height = dot(normal, body.vertices[j]); height < face.separation)
+      face = {height, edge, j};
+  face.separation += dot(wall.normals[edge], body_in_wall.position - wall.vertices[0]);
+  return face;
+}
+
+/// The widest face of a body against a wall, of those that don't push it across: its normal leans against the
+/// wall's side by at most 60 degrees.
+Face body_face(const Convex& body, const Convex& wall, const Pose& wall_in_body, std::size_t wall_side) {
+  const Vec wrong = wall_in_body.rotate(wall.normals[wall_side]);
+  const Vec ends[] = {wall_in_body * wall.vertices[0], wall_in_body * wall.vertices[1]};
+  Face best{-std::numeric_limits<double>::infinity(), 0, 0};
+  for (std::size_t i = 0; i < body.vertices.size(); ++i) {
+    if (dot(body.normals[i], wrong) > 0.5) continue;
+    const double heights[] = {dot(body.normals[i], ends[0] - body.vertices[i]),
+                              dot(body.normals[i], ends[1] - body.vertices[i])};
+    const std::size_t lower = heights[1] < heights[0] ? 1 : 0;
+    if (heights[lower] > best.separation) best = {heights[lower], i, lower};
+  }
+  return best;
+}
+
+/// The widest faces of the two; those of a wall and a body that it cuts are told by the body's side.
+struct Faces {
+  Face of_a, of_b;
+};
+
+void take_sides(Faces& faces, const Convex& a, const Convex& b, const Pose& b_in_a, const Pose& a_in_b) {
+  if (is_wall(a) == is_wall(b) || std::max(faces.of_a.separation, faces.of_b.separation) > 0.0) return;
+  if (is_wall(a)) {
+    faces.of_a = wall_face(a, b, b_in_a);
+    faces.of_b = body_face(b, a, a_in_b, faces.of_a.edge);
+  } else {
+    faces.of_b = wall_face(b, a, a_in_b);
+    faces.of_a = body_face(a, b, b_in_a, faces.of_b.edge);
+  }
+}
+
+Manifold polygon_manifold(const Convex& a, const Pose& pose_a, const Convex& b, const Pose& pose_b,
+                          double reach) {
+  const double enough = reach + a.radius + b.radius;
+  const Pose b_in_a = relative(pose_a, pose_b);
+  if (facing_face(a, b, b_in_a).separation > enough) return {};
+  const Pose a_in_b = inverse(b_in_a);
+  Faces faces{widest_face(a, b, b_in_a), widest_face(b, a, a_in_b)};
+  if (std::max(faces.of_a.separation, faces.of_b.separation) > enough) return {};
+  take_sides(faces, a, b, b_in_a, a_in_b);
+  if (faces.of_b.separation > faces.of_a.separation)
+    return clip({b, a, pose_b, a_in_b, false}, faces.of_b, reach);
+  return clip({a, b, pose_a, b_in_a, true}, faces.of_a, reach);
+}
+
+Manifold disc_manifold(const Convex& a, const Pose& pose_a, const Convex& b, const Pose& pose_b,
+                       double reach) {
+  const Vec offset =
+      (pose_b.position - pose_a.position) + (pose_b.rotate(b.vertices[0]) - pose_a.rotate(a.vertices[0]));
+  const double enough = reach + a.radius + b.radius;
+  const double squared = dot(offset, offset);
+  Manifold m;
+  if (squared > enough * enough) return m;
+  const Direction d = direction(offset, {1.0, 0.0});
+  const double separation = d.length - (a.radius + b.radius);
+  m.normal = d.unit;
+  m.count = 1;
+  m.points[0] = {pose_a * a.vertices[0] + (a.radius + 0.5 * separation) * d.unit, separation,
+                 feature(Touch::points, 0, 0)};
+  return m;
+}
+
+/// A polygon or segment and a disc, in the polygon's frame.
+Manifold polygon_disc_manifold(const Roles& roles, double reach) {
+  const Convex& polygon = roles.reference;
+  const Vec centre = roles.incident_in_reference * roles.incident.vertices[0];
+  const CoreSeparation core = polygon_disc(polygon, centre);
+  Manifold m;
+  add(m, roles, core.point, core.normal, core.distance, feature(Touch::points, 0, 0), reach);
+  if (m.count > 0) set_normal(m, roles, core.normal);
+  return m;
+}
+
+}  // namespace
+
+Manifold manifold(const Convex& a, const Pose& pose_a, const Convex& b, const Pose& pose_b, double reach) {
+  const bool disc_a = a.vertices.size() == 1, disc_b = b.vertices.size() == 1;
+  if (disc_a && disc_b) return disc_manifold(a, pose_a, b, pose_b, reach);
+  if (disc_b) return polygon_disc_manifold({a, b, pose_a, relative(pose_a, pose_b), true}, reach);
+  if (disc_a) return polygon_disc_manifold({b, a, pose_b, relative(pose_b, pose_a), false}, reach);
+  return polygon_manifold(a, pose_a, b, pose_b, reach);
+}
+
+}  // namespace throng::narrowphase
