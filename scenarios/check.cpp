@@ -6,6 +6,7 @@
 
 #include "scenarios/grammar.h"
 #include "scenarios/path.h"
+#include "scenarios/read.h"
 
 namespace throng::scenarios {
 
@@ -120,7 +121,7 @@ bool Checker::check_kind(const toml::node& node, const Type& type, const Path& p
 }
 
 bool Checker::check_number(const toml::node& node, const Type& type, const Path& path) {
-  const double x = *node.value<double>();
+  const double x = number(node);
   return (x >= type.low && x <= type.high) || wrong(node, type, path);
 }
 

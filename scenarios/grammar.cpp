@@ -97,6 +97,12 @@ Field required(Field field) {
   return field;
 }
 
+Type version() {
+  Type type = integer(1, 1);
+  type.called = "1, the version of this grammar";
+  return type;
+}
+
 Type coordinate() {
   return number(-kFarthest, kFarthest, "m");
 }
@@ -224,10 +230,10 @@ Table wall_table() {
 
 Table root_table() {
   return {
-      {required({"throng", integer(1, 1), "Version of this grammar."}),
+      {required({"throng", version(), "Version of this grammar."}),
        {"name", text(256), "A short name.", "\"\""},
        {"description", text(1000), "One line on what is to be seen.", "\"\""},
-       {"seed", integer(0, 9007199254740992.0), "All that is random follows from it.", "1"},
+       {"seed", integer(0, 0x1p53 - 1), "All that is random follows from it.", "1"},
        {"engine", choice({"native", "box2d"}, {"event_driven"}), "What computes the motion.", "\"native\""},
        {"gravity",
         tuple({number(-kFarthest, kFarthest, "m/s^2"), number(-kFarthest, kFarthest, "m/s^2")},

@@ -41,6 +41,11 @@ std::optional<std::vector<std::string>> split(std::string_view path) {
   return parts;
 }
 
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
 /// Where `=` ends the path: the first one outside quotes.
 std::size_t find_equals(std::string_view text) {
   char quote = '\0';
@@ -79,7 +84,8 @@ class Applier {
   void apply(toml::table& root) {
     const std::size_t equals = find_equals(text_);
     if (equals == std::string::npos) return fail("", "must be PATH=VALUE, as in time.dt=0.005");
-    path_ = text_.substr(0, equals);
+    path_ = trimmed(text_.substr(0, equals));
+    value_ = trimmed(text_.substr(equals + 1));
     const auto parts = split(path_);
     if (!parts) return fail("", quoted(path_) + " is no path of keys, as time.dt or bodies[0].spin are");
     if (parts->size() > static_cast<std::size_t>(kDeepest)) return fail("", "the path is too deep");
@@ -111,7 +117,7 @@ class Applier {
   }
 
   void set(toml::node& node, const std::string& part) {
-    toml::table parsed = parse_value(text_.substr(path_.size() + 1), "--set " + text_);
+    toml::table parsed = parse_value(value_, "--set " + text_);
     toml::node& value = *parsed.get("value");
     if (toml::table* table = node.as_table()) {
       value.visit([&](auto&& concrete) { table->insert_or_assign(part, std::move(concrete)); });
@@ -134,7 +140,7 @@ class Applier {
   }
 
   const std::string& text_;
-  std::string path_;
+  std::string path_, value_;
   Report& report_;
 };
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "scenarios/place.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "scenarios/body_distance.h"
 #include "scenarios/random.h"
 
 namespace throng::scenarios {
@@ -80,25 +82,74 @@ double wrap(double x, double low, double high) {
   return wrapped >= low && wrapped < high ? wrapped : low;
 }
 
-void wrap_positions(Scene& scene) {
-  const Domain& domain = scene.domain;
-  if (domain.kind != DomainKind::periodic) return;
-  for (Vec& p : scene.bodies.position)
-    p = {wrap(p.x(), domain.min.x(), domain.max.x()), wrap(p.y(), domain.min.y(), domain.max.y())};
+std::string path(const Entry& entry, const std::string& key) {
+  return "bodies[" + std::to_string(entry.index) + "]." + key;
+}
+
+/// True where the body is not in the domain's box: a dynamic one with all of itself, any other with its
+/// centre.
+bool is_outside(const Scene& scene, std::uint32_t row) {
+  const Bodies& bodies = scene.bodies;
+  const Vec& p = bodies.position[row];
+  Eigen::AlignedBox2d body(Vec(0.0, 0.0));
+  if (bodies.kind[row] == BodyKind::dynamic) body = extent(scene, row);
+  const Vec out = (scene.domain.min - p - body.min()).cwiseMax(p + body.max() - scene.domain.max);
+  return !(out.maxCoeff() <= touching(bodies.radius[row], p));
+}
+
+void check_inside(const Entry& entry, const Scene& scene, Report& report) {
+  if (scene.domain.kind != DomainKind::box || entry.place == Entry::Place::random) return;
+  std::size_t outside = 0;
+  std::uint32_t first = 0;
+  for (std::uint32_t row = entry.first; row < entry.first + entry.count; ++row)
+    if (is_outside(scene, row) && outside++ == 0) first = row;
+  if (outside == 0) return;
+  const Vec& p = scene.bodies.position[first];
+  report.error(*entry.node, path(entry, entry.place == Entry::Place::at ? "at" : "place.lattice"),
+               std::to_string(outside) + (outside == 1 ? " body is" : " bodies are") +
+                   " not inside domain.box; the first is body " + std::to_string(first + 1) + " at [" +
+                   to_text(p.x()) + ", " + to_text(p.y()) + "]");
+}
+
+/// Random places are looked for only where the domain is.
+void check_within(const Entry& entry, const Scene& scene, Report& report) {
+  if (scene.domain.kind != DomainKind::box || entry.place != Entry::Place::random) return;
+  if (Eigen::AlignedBox2d(scene.domain.min, scene.domain.max).contains(entry.within)) return;
+  report.error(*entry.node, path(entry, "place.random.within"), "must lie inside domain.box");
+}
+
+/// Nobody may meet his own image.
+void check_period(const Entry& entry, const Scene& scene, Report& report) {
+  if (scene.domain.kind != DomainKind::periodic || entry.count == 0) return;
+  const auto first = scene.bodies.radius.begin() + entry.first;
+  const double widest = 2.0 * *std::max_element(first, first + entry.count) + entry.gap;
+  if (widest <= (scene.domain.max - scene.domain.min).minCoeff()) return;
+  report.error(*entry.node, path(entry, "shape"),
+               "a body " + to_text(widest) + " m across is wider than domain.periodic");
 }
 
 }  // namespace
 
+Vec wrapped(const Domain& domain, const Vec& p) {
+  if (domain.kind != DomainKind::periodic) return p;
+  return {wrap(p.x(), domain.min.x(), domain.max.x()), wrap(p.y(), domain.min.y(), domain.max.y())};
+}
+
 void place_bodies(std::span<const Entry> entries, std::span<const ShapeDraw> draws, Scene& scene,
                   Report& report) {
-  (void)report;
   resize(scene.bodies, entries.empty() ? 0 : entries.back().first + entries.back().count);
   for (const Entry& entry : entries) {
     fill(entry, draws[entry.shape], scene);
     set_velocities(entry, scene);
     if (entry.place != Entry::Place::random) place_on_lattice(entry, scene);
+    check_period(entry, scene, report);
+    check_inside(entry, scene, report);
+    check_within(entry, scene, report);
   }
-  wrap_positions(scene);
+  if (report.errors() > 0) return;
+  for (Vec& position : scene.bodies.position) position = wrapped(scene.domain, position);
+  warn_of_overlaps(entries, scene, report);
+  place_at_random(entries, scene, report);
 }
 
 }  // namespace throng::scenarios

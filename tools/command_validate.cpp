@@ -3,6 +3,8 @@
 #include <memory>
 
 #include "scenarios/load.h"
+#include "scenarios/schema.h"
+#include "sim/input_error.h"
 #include "tools/commands.h"
 
 namespace throng::tools {
@@ -12,9 +14,15 @@ namespace {
 struct Options {
   std::string file;
   std::vector<std::string> overrides;
+  bool schema = false;
 };
 
 int validate(const Options& options) {
+  if (options.schema) {
+    std::fputs(scenarios::schema().c_str(), stdout);
+    return 0;
+  }
+  if (options.file.empty()) throw InputError("validate needs a scenario file; see throng validate --help");
   const Loaded loaded = load_scenario(options.file, options.overrides);
   std::fputs(to_string(loaded.diagnostics, options.file).c_str(), stderr);
   if (loaded.errors() > 0) return 2;
@@ -31,9 +39,11 @@ void add_validate(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("validate", "Reads a scenario and reports every fault in it");
   command->footer("Example: throng validate scenarios/pile.toml --set time.dt=0.005");
   const auto options = std::make_shared<Options>();
-  command->add_option("SCENE", options->file, "The scenario file")->required();
+  command->add_option("SCENE", options->file, "The scenario file");
   command->add_option("--set", options->overrides, "PATH=VALUE: another value for a field; may be repeated")
       ->allow_extra_args(false);
+  command->add_flag("--schema", options->schema,
+                    "Print the JSON Schema of scenario files, for editors, and nothing else");
   command->callback([options, &exit_code] { exit_code = validate(*options); });
 }
 

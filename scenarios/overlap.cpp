@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "scenarios/body_distance.h"
+#include "scenarios/body_grid.h"
+#include "scenarios/place.h"
+
+namespace throng::scenarios {
+
+namespace {
+
+constexpr std::size_t kNamed = 10, kEnough = 1000;
+
+class Overlaps {
+ public:
+  Overlaps(const Scene& scene, double reach)
+      : scene_(scene), bodies_(scene.domain, reach, scene.bodies.size()), walls_(scene, reach) {}
+
+  bool full() const { return found_ >= kEnough; }
+
+  /// Compares the body with all that were added before, and with the walls.
+  void add(std::uint32_t row) {
+    const Placed body{row, scene_.bodies.position[row]};
+    const double radius = scene_.bodies.radius[row];
+    bodies_.visit_near(
+        body.position, radius, [&](std::uint32_t other, const Vec& position, double other_radius) {
+          if (!moves(row) && !moves(other)) return false;
+          const double depth = -distance(scene_, body, Placed{other, position});
+          if (depth > touching(std::min(radius, other_radius), body.position))
+            note("body " + std::to_string(other + 1) + " and body " + std::to_string(row + 1), depth);
+          return full();
+        });
+    bodies_.add(row, body.position, radius);
+    if (moves(row)) compare_with_walls(body, radius);
+  }
+
+  std::string message() const {
+    if (found_ == 0) return "";
+    return (full() ? "at least " : "") + std::to_string(found_) + (found_ == 1 ? " overlap" : " overlaps") +
+           " at the start: " + pairs_ + (found_ > kNamed ? ", ..." : "");
+  }
+
+ private:
+  bool moves(std::uint32_t row) const { return scene_.bodies.kind[row] == BodyKind::dynamic; }
+
+  void compare_with_walls(const Placed& body, double radius) {
+    std::vector<std::uint32_t> met;  // a piece of wall may be seen twice
+    walls_.visit_near(body.position, radius, [&](const WallGrid::Piece& piece) {
+      const double depth = -distance(scene_, body, piece);
+      if (!(depth > touching(radius, body.position))) return false;
+      if (std::find(met.begin(), met.end(), piece.wall) != met.end()) return false;
+      met.push_back(piece.wall);
+      note("body " + std::to_string(body.row + 1) + " and walls[" + std::to_string(piece.wall) + "]", depth);
+      return full();
+    });
+  }
+
+  void note(const std::string& pair, double depth) {
+    if (++found_ <= kNamed) pairs_ += (pairs_.empty() ? "" : ", ") + pair + " by " + to_text(depth) + " m";
+  }
+
+  const Scene& scene_;
+  BodyGrid bodies_;
+  WallGrid walls_;
+  std::size_t found_ = 0;
+  std::string pairs_;
+};
+
+}  // namespace
+
+void warn_of_overlaps(std::span<const Entry> entries, const Scene& scene, Report& report) {
+  if (scene.contact == ContactModel::none || scene.bodies.size() == 0) return;
+  Overlaps overlaps(scene, *std::max_element(scene.bodies.radius.begin(), scene.bodies.radius.end()));
+  for (const Entry& entry : entries) {
+    if (entry.place == Entry::Place::random) continue;
+    for (std::uint32_t i = 0; i < entry.count && !overlaps.full(); ++i) overlaps.add(entry.first + i);
+  }
+  if (const std::string message = overlaps.message(); !message.empty())
+    report.warning(scene.bodies.size() > 0 ? entries.front().node->source() : toml::source_region{}, "bodies",
+                   message);
+}
+
+}  // namespace throng::scenarios

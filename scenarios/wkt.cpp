@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "scenarios/wkt.h"
+
+#include <charconv>
+#include <cmath>
+
+#include "scenarios/limits.h"
+#include "scenarios/report.h"
+
+namespace throng::scenarios {
+
+namespace {
+
+char upper(char c) {
+  return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+}
+bool is_letter(char c) {
+  return upper(c) >= 'A' && upper(c) <= 'Z';
+}
+bool is_space(char c) {
+  return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+}
+
+class WktReader {
+ public:
+  explicit WktReader(std::string_view text) : text_(text) {}
+
+  Wkt read() {
+    const std::string type = word();
+    if (type == "LINESTRING") {
+      line(false);
+    } else if (type == "LINEARRING") {
+      line(true);
+    } else if (type == "POLYGON") {
+      list([this] { line(true); });
+    } else if (type == "MULTILINESTRING") {
+      list([this] { line(false); });
+    } else if (type == "MULTIPOLYGON") {
+      list([this] { list([this] { line(true); }); });
+    } else {
+      fail(
+          "must begin with LINESTRING, LINEARRING, POLYGON, MULTILINESTRING or MULTIPOLYGON, and begins "
+          "with " +
+          quoted(text_));
+    }
+    skip_space();
+    if (good() && at_ < text_.size()) fail("must end after its last parenthesis");
+    return std::move(result_);
+  }
+
+ private:
+  bool good() const { return result_.refusal.empty(); }
+
+  void fail(const std::string& message) {
+    if (good()) result_.refusal = message + " (character " + std::to_string(at_ + 1) + ")";
+  }
+
+  void skip_space() {
+    while (at_ < text_.size() && is_space(text_[at_])) ++at_;
+  }
+
+  std::string word() {
+    skip_space();
+    std::size_t end = at_;
+    std::string result;
+    while (end < text_.size() && is_letter(text_[end]) && result.size() < 32) result += upper(text_[end++]);
+    if (result.empty()) return result;
+    at_ = end;
+    return result;
+  }
+
+  bool take(char c) {
+    skip_space();
+    if (at_ >= text_.size() || text_[at_] != c) return false;
+    ++at_;
+    return true;
+  }
+
+  /// One or more of `item`, in parentheses, with commas between them.
+  template <class Item>
+  void list(Item item) {
+    if (!take('(')) return fail("must have a ( here; Z, M and EMPTY are not supported");
+    do item();
+    while (good() && take(','));
+    if (good() && !take(')')) fail("must have a , or ) here");
+  }
+
+  void line(bool ring) {
+    WktLine line;
+    list([&] {
+      const double x = coordinate();
+      const double y = coordinate();
+      line.points.emplace_back(x, y);
+    });
+    if (!good()) return;
+    line.closed = line.points.size() >= 2 && line.points.front() == line.points.back();
+    if (line.closed) line.points.pop_back();
+    if (ring && !line.closed) return fail("a ring must end with its first point");
+    if (line.points.size() < (ring ? 3 : 2))
+      return fail(ring ? "a ring must have at least 3 different points"
+                       : "a line must have at least 2 different points");
+    result_.lines.push_back(std::move(line));
+  }
+
+  double coordinate() {
+    skip_space();
+    if (!good()) return 0.0;
+    double x = 0.0;
+    const auto end = std::from_chars(text_.data() + at_, text_.data() + text_.size(), x);
+    if (end.ec != std::errc() || !(std::abs(x) <= kFarthest)) {
+      fail("must have a number from " + to_text(-kFarthest) + " to " + to_text(kFarthest) + " here");
+      return 0.0;
+    }
+    at_ = static_cast<std::size_t>(end.ptr - text_.data());
+    return x;
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+  Wkt result_;
+};
+
+}  // namespace
+
+Wkt read_wkt(std::string_view text) {
+  return WktReader(text).read();
+}
+
+}  // namespace throng::scenarios

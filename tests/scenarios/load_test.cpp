@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include "scenarios/load.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include "tests/scenarios/same_scene.h"
+#include "tests/scenarios/scenario_texts.h"
+
+namespace throng {
+
+using testing::expect_same;
+using testing::faults;
+using testing::kEverything;
+using testing::load_text;
+
+TEST(Load, ReadsSettings) {
+  const Loaded loaded = load_text(kEverything);
+  ASSERT_EQ(faults(loaded), "");
+  const Scene& scene = loaded.scene;
+  EXPECT_EQ(scene.name, "everything");
+  EXPECT_EQ(scene.description, "All fields of the grammar");
+  EXPECT_EQ(scene.seed, 7u);
+  EXPECT_EQ(scene.engine, Engine::native);
+  EXPECT_EQ(scene.gravity, Vec(0.0, -9.81));
+  EXPECT_EQ(scene.time.dt, 0.01);
+  EXPECT_EQ(scene.time.until, 2.0);
+  EXPECT_EQ(scene.time.substeps, 4);
+  EXPECT_EQ(scene.domain.kind, DomainKind::box);
+  EXPECT_EQ(scene.domain.max, Vec(20.0, 20.0));
+  EXPECT_EQ(scene.record.every, 2);
+  EXPECT_TRUE(scene.record.position && scene.record.spin && scene.record.single);
+  EXPECT_FALSE(scene.record.angle || scene.record.velocity);
+}
+
+TEST(Load, PutsTheDefaultMaterialFirst) {
+  const Scene scene = load_text(kEverything).scene;
+  ASSERT_EQ(scene.materials.size(), 2u);
+  EXPECT_EQ(scene.materials[0].name, "default");
+  EXPECT_EQ(scene.materials[0].density, 1.0);
+  EXPECT_EQ(scene.materials[1].name, "ice");
+  EXPECT_EQ(scene.materials[1].density, 900.0);
+  EXPECT_EQ(scene.materials[1].friction, 0.02);
+}
+
+TEST(Load, ReadsABodyThatStandsAlone) {
+  const Bodies bodies = load_text(kEverything).scene.bodies;
+  ASSERT_EQ(bodies.size(), 1u + 20u + 4u + 1u);
+  EXPECT_EQ(bodies.position[0], Vec(2.0, 3.0));
+  EXPECT_EQ(bodies.velocity[0], Vec(1.0, -1.0));
+  EXPECT_EQ(bodies.angle[0], 0.5);
+  EXPECT_EQ(bodies.spin[0], 0.25);
+  EXPECT_EQ(bodies.radius[0], 0.4);
+  EXPECT_EQ(bodies.material[0], 1u);
+  EXPECT_EQ(bodies.kind[0], BodyKind::kinematic);
+}
+
+TEST(Load, FillsALatticeRowByRow) {
+  const Bodies bodies = load_text(kEverything).scene.bodies;
+  EXPECT_EQ(bodies.position[21], Vec(5.0, 5.0));
+  EXPECT_EQ(bodies.position[22], Vec(6.5, 5.0));
+  EXPECT_EQ(bodies.position[23], Vec(5.0, 7.0));
+  EXPECT_EQ(bodies.position[24], Vec(6.5, 7.0));
+}
+
+TEST(Load, FillsAsMuchOfALatticeAsTheCountSays) {
+  const Loaded loaded = load_text(kEverything, {"bodies[2].count=3"});
+  ASSERT_EQ(faults(loaded), "");
+  EXPECT_EQ(loaded.scene.bodies.size(), 25u);
+  EXPECT_EQ(loaded.scene.bodies.position[23], Vec(5.0, 7.0));
+}
+
+TEST(Load, ReadsWallsOfAllForms) {
+  const std::vector<Wall> walls = load_text(kEverything).scene.walls;
+  ASSERT_EQ(walls.size(), 5u);
+  EXPECT_EQ(walls[0].points, (std::vector<Vec>{{0, 1}, {5, 1}}));
+  EXPECT_EQ(walls[0].material, 1u);
+  EXPECT_EQ(walls[1].points.size(), 3u);
+  EXPECT_FALSE(walls[1].closed);
+  EXPECT_TRUE(walls[2].closed);
+  EXPECT_EQ(walls[4].points, (std::vector<Vec>{{2, 19}, {3, 19}, {3, 19.5}}));
+}
+
+TEST(Load, RemovesTheMomentumOfMaxwellVelocities) {
+  const Scene scene = load_text(kEverything).scene;
+  Vec momentum(0.0, 0.0);
+  double speed = 0.0;
+  for (std::size_t row = 1; row < 21; ++row) {
+    momentum += mass(scene, row) * scene.bodies.velocity[row];
+    speed += scene.bodies.velocity[row].norm() / 20.0;
+  }
+  EXPECT_LT(momentum.norm(), 1e-15);
+  EXPECT_GT(speed, 0.2);
+  EXPECT_LT(speed, 1.5);
+}
+
+TEST(Load, DrawsRadiiAndAnglesWithinTheirBounds) {
+  const Bodies bodies = load_text(kEverything).scene.bodies;
+  double least = 1.0, most = 0.0;
+  for (std::size_t row = 1; row < 21; ++row) {
+    least = std::min(least, bodies.radius[row]);
+    most = std::max(most, bodies.radius[row]);
+    EXPECT_LE(std::abs(bodies.angle[row]), 1.0);
+  }
+  EXPECT_GE(least, 0.1);
+  EXPECT_LE(most, 0.2);
+  EXPECT_GT(most - least, 0.05);
+}
+
+TEST(Load, WrapsPositionsIntoAPeriodicDomain) {
+  const Loaded loaded = load_text(
+      "throng = 1\ndomain = { periodic = [[-1, 0], [3, 5]] }\nshapes.a.disc.radius = 0.1\n"
+      "[[bodies]]\nshape = 'a'\nat = [3, -0.25]\n[[bodies]]\nshape = 'a'\nat = [-9.5, 17]\n");
+  ASSERT_EQ(faults(loaded), "");
+  EXPECT_EQ(loaded.scene.bodies.position[0], Vec(-1.0, 4.75));
+  EXPECT_EQ(loaded.scene.bodies.position[1], Vec(2.5, 2.0));
+}
+
+TEST(Load, KnowsItsDefaults) {
+  const Loaded loaded = load_text("throng = 1\n");
+  ASSERT_EQ(faults(loaded), "");
+  EXPECT_EQ(loaded.scene.domain.kind, DomainKind::unbounded);
+  EXPECT_EQ(loaded.scene.time.dt, Time().dt);
+  EXPECT_EQ(loaded.scene.bodies.size(), 0u);
+}
+
+TEST(Load, TakesLineEndsOfOtherSystemsAndAByteOrderMark) {
+  std::string text = "\xEF\xBB\xBF";
+  for (char c : kEverything) text += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  const Loaded loaded = load_text(text);
+  ASSERT_EQ(faults(loaded), "");
+  expect_same(loaded.scene, load_text(kEverything).scene);
+}
+
+TEST(Load, AppliesOverrides) {
+  const Loaded loaded = load_text(
+      kEverything, {"time.dt=0.005", "bodies.0.velocity=[3, 4]", "bodies[1].count=2", "engine=box2d",
+                    "name=\"quoted\"", "materials.\"ice\".friction=0.5", "contact.model = none"});
+  ASSERT_EQ(faults(loaded), "");
+  EXPECT_EQ(loaded.scene.time.dt, 0.005);
+  EXPECT_EQ(loaded.scene.bodies.velocity[0], Vec(3.0, 4.0));
+  EXPECT_EQ(loaded.scene.bodies.size(), 8u);
+  EXPECT_EQ(loaded.scene.engine, Engine::box2d);
+  EXPECT_EQ(loaded.scene.name, "quoted");
+  EXPECT_EQ(loaded.scene.materials[1].friction, 0.5);
+  EXPECT_EQ(loaded.scene.contact, ContactModel::none);
+}
+
+TEST(Load, MakesTablesForAnOverride) {
+  const Loaded loaded = load_text("throng = 1\n", {"time.until=3", "materials.wood.density=700"});
+  ASSERT_EQ(faults(loaded), "");
+  EXPECT_EQ(loaded.scene.time.until, 3.0);
+  EXPECT_EQ(loaded.scene.materials.at(1).density, 700.0);
+}
+
+TEST(Load, ResolvesToATextOfTheSameScene) {
+  const std::vector<std::string> overrides = {"time.dt=0.1", "gravity=[1e-300, 0.30000000000000004]",
+                                              "seed=12"};
+  const Loaded loaded = load_text(kEverything, overrides);
+  const Loaded again = load_text(loaded.resolved);
+  ASSERT_EQ(faults(again), "");
+  expect_same(loaded.scene, again.scene);
+  EXPECT_EQ(loaded.resolved, again.resolved);
+  EXPECT_EQ(loaded.text, kEverything);
+}
+
+TEST(Load, ResolvesNamesThatNeedQuotes) {
+  const Loaded loaded =
+      load_text("throng = 1\nname = \"a\\\"b\\\\\\u0001\\n\"\nshapes.'my \"ball\"'.disc.radius = 1\n");
+  ASSERT_EQ(faults(loaded), "");
+  const Loaded again = load_text(loaded.resolved);
+  ASSERT_EQ(faults(again), "");
+  expect_same(loaded.scene, again.scene);
+}
+
+TEST(Load, ReadsAFile) {
+  const std::string file = ::testing::TempDir() + "throng_load_test.toml";
+  std::ofstream(file) << kEverything;
+  const Loaded loaded = load_scenario(file);
+  EXPECT_EQ(faults(loaded), "");
+  EXPECT_EQ(loaded.text, kEverything);
+  EXPECT_EQ(loaded.scene.bodies.size(), 26u);
+  std::remove(file.c_str());
+}
+
+TEST(Load, SaysThatAFileIsNotThere) {
+  EXPECT_EQ(faults(load_scenario("/no/such/file.toml")), "s.toml: error: there is no such file\n");
+}
+
+TEST(Load, SaysThatAFileIsAFolder) {
+  EXPECT_EQ(faults(load_scenario("/")), "s.toml: error: is a folder; must be a scenario file in TOML\n");
+}
+
+TEST(Load, RefusesAHugeFileBeforeItHasReadAllOfIt) {
+  const std::string file = ::testing::TempDir() + "throng_huge_test.toml";
+  std::ofstream(file) << "throng = 1\n";
+  std::filesystem::resize_file(file, std::uintmax_t{1} << 40);
+  EXPECT_EQ(faults(load_scenario(file)), "s.toml: error: is larger than 64 MB; must be at most that\n");
+  std::remove(file.c_str());
+}
+
+}  // namespace throng

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "sim/scene.h"
+
+namespace throng::testing {
+
+/// Expects every value of the two scenes to be the same, numbers bit for bit (no NaN gets this far).
+inline void expect_same(const Scene& a, const Scene& b) {
+  EXPECT_EQ(a.name, b.name);
+  EXPECT_EQ(a.description, b.description);
+  EXPECT_EQ(a.seed, b.seed);
+  EXPECT_EQ(a.engine, b.engine);
+  EXPECT_EQ(a.sleep, b.sleep);
+  EXPECT_EQ(a.gravity, b.gravity);
+  EXPECT_EQ(a.time.dt, b.time.dt);
+  EXPECT_EQ(a.time.until, b.time.until);
+  EXPECT_EQ(a.time.substeps, b.time.substeps);
+  EXPECT_EQ(a.domain.kind, b.domain.kind);
+  EXPECT_EQ(a.domain.min, b.domain.min);
+  EXPECT_EQ(a.domain.max, b.domain.max);
+  EXPECT_EQ(a.contact, b.contact);
+  EXPECT_EQ(a.record.every, b.record.every);
+  EXPECT_EQ(a.record.spin, b.record.spin);
+  EXPECT_EQ(a.record.single, b.record.single);
+  ASSERT_EQ(a.materials.size(), b.materials.size());
+  for (std::size_t i = 0; i < a.materials.size(); ++i) {
+    EXPECT_EQ(a.materials[i].name, b.materials[i].name);
+    EXPECT_EQ(a.materials[i].density, b.materials[i].density);
+    EXPECT_EQ(a.materials[i].restitution, b.materials[i].restitution);
+    EXPECT_EQ(a.materials[i].friction, b.materials[i].friction);
+  }
+  ASSERT_EQ(a.shapes.size(), b.shapes.size());
+  for (std::size_t i = 0; i < a.shapes.size(); ++i) {
+    EXPECT_EQ(a.shapes[i].name, b.shapes[i].name);
+    EXPECT_EQ(a.shapes[i].kind, b.shapes[i].kind);
+    EXPECT_EQ(a.shapes[i].outline, b.shapes[i].outline);
+    EXPECT_EQ(a.shapes[i].centre, b.shapes[i].centre);
+    EXPECT_EQ(a.shapes[i].area, b.shapes[i].area);
+    EXPECT_EQ(a.shapes[i].gyration2, b.shapes[i].gyration2);
+    EXPECT_EQ(a.shapes[i].radius, b.shapes[i].radius);
+    ASSERT_EQ(a.shapes[i].parts.size(), b.shapes[i].parts.size());
+    for (std::size_t k = 0; k < a.shapes[i].parts.size(); ++k) {
+      EXPECT_EQ(a.shapes[i].parts[k].vertices, b.shapes[i].parts[k].vertices);
+      EXPECT_EQ(a.shapes[i].parts[k].radius, b.shapes[i].parts[k].radius);
+    }
+  }
+  EXPECT_EQ(a.bodies.shape, b.bodies.shape);
+  EXPECT_EQ(a.bodies.material, b.bodies.material);
+  EXPECT_EQ(a.bodies.kind, b.bodies.kind);
+  EXPECT_EQ(a.bodies.radius, b.bodies.radius);
+  EXPECT_EQ(a.bodies.position, b.bodies.position);
+  EXPECT_EQ(a.bodies.angle, b.bodies.angle);
+  EXPECT_EQ(a.bodies.velocity, b.bodies.velocity);
+  EXPECT_EQ(a.bodies.spin, b.bodies.spin);
+  ASSERT_EQ(a.walls.size(), b.walls.size());
+  for (std::size_t i = 0; i < a.walls.size(); ++i) {
+    EXPECT_EQ(a.walls[i].points, b.walls[i].points);
+    EXPECT_EQ(a.walls[i].closed, b.walls[i].closed);
+    EXPECT_EQ(a.walls[i].material, b.walls[i].material);
+  }
+}
+
+}  // namespace throng::testing
