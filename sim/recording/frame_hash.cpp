@@ -35,6 +35,14 @@ std::uint64_t hash_bytes(std::span<const std::byte> bytes) {
   return hash ^ (hash >> 32);
 }
 
+std::uint64_t chain_hash(std::span<const std::uint64_t> hashes, std::uint64_t chain) {
+  for (std::uint64_t hash : hashes) {
+    chain = mix(chain ^ (chain >> 29), hash);
+    if (chain == 0) chain = 1;
+  }
+  return chain;
+}
+
 FrameHash::FrameHash(std::int64_t step, double time, std::uint64_t state_hash)
     : hash_(mix(mix(mix(kPrime1, static_cast<std::uint64_t>(step)), std::bit_cast<std::uint64_t>(time)),
                 state_hash)) {}

@@ -12,6 +12,10 @@ namespace throng::recording {
 /// bytes a ns.
 std::uint64_t hash_bytes(std::span<const std::byte> bytes);
 
+/// The hash of a list of hashes, so far `chain`; appending goes on where it stopped. Never 0.
+inline constexpr std::uint64_t kEmptyChain = 0x7468726f6e67ULL;
+std::uint64_t chain_hash(std::span<const std::uint64_t> hashes, std::uint64_t chain = kEmptyChain);
+
 /// The running hash of a frame: starts with the row's numbers, then takes each stored field in the order of
 /// layout.h.
 class FrameHash {

@@ -5,44 +5,42 @@
 #include <cstddef>
 #include <cstdint>
 
-/// Where everything stands in a trajectory file: H5MD 1.1 (http://nongnu.org/h5md) with throng's own below
-/// /throng.
+// clang-format off
+/// Where everything stands in a trajectory file: H5MD 1.1 (nongnu.org/h5md), throng's own data below /throng.
 ///
 /// F frames, N bodies; all types little-endian and of fixed size; texts of fixed length, UTF-8. Created whole
-/// before the first frame with `libver=latest`, then only appended to, in SWMR mode: readers may follow a
-/// run.
+/// before the first frame with `libver=latest`, then only appended to, in SWMR mode: readers may follow a run.
 /// ```
-/// /h5md                          attribute version int32[2] = {1, 1}; author, creator as H5MD wants them
-/// /parameters                    attributes dt, until (f64), substeps, every (i64), seed (u64), threads
-/// (i64), engine,
-///                                version, compiler, flags, scenario_hash, resolved_hash (u64, hash_bytes of
-///                                the texts)
-///   scenario, resolved           scalar texts: the scenario as given, and with every override applied
-///   command_line                 scalar text
+/// /h5md                   attribute version int32[2] = {1, 1}; author and creator as H5MD wants them
+/// /parameters             attributes dt, until (f64), substeps, every, threads (i64), seed (u64), engine,
+///                         precision, version, compiler, flags; scenario_hash, resolved_hash and
+///                         command_line_hash (u64, hash_bytes of the texts)
+///   scenario, resolved    texts: the scenario as given, and with every override applied
+///   command_line          text
 /// /particles/trajectory
-///   box                          attributes dimension = 2, boundary[2]; dataset edges f64[2] in a bounded
-///   domain id                           i64[N], ascending; the row of a body is the same in every frame
-///   position, velocity           groups with value f64[F,N,2] (f32 with record.precision = "single"), step,
-///   time angle, spin                  the same with value [F,N]; only what the scenario records is there
-/// /throng                        attribute version int32[2] = {kMajor, kMinor}; name, description
-///   finished                     u64: 0 while the run goes on, then the hash of frames/frame_hash
-///   frames                       step i64[F], time f64[F] = step * dt, state_hash u64[F], frame_hash u64[F];
-///                                every `step` and `time` above is a hard link to these two
-///   domain                       attributes kind, min f64[2], max f64[2]
-///   materials                    name, density, restitution, friction
-///   shapes                       name, kind u8, centre, area, gyration2, radius; outlines and convex parts
-///   as flat
-///                                arrays: outline_offset u64[S+1] -> outline f64[,2]; part_offset u64[S+1] ->
-///                                part_radius f64, vertex_offset u64[parts+1] -> vertices f64[,2]
-///   bodies                       shape u32, material u32, kind u8 (0 dynamic, 1 static, 2 kinematic),
-///   radius, mass walls                        offset u64[W+1] -> points f64[,2]; closed u8, material u32
+///   box                   attributes dimension = 2, boundary[2]; dataset edges f64[2] in a bounded domain
+///   id                    i64[N], ascending; the row of a body is the same in every frame
+///   position, velocity    groups with value f64[F,N,2] (f32 with record.precision = "single"), step, time
+///   angle, spin           the same with value [F,N]; only what the scenario records is there
+/// /throng                 attributes version int32[2] = {kMajor, kMinor}, name, description
+///   finished              u64: 0 while the run goes on, then chain_hash of frames/frame_hash
+///   frames                step i64[F], time f64[F] = step * dt, state_hash u64[F], frame_hash u64[F];
+///                         every `step` and `time` above is a hard link to these two
+///   domain                attributes kind, min f64[2], max f64[2]
+///   materials             name, density, restitution, friction
+///   shapes                name, kind u8 (0 disc, 1 polygon, 2 composite), centre, area, gyration2, radius;
+///                         outline_offset u64[S+1] -> outline f64[,2]; part_offset u64[S+1] -> part_radius
+///                         f64, vertex_offset u64[parts+1] -> vertices f64[,2]
+///   bodies                shape u32, material u32, kind u8 (0 dynamic, 1 static, 2 kinematic), radius, mass
+///   walls                 offset u64[W+1] -> points f64[,2]; closed u8, material u32
 /// ```
-/// `state_hash` is throng::hash of the whole state, so that a run can be checked against another.
-/// `frame_hash` covers step, time, state_hash and exactly the stored bytes of the frame; 0 never occurs. It
-/// is the commit record: a frame counts once its row stands there, whatever the extents of the other datasets
-/// say. Values carry fletcher32 and one chunk a frame (at most kMaxChunk bytes). The four rows of `frames`
-/// carry none: their last chunk is rewritten as it fills, and a reader or a crash in between would see a
-/// wrong checksum; `frame_hash` and `finished` cover them.
+/// `state_hash` is throng::hash of the whole state, so that a run can be checked against another. `frame_hash`
+/// covers step, time, state_hash and exactly the stored bytes of the frame; 0 never occurs. It is the commit
+/// record: a frame counts once its row stands there, whatever the extents of the other datasets say. Values
+/// carry fletcher32 and one chunk a frame (at most kMaxChunk bytes). The four rows of `frames` carry none: their
+/// last chunk is rewritten as it fills, and a reader or a crash in between would see a wrong checksum;
+/// `frame_hash` and `finished` cover them.
+// clang-format on
 namespace throng::recording {
 
 inline constexpr int kMajor = 1;  ///< a reader refuses a newer one

@@ -75,7 +75,7 @@ TrajectoryWriter::TrajectoryWriter(const std::string& path, const Scene& scene, 
     : dt_(scene.time.dt),
       bodies_(scene.bodies.size()),
       single_(scene.record.single),
-      digest_(hash_bytes({})),
+      digest_(kEmptyChain),
       file_(create_file(path)) {
   try {
     create_all(scene, provenance);
@@ -103,11 +103,13 @@ void TrajectoryWriter::create_parameters(const Scene& scene, const Provenance& p
   h5::write_attribute(group, "seed", scene.seed);
   h5::write_attribute(group, "threads", std::int64_t{provenance.threads});
   h5::write_attribute(group, "engine", std::string_view(engines[static_cast<int>(scene.engine)]));
+  h5::write_attribute(group, "precision", std::string_view(single_ ? "single" : "double"));
   h5::write_attribute(group, "version", std::string_view(version_text()));
   h5::write_attribute(group, "compiler", std::string_view(compiler_text()));
   h5::write_attribute(group, "flags", std::string_view(flags_text()));
   h5::write_attribute(group, "scenario_hash", text_hash(provenance.scenario));
   h5::write_attribute(group, "resolved_hash", text_hash(provenance.resolved));
+  h5::write_attribute(group, "command_line_hash", text_hash(provenance.command_line));
   h5::write_text(group, "scenario", provenance.scenario);
   h5::write_text(group, "resolved", provenance.resolved);
   h5::write_text(group, "command_line", provenance.command_line);
@@ -233,10 +235,7 @@ void TrajectoryWriter::commit() {
   for (const Field& field : fields_)
     if (field.set >= 0) h5::check(H5Dflush(field.set), "cannot write a frame");
   for (Rows& rows : rows_) write_rows(rows);
-  for (std::uint64_t frame : rows_[kFrameHash].pending) {
-    const std::uint64_t chain[] = {digest_, frame};
-    digest_ = hash_bytes(std::as_bytes(std::span(chain)));
-  }
+  digest_ = chain_hash(rows_[kFrameHash].pending, digest_);
   for (Rows& rows : rows_) rows.pending.clear();
   committed_ = frames_;
 }

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MIT
+#include "sim/recording/h5_read.h"
+
+#include <algorithm>
+#include <limits>
+#include <string_view>
+
+namespace throng::recording::h5 {
+
+namespace {
+
+constexpr std::size_t kMaxAttribute = 64 * 1024, kMaxChunkBytes = 16 << 20;  // bytes
+constexpr std::uint64_t kMaxDeflate = 1032;  // the most that deflate can expand
+
+[[noreturn]] void reject(const char* name, const char* why) {
+  throw Error(std::string(name) + " " + why);
+}
+
+void expect_hard_link(hid_t at, const char* name) {
+  H5L_info_t info;
+  if (H5Lexists(at, name, H5P_DEFAULT) <= 0) reject(name, "is missing");
+  check(H5Lget_info(at, name, &info, H5P_DEFAULT), name);
+  if (info.type != H5L_TYPE_HARD) reject(name, "is a link to elsewhere");
+}
+
+/// True where every filter is one of HDF5's own harmless ones; `deflated` tells of compression.
+bool filters_are_plain(hid_t plist, bool& deflated) {
+  const int count = check(H5Pget_nfilters(plist), "filters");
+  for (int i = 0; i < count; ++i) {
+    unsigned flags, config;
+    std::size_t values = 0;
+    const H5Z_filter_t filter = H5Pget_filter2(plist, i, &flags, &values, nullptr, 0, nullptr, &config);
+    if (filter != H5Z_FILTER_SHUFFLE && filter != H5Z_FILTER_DEFLATE && filter != H5Z_FILTER_FLETCHER32)
+      return false;
+    deflated |= filter == H5Z_FILTER_DEFLATE;
+  }
+  return true;
+}
+
+/// `a` times `b`, or the largest number.
+std::uint64_t times(std::uint64_t a, std::uint64_t b) {
+  return a != 0 && b > std::numeric_limits<std::uint64_t>::max() / a
+             ? std::numeric_limits<std::uint64_t>::max()
+             : a * b;
+}
+
+void expect_bounded_chunks(hid_t plist, const char* name, std::size_t element) {
+  hsize_t chunk[H5S_MAX_RANK];
+  const int rank = check(H5Pget_chunk(plist, H5S_MAX_RANK, chunk), name);
+  std::uint64_t bytes = element;
+  for (int i = 0; i < rank; ++i) bytes = times(bytes, chunk[i]);
+  if (bytes > kMaxChunkBytes) reject(name, "has chunks that are too large");
+}
+
+void expect_plain_storage(const File& file, const Dataset& dataset, const char* name, std::size_t element) {
+  const Handle plist(H5Dget_create_plist(dataset.set), H5Pclose, name);
+  const H5D_layout_t layout = H5Pget_layout(plist);
+  if (layout != H5D_CONTIGUOUS && layout != H5D_CHUNKED) reject(name, "is stored in an unknown way");
+  if (check(H5Pget_external_count(plist), name) != 0) reject(name, "is stored in another file");
+  bool deflated = false;
+  if (!filters_are_plain(plist, deflated)) reject(name, "has a filter that throng never uses");
+  if (layout == H5D_CHUNKED) expect_bounded_chunks(plist, name, element);
+
+  std::uint64_t bytes = element;
+  for (hsize_t dim : dataset.dims) bytes = times(bytes, dim);
+  if (bytes > times(file.size, deflated ? kMaxDeflate : 1))
+    reject(name, "claims more than the file can hold");
+}
+
+void expect_dims(const Dataset& dataset, const char* name, const std::vector<std::optional<hsize_t>>& dims) {
+  if (dataset.dims.size() != dims.size()) reject(name, "has the wrong rank");
+  for (std::size_t i = 0; i < dims.size(); ++i)
+    if (dims[i] && *dims[i] != dataset.dims[i]) reject(name, "has the wrong size");
+}
+
+Dataset open_any(const File& file, hid_t at, const char* name, hid_t type, bool text) {
+  expect_hard_link(at, name);
+  Dataset result{{H5Dopen2(at, name, H5P_DEFAULT), H5Dclose, name}, {}};
+  const Handle found(H5Dget_type(result.set), H5Tclose, name),
+      space(H5Dget_space(result.set), H5Sclose, name);
+  const bool fits = text ? H5Tget_class(found) == H5T_STRING && H5Tis_variable_str(found) == 0
+                         : check(H5Tequal(found, type), name) > 0;
+  if (!fits) reject(name, "has the wrong type");
+  const H5S_class_t kind = H5Sget_simple_extent_type(space);
+  if (kind != H5S_SIMPLE && kind != H5S_SCALAR) reject(name, "has no extent");
+  result.dims.resize(check(H5Sget_simple_extent_ndims(space), name));
+  check(H5Sget_simple_extent_dims(space, result.dims.data(), nullptr), name);
+  expect_plain_storage(file, result, name, H5Tget_size(found));
+  return result;
+}
+
+/// Reads the block of `dims` values at `start`. Expects room for them at `out`.
+void read_block(const Dataset& dataset, hid_t type, const std::vector<hsize_t>& start,
+                const std::vector<hsize_t>& dims, void* out) {
+  const Handle from(H5Dget_space(dataset.set), H5Sclose, "cannot read");
+  const Handle to(H5Screate_simple(static_cast<int>(dims.size()), dims.data(), nullptr), H5Sclose,
+                  "cannot read");
+  check(H5Sselect_hyperslab(from, H5S_SELECT_SET, start.data(), nullptr, dims.data(), nullptr),
+        "cannot read");
+  check(H5Dread(dataset.set, type, to, from, H5P_DEFAULT, out), "cannot read");
+}
+
+bool continues(unsigned char c) {
+  return (c & 0xC0) == 0x80;
+}
+
+/// The length of the UTF-8 character at the start of `text`, 0 where there is none (RFC 3629).
+std::size_t character(std::string_view text) {
+  const auto at = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0; };
+  const unsigned char a = at(0), b = at(1);
+  if (a < 0x80) return 1;
+  if (a >= 0xC2 && a <= 0xDF) return continues(b) ? 2 : 0;
+  if (!continues(b) || !continues(at(2))) return 0;
+  if (a >= 0xE0 && a <= 0xEF) return (a == 0xE0 && b < 0xA0) || (a == 0xED && b > 0x9F) ? 0 : 3;
+  if (a >= 0xF0 && a <= 0xF4 && continues(at(3)))
+    return (a == 0xF0 && b < 0x90) || (a == 0xF4 && b > 0x8F) ? 0 : 4;
+  return 0;
+}
+
+std::string checked_text(std::string text, const char* name) {
+  while (!text.empty() && text.back() == '\0') text.pop_back();
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::size_t length = character(rest);
+    if (length == 0 || rest[0] == '\0') reject(name, "is no UTF-8 text");
+    rest.remove_prefix(length);
+  }
+  return text;
+}
+
+Handle open_attribute(hid_t at, const char* name) {
+  if (check(H5Aexists(at, name), name) == 0) reject(name, "is missing");
+  Handle attribute(H5Aopen(at, name, H5P_DEFAULT), H5Aclose, name);
+  if (H5Aget_storage_size(attribute) > kMaxAttribute) reject(name, "is too large");
+  return attribute;
+}
+
+}  // namespace
+
+bool exists(hid_t at, const char* name) {
+  return check(H5Lexists(at, name, H5P_DEFAULT), name) > 0;
+}
+
+Handle open_group(hid_t at, const char* name) {
+  expect_hard_link(at, name);
+  return {H5Gopen2(at, name, H5P_DEFAULT), H5Gclose, name};
+}
+
+template <class T>
+std::vector<T> read_attribute(hid_t at, const char* name, std::size_t count) {
+  const Handle attribute = open_attribute(at, name);
+  const Handle found(H5Aget_type(attribute), H5Tclose, name), space(H5Aget_space(attribute), H5Sclose, name);
+  if (check(H5Tequal(found, type<T>()), name) == 0) reject(name, "has the wrong type");
+  if (H5Sget_simple_extent_npoints(space) != static_cast<hssize_t>(count)) reject(name, "has the wrong size");
+  std::vector<T> values(count);
+  check(H5Aread(attribute, type<T>(), values.data()), name);
+  return values;
+}
+
+template <class T>
+T read_attribute(hid_t at, const char* name) {
+  return read_attribute<T>(at, name, 1)[0];
+}
+
+std::string read_attribute_text(hid_t at, const char* name) {
+  const Handle attribute = open_attribute(at, name);
+  const Handle found(H5Aget_type(attribute), H5Tclose, name), space(H5Aget_space(attribute), H5Sclose, name);
+  if (H5Tget_class(found) != H5T_STRING || H5Tis_variable_str(found) != 0) reject(name, "has the wrong type");
+  if (H5Sget_simple_extent_npoints(space) != 1) reject(name, "has the wrong size");
+  std::string text(H5Tget_size(found), '\0');
+  check(H5Aread(attribute, found, text.data()), name);
+  return checked_text(std::move(text), name);
+}
+
+template <class T>
+Dataset open_dataset(const File& file, hid_t at, const char* name,
+                     const std::vector<std::optional<hsize_t>>& dims) {
+  Dataset result = open_any(file, at, name, type<T>(), false);
+  expect_dims(result, name, dims);
+  return result;
+}
+
+template <class T>
+std::vector<T> read_all(const Dataset& dataset, std::optional<hsize_t> rows) {
+  std::vector<hsize_t> dims = dataset.dims;
+  if (rows && !dims.empty()) dims[0] = std::min(*rows, dims[0]);
+  std::uint64_t count = 1;
+  for (hsize_t dim : dims) count *= dim;
+  std::vector<T> values(count);
+  if (dims.empty())
+    check(H5Dread(dataset.set, type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "cannot read");
+  else if (count > 0)
+    read_block(dataset, type<T>(), std::vector<hsize_t>(dims.size(), 0), dims, values.data());
+  return values;
+}
+
+template <class T>
+void read_row(const Dataset& dataset, hsize_t row, void* out, std::size_t bytes) {
+  std::vector<hsize_t> dims = dataset.dims, start(dims.size(), 0);
+  start[0] = row;
+  dims[0] = 1;
+  std::uint64_t expected = sizeof(T);
+  for (hsize_t dim : dims) expected *= dim;
+  if (expected != bytes) throw Error("a frame has the wrong size");
+  if (bytes > 0) read_block(dataset, type<T>(), start, dims, out);
+}
+
+std::string read_text(const File& file, hid_t at, const char* name) {
+  const Dataset dataset = open_any(file, at, name, -1, true);
+  expect_dims(dataset, name, {});
+  const Handle found(H5Dget_type(dataset.set), H5Tclose, name);
+  std::string text(H5Tget_size(found), '\0');
+  check(H5Dread(dataset.set, found, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()), name);
+  return checked_text(std::move(text), name);
+}
+
+std::vector<std::string> read_texts(const File& file, hid_t at, const char* name) {
+  const Dataset dataset = open_any(file, at, name, -1, true);
+  expect_dims(dataset, name, {std::nullopt});
+  const Handle found(H5Dget_type(dataset.set), H5Tclose, name);
+  const std::size_t length = H5Tget_size(found);
+  std::string block(length * dataset.dims[0], '\0');
+  if (!block.empty()) check(H5Dread(dataset.set, found, H5S_ALL, H5S_ALL, H5P_DEFAULT, block.data()), name);
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < dataset.dims[0]; ++i)
+    texts.push_back(checked_text(block.substr(i * length, length), name));
+  return texts;
+}
+
+#define THRONG_READABLE(T)                                                      \
+  template T read_attribute(hid_t, const char*);                                \
+  template std::vector<T> read_attribute(hid_t, const char*, std::size_t);      \
+  template Dataset open_dataset<T>(const File&, hid_t, const char*,             \
+                                   const std::vector<std::optional<hsize_t>>&); \
+  template std::vector<T> read_all(const Dataset&, std::optional<hsize_t>);     \
+  template void read_row<T>(const Dataset&, hsize_t, void*, std::size_t);
+THRONG_READABLE(double)
+THRONG_READABLE(float)
+THRONG_READABLE(std::uint8_t)
+THRONG_READABLE(std::int32_t)
+THRONG_READABLE(std::uint32_t)
+THRONG_READABLE(std::int64_t)
+THRONG_READABLE(std::uint64_t)
+#undef THRONG_READABLE
+
+}  // namespace throng::recording::h5

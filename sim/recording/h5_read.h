@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/recording/h5.h"
+
+/// Reading a file that a stranger gave us. Every name is opened through a hard link, every type must be
+/// exactly the expected one, and every size is held against that of the file before memory is taken; what a
+/// recording never holds (external storage, virtual datasets, other filters) is refused. All throw h5::Error.
+namespace throng::recording::h5 {
+
+/// An open file and how much it can hold at most.
+struct File {
+  Handle handle;
+  std::uint64_t size = 0;  ///< bytes
+};
+
+/// A dataset that passed the checks above.
+struct Dataset {
+  Handle set;
+  std::vector<hsize_t> dims;
+};
+
+bool exists(hid_t at, const char* name);
+Handle open_group(hid_t at, const char* name);
+
+template <class T>
+T read_attribute(hid_t at, const char* name);
+template <class T>
+std::vector<T> read_attribute(hid_t at, const char* name, std::size_t count);
+std::string read_attribute_text(hid_t at, const char* name);
+
+/// Opens a dataset of T's type and of these dimensions; where one is not given, any will do.
+template <class T>
+Dataset open_dataset(const File& file, hid_t at, const char* name,
+                     const std::vector<std::optional<hsize_t>>& dims);
+
+/// Reads the first `rows` of a dataset, all where it isn't given.
+template <class T>
+std::vector<T> read_all(const Dataset& dataset, std::optional<hsize_t> rows = std::nullopt);
+
+/// Reads row `row` of the first dimension to `out`, which holds `bytes`.
+template <class T>
+void read_row(const Dataset& dataset, hsize_t row, void* out, std::size_t bytes);
+
+/// A whole static dataset in one call.
+template <class T>
+std::vector<T> read_array(const File& file, hid_t at, const char* name,
+                          const std::vector<std::optional<hsize_t>>& dims = {std::nullopt}) {
+  return read_all<T>(open_dataset<T>(file, at, name, dims));
+}
+
+/// Texts as written by write_text and write_texts: fixed length, UTF-8.
+std::string read_text(const File& file, hid_t at, const char* name);
+std::vector<std::string> read_texts(const File& file, hid_t at, const char* name);
+
+}  // namespace throng::recording::h5

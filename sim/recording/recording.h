@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sim/recording/provenance.h"
+#include "sim/scene.h"
+
+namespace throng {
+
+/// One recorded frame; a row per body in order of id. An array is empty where the scenario did not record it.
+struct Frame {
+  std::int64_t step = 0;
+  double time = 0.0;             ///< s
+  std::uint64_t state_hash = 0;  ///< throng::hash of the state
+  std::uint64_t frame_hash = 0;
+  std::vector<std::uint32_t> id;
+  std::vector<Vec> position;  ///< m
+  std::vector<double> angle;  ///< rad
+  std::vector<Vec> velocity;  ///< m/s
+  std::vector<double> spin;   ///< rad/s
+};
+
+/// What made the file.
+struct RecordingOrigin {
+  Provenance provenance;
+  std::string author;
+  std::string version, compiler, flags;  ///< of the throng that wrote it
+};
+
+/// Reads a trajectory file (recording/layout.h) frame by frame, that of a run still going or killed included.
+///
+/// The file is hostile until checked: a damaged, truncated or crafted one is refused with InputError, "FILE
+/// is no HDF5 file", "is HDF5 but not throng's", "was written by a newer throng: ..." or "is damaged: ...".
+/// What the checks let through is what was written: all values carry checksums. Not for two threads at a
+/// time.
+class Recording {
+ public:
+  /// Opens and checks everything but the frames' values. O(frames + bodies).
+  explicit Recording(const std::string& path);
+  ~Recording();
+  Recording(Recording&&) noexcept;
+  Recording& operator=(Recording&&) noexcept;
+
+  bool complete() const;  ///< false: the run is still going, or did not reach its end in order
+  bool running() const;   ///< a run was writing to it when it was opened
+  double bytes() const;   ///< of the file when it was opened
+
+  /// Names, domain, shapes, materials, bodies (their motion is zero: ask a frame), walls, time, seed, engine
+  /// and the recorded fields. Gravity and whatever else drawing doesn't need has its default.
+  const Scene& geometry() const;
+  const RecordingOrigin& origin() const;
+
+  std::size_t frames() const;
+  std::size_t bodies() const;
+  std::span<const std::int64_t> steps() const;          ///< ascending
+  std::span<const double> times() const;                ///< s, ascending
+  std::span<const std::uint64_t> state_hashes() const;  ///< checked against the values when a frame is read
+
+  /// Frame i < frames(), checked against its hash. O(bodies). Throws InputError where it is damaged.
+  Frame frame(std::size_t i) const;
+  /// The same into a frame whose memory is used again.
+  void read(std::size_t i, Frame& frame) const;
+
+  /// The frame nearest in time; the earlier of two. Expects frames() > 0. O(log frames).
+  std::size_t index_at(double time) const;
+  Frame frame_at(double time) const { return frame(index_at(time)); }
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace throng

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "sim/recording/scene_reader.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace throng::recording {
+
+namespace {
+
+using h5::read_array;
+constexpr std::nullopt_t kAny = std::nullopt;
+
+[[noreturn]] void reject(const std::string& why) {
+  throw h5::Error(why);
+}
+
+void expect_finite(const std::vector<double>& values, const char* what) {
+  for (double x : values)
+    if (!std::isfinite(x)) reject(std::string(what) + " is not finite");
+}
+
+void expect_below(const std::vector<std::uint32_t>& rows, std::size_t limit, const char* what) {
+  for (std::uint32_t row : rows)
+    if (row >= limit) reject(std::string(what) + " points beyond its table");
+}
+
+std::vector<double> read_numbers(const h5::File& file, hid_t at, const char* name, hsize_t count) {
+  std::vector<double> values = read_array<double>(file, at, name, {count});
+  expect_finite(values, name);
+  return values;
+}
+
+std::vector<Vec> read_points(const h5::File& file, hid_t at, const char* name) {
+  const std::vector<double> flat = read_array<double>(file, at, name, {kAny, 2});
+  expect_finite(flat, name);
+  std::vector<Vec> points(flat.size() / 2);
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] = {flat[2 * i], flat[2 * i + 1]};
+  return points;
+}
+
+/// Offsets of `lists` lists into an array of `total` items: from 0, never down, to the end.
+std::vector<std::uint64_t> read_offsets(const h5::File& file, hid_t at, const char* name, std::size_t lists,
+                                        std::size_t total) {
+  std::vector<std::uint64_t> offset = read_array<std::uint64_t>(file, at, name, {lists + 1});
+  if (offset.front() != 0 || offset.back() != total || !std::is_sorted(offset.begin(), offset.end()))
+    reject(std::string(name) + " does not fit its list");
+  return offset;
+}
+
+Domain read_domain(hid_t throng) {
+  constexpr const char* kinds[] = {"unbounded", "box", "periodic"};
+  const h5::Handle group = h5::open_group(throng, "domain");
+  const std::string name = h5::read_attribute_text(group, "kind");
+  const auto* kind = std::find(std::begin(kinds), std::end(kinds), name);
+  if (kind == std::end(kinds)) reject("domain is of an unknown kind");
+  const auto low = h5::read_attribute<double>(group, "min", 2),
+             high = h5::read_attribute<double>(group, "max", 2);
+  expect_finite(low, "domain");
+  expect_finite(high, "domain");
+  if (!(low[0] <= high[0] && low[1] <= high[1])) reject("domain is turned round");
+  return {static_cast<DomainKind>(kind - kinds), {low[0], low[1]}, {high[0], high[1]}};
+}
+
+std::vector<Material> read_materials(const h5::File& file, hid_t throng) {
+  const h5::Handle group = h5::open_group(throng, "materials");
+  const std::vector<std::string> names = h5::read_texts(file, group, "name");
+  const auto density = read_numbers(file, group, "density", names.size());
+  const auto restitution = read_numbers(file, group, "restitution", names.size());
+  const auto friction = read_numbers(file, group, "friction", names.size());
+  std::vector<Material> materials;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    materials.push_back({names[i], density[i], restitution[i], friction[i]});
+  return materials;
+}
+
+/// The outward normals of the edges, as Convex wants them.
+void add_normals(narrowphase::Convex& part) {
+  const std::size_t n = part.vertices.size();
+  for (std::size_t i = 0; n > 1 && i < n; ++i) {
+    const Vec edge = part.vertices[(i + 1) % n] - part.vertices[i];
+    part.normals.push_back(Vec(edge.y(), -edge.x()).normalized());
+  }
+}
+
+void read_outlines(const h5::File& file, hid_t group, std::vector<Shape>& shapes) {
+  const std::vector<Vec> outline = read_points(file, group, "outline"),
+                         vertices = read_points(file, group, "vertices");
+  const std::vector<double> radius = read_array<double>(file, group, "part_radius");
+  expect_finite(radius, "part_radius");
+  const auto outline_offset = read_offsets(file, group, "outline_offset", shapes.size(), outline.size());
+  const auto part_offset = read_offsets(file, group, "part_offset", shapes.size(), radius.size());
+  const auto vertex_offset = read_offsets(file, group, "vertex_offset", radius.size(), vertices.size());
+  for (std::size_t s = 0; s < shapes.size(); ++s) {
+    shapes[s].outline.assign(outline.begin() + outline_offset[s], outline.begin() + outline_offset[s + 1]);
+    for (std::size_t p = part_offset[s]; p < part_offset[s + 1]; ++p) {
+      narrowphase::Convex part{
+          {vertices.begin() + vertex_offset[p], vertices.begin() + vertex_offset[p + 1]}, {}, radius[p]};
+      add_normals(part);
+      shapes[s].parts.push_back(std::move(part));
+    }
+  }
+}
+
+std::vector<Shape> read_shapes(const h5::File& file, hid_t throng) {
+  const h5::Handle group = h5::open_group(throng, "shapes");
+  const std::vector<std::string> names = h5::read_texts(file, group, "name");
+  const auto kind = read_array<std::uint8_t>(file, group, "kind", {names.size()});
+  const auto centre = read_points(file, group, "centre");
+  const auto area = read_numbers(file, group, "area", names.size());
+  const auto gyration2 = read_numbers(file, group, "gyration2", names.size());
+  const auto radius = read_numbers(file, group, "radius", names.size());
+  if (centre.size() != names.size()) reject("centre has the wrong size");
+  std::vector<Shape> shapes(names.size());
+  for (std::size_t s = 0; s < shapes.size(); ++s) {
+    if (kind[s] > static_cast<int>(ShapeKind::composite)) reject("shape is of an unknown kind");
+    shapes[s] = {names[s], static_cast<ShapeKind>(kind[s]), {}, {}, centre[s], area[s], gyration2[s],
+                 radius[s]};
+  }
+  read_outlines(file, group, shapes);
+  return shapes;
+}
+
+Bodies read_bodies(const h5::File& file, hid_t throng, const Scene& scene) {
+  const h5::Handle group = h5::open_group(throng, "bodies");
+  Bodies bodies;
+  bodies.shape = read_array<std::uint32_t>(file, group, "shape");
+  const std::size_t n = bodies.shape.size();
+  bodies.material = read_array<std::uint32_t>(file, group, "material", {n});
+  bodies.radius = read_numbers(file, group, "radius", n);
+  expect_below(bodies.shape, scene.shapes.size(), "shape");
+  expect_below(bodies.material, scene.materials.size(), "material");
+  for (std::uint8_t kind : read_array<std::uint8_t>(file, group, "kind", {n})) {
+    if (kind > static_cast<int>(BodyKind::kinematic)) reject("body is of an unknown kind");
+    bodies.kind.push_back(static_cast<BodyKind>(kind));
+  }
+  bodies.position = bodies.velocity = std::vector<Vec>(n, Vec(0, 0));
+  bodies.angle = bodies.spin = std::vector<double>(n, 0.0);
+  return bodies;
+}
+
+std::vector<Wall> read_walls(const h5::File& file, hid_t throng, const Scene& scene) {
+  const h5::Handle group = h5::open_group(throng, "walls");
+  const std::vector<Vec> points = read_points(file, group, "points");
+  const auto closed = read_array<std::uint8_t>(file, group, "closed");
+  const auto material = read_array<std::uint32_t>(file, group, "material", {closed.size()});
+  const auto offset = read_offsets(file, group, "offset", closed.size(), points.size());
+  expect_below(material, scene.materials.size(), "material");
+  std::vector<Wall> walls;
+  for (std::size_t w = 0; w < closed.size(); ++w)
+    walls.push_back(
+        {{points.begin() + offset[w], points.begin() + offset[w + 1]}, closed[w] != 0, material[w]});
+  return walls;
+}
+
+}  // namespace
+
+Scene read_scene(const h5::File& file, hid_t throng) {
+  Scene scene;
+  scene.name = h5::read_attribute_text(throng, "name");
+  scene.description = h5::read_attribute_text(throng, "description");
+  scene.domain = read_domain(throng);
+  scene.materials = read_materials(file, throng);
+  scene.shapes = read_shapes(file, throng);
+  scene.bodies = read_bodies(file, throng, scene);
+  scene.walls = read_walls(file, throng, scene);
+  return scene;
+}
+
+}  // namespace throng::recording

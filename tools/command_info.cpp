@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// throng info: what a recording holds.
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "sim/recording/recording.h"
+#include "tools/commands.h"
+
+namespace throng::tools {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::vector<std::string> fields(const Record& record) {
+  std::vector<std::string> names;
+  if (record.position) names.push_back("position");
+  if (record.angle) names.push_back("angle");
+  if (record.velocity) names.push_back("velocity");
+  if (record.spin) names.push_back("spin");
+  return names;
+}
+
+const char* status(const Recording& recording) {
+  return recording.complete()  ? "complete"
+         : recording.running() ? "being written"
+                               : "part of a run that did not end";
+}
+
+Json domain(const Domain& domain) {
+  constexpr const char* kinds[] = {"unbounded", "box", "periodic"};
+  Json json{{"kind", kinds[static_cast<int>(domain.kind)]}};
+  if (domain.kind == DomainKind::unbounded) return json;
+  json["min"] = {domain.min.x(), domain.min.y()};
+  json["max"] = {domain.max.x(), domain.max.y()};
+  return json;
+}
+
+Json describe(const Recording& recording) {
+  const Scene& scene = recording.geometry();
+  const RecordingOrigin& origin = recording.origin();
+  const bool any = recording.frames() > 0;
+  return {{"scenario", scene.name},
+          {"description", scene.description},
+          {"status", status(recording)},
+          {"engine", scene.engine == Engine::box2d ? "box2d" : "native"},
+          {"bodies", recording.bodies()},
+          {"shapes", scene.shapes.size()},
+          {"walls", scene.walls.size()},
+          {"domain", domain(scene.domain)},
+          {"frames", recording.frames()},
+          {"every", scene.record.every},
+          {"dt", scene.time.dt},
+          {"substeps", scene.time.substeps},
+          {"first_time", any ? Json(recording.times().front()) : Json(nullptr)},
+          {"last_time", any ? Json(recording.times().back()) : Json(nullptr)},
+          {"until", scene.time.until},
+          {"fields", fields(scene.record)},
+          {"precision", scene.record.single ? "single" : "double"},
+          {"bytes", recording.bytes()},
+          {"seed", scene.seed},
+          {"threads", origin.provenance.threads},
+          {"version", origin.version},
+          {"compiler", origin.compiler},
+          {"flags", origin.flags},
+          {"command_line", origin.provenance.command_line}};
+}
+
+/// Lists as words, texts without quotes, everything else as JSON has it.
+std::string readable(const Json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_null()) return "none";
+  if (!value.is_structured()) return value.dump();
+  std::string text;
+  for (const Json& item : value) text += (text.empty() ? "" : " ") + readable(item);
+  return text;
+}
+
+/// Names and texts come from strangers: nothing of theirs may steer the terminal.
+std::string printable(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  return text;
+}
+
+void print(const Json& description) {
+  for (const auto& [key, value] : description.items())
+    std::printf("%-13s %s\n", key.c_str(), printable(readable(value)).c_str());
+}
+
+}  // namespace
+
+void add_info(CLI::App& app, int& exit_code) {
+  struct Options {
+    std::string file;
+    bool json = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("info", "Tells what a recording holds");
+  command->add_option("FILE", options->file, "recording (.h5, or the .h5.part of a run that is going on)")
+      ->required();
+  command->add_flag("--json", options->json, "as JSON");
+  command->footer("Example: throng info pile.h5");
+  command->callback([options, &exit_code] {
+    const Json description = describe(Recording(options->file));
+    if (options->json)
+      std::puts(description.dump(2).c_str());
+    else
+      print(description);
+    exit_code = 0;
+  });
+}
+
+}  // namespace throng::tools

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// throng replay: plays, checks or draws a recording.
+#include <cinttypes>
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include "sim/input_error.h"
+#include "sim/recording/recording.h"
+#include "tools/commands.h"
+#include "tools/picture.h"
+#include "tools/replay_page.h"
+#include "tools/verify.h"
+
+namespace throng::tools {
+
+namespace {
+
+constexpr std::size_t kLines = 20;  // of the table
+
+struct Options {
+  std::string file, png, html, video;
+  std::optional<double> at, speed;
+  int width = 1600, threads = 1;
+  bool verify = false;
+};
+
+void refuse_what_is_to_come(const Options& options) {
+  if (!options.video.empty()) throw InputError("not supported yet: --video");
+  if (options.speed) throw InputError("not supported yet: --speed");
+  if (options.at && options.png.empty()) throw InputError("--at says which frame --png draws: give both");
+}
+
+double mean_speed(const Frame& frame) {
+  double sum = 0;
+  for (const Vec& v : frame.velocity) sum += v.norm();
+  return frame.velocity.empty() ? 0.0 : sum / static_cast<double>(frame.velocity.size());
+}
+
+/// Up to kLines frames, evenly spread, the first and the last among them; each is checked as it is read.
+void print_table(const Recording& recording) {
+  std::printf("%10s %12s %14s %12s  %s\n", "frame", "step", "time (s)", "speed (m/s)", "state hash");
+  const std::size_t n = recording.frames(), lines = std::min(n, kLines);
+  Frame frame;
+  for (std::size_t line = 0; line < lines; ++line) {
+    const std::size_t i = lines == 1 ? 0 : line * (n - 1) / (lines - 1);
+    recording.read(i, frame);
+    char speed[32] = "-";
+    if (!frame.velocity.empty()) std::snprintf(speed, sizeof speed, "%.4g", mean_speed(frame));
+    std::printf("%10zu %12" PRId64 " %14.6g %12s  %016" PRIx64 "\n", i, frame.step, frame.time, speed,
+                frame.state_hash);
+  }
+}
+
+void draw(const Recording& recording, const Options& options) {
+  if (recording.frames() == 0) throw InputError(options.file + " holds no frames to draw");
+  const std::size_t i = options.at ? recording.index_at(*options.at) : recording.frames() - 1;
+  draw_png(recording.geometry(), recording.frame(i), options.png, options.width);
+}
+
+int replay(const Options& options) {
+  refuse_what_is_to_come(options);
+  const Recording recording(options.file);
+  if (!recording.complete())
+    std::fprintf(stderr, "throng: %s is %s\n", options.file.c_str(),
+                 recording.running() ? "still being written: these are its frames so far"
+                                     : "of a run that did not end: these are the frames it committed");
+  if (!options.png.empty()) draw(recording, options);
+  if (!options.html.empty()) write_replay_page(recording, options.html);
+  if (options.verify) return verify(recording, options.file, options.threads);
+  if (options.png.empty() && options.html.empty()) print_table(recording);
+  return 0;
+}
+
+}  // namespace
+
+void add_replay(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("replay", "Checks or draws a recording; without options, lists its frames");
+  command->add_option("FILE", options->file, "recording (.h5, or the .h5.part of a run)")->required();
+  command->add_flag("--verify", options->verify,
+                    "runs the scenario again and compares every frame, bit for bit");
+  command->add_option("--threads", options->threads, "threads for --verify")->check(CLI::Range(1, 256));
+  command->add_option("--png", options->png, "picture to write, of the frame nearest to --at");
+  command->add_option("--at", options->at, "time of the picture (s); the last frame without it");
+  command->add_option("--width", options->width, "of the picture, in pixels")->check(CLI::Range(200, 8000));
+  command->add_option("--html", options->html,
+                      "replay page to write: one file that any browser opens, without network");
+  command->add_option("--video", options->video, "not supported yet");
+  command->add_option("--speed", options->speed, "not supported yet");
+  command->footer(
+      "Examples: throng replay pile.h5 --verify\n"
+      "          throng replay pile.h5 --png pile.png --at 2.5 --html pile.html\n"
+      "Exit codes: 0 done or verified, 1 the run diverges from the recording, 2 the file is unusable.");
+  command->callback([options, &exit_code] { exit_code = replay(*options); });
+}
+
+}  // namespace throng::tools

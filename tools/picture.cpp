@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+#include "tools/picture.h"
+
+#include <cairo.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <vector>
+
+#include "sim/input_error.h"
+#include "tools/framing.h"
+#include "tools/palette.h"
+#include "tools/picture_bodies.h"
+
+namespace throng::tools {
+
+namespace {
+
+using Surface = std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)>;
+using Context = std::unique_ptr<cairo_t, void (*)(cairo_t*)>;
+
+constexpr Colour kInk{0.16, 0.17, 0.20}, kFaint{0.45, 0.47, 0.50}, kDomain{0.55, 0.57, 0.60};
+
+/// Sizes in pixels: the scene in the middle, a line of text above, the legend below.
+struct Page {
+  Page(const Extent& shown, int width);
+  double unit;  ///< the size of the text
+  double border, top, bottom, scale;
+  int width, height;
+};
+
+Page::Page(const Extent& shown, int wanted) {
+  unit = std::max(11.0, 0.0125 * wanted);
+  border = 1.2 * unit;
+  top = 3.2 * unit;
+  bottom = 4.6 * unit;
+  const Vec room(wanted - 2 * border, wanted - top - bottom);
+  scale = room.cwiseQuotient(shown.size()).minCoeff();
+  const double least = 30 * unit;  // for the legend
+  width =
+      std::min(wanted, static_cast<int>(std::ceil(std::max(least, scale * shown.size().x() + 2 * border))));
+  height = static_cast<int>(std::ceil(scale * shown.size().y() + top + bottom));
+}
+
+void set_colour(cairo_t* cairo, const Colour& c) {
+  cairo_set_source_rgb(cairo, c.red, c.green, c.blue);
+}
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+std::string length(double metres) {
+  if (metres >= 1000) return number(metres / 1000) + " km";
+  if (metres >= 1) return number(metres) + " m";
+  if (metres >= 0.01) return number(metres * 100) + " cm";
+  return number(metres * 1000) + " mm";
+}
+
+enum class Align { left, centre, right };
+
+void write(cairo_t* cairo, const std::string& text, double x, double y, Align align = Align::left) {
+  cairo_text_extents_t size;
+  cairo_text_extents(cairo, text.c_str(), &size);
+  const double shift = align == Align::left ? 0 : align == Align::centre ? 0.5 : 1;
+  cairo_move_to(cairo, x - shift * size.x_advance, y);
+  cairo_show_text(cairo, text.c_str());
+}
+
+void set_font(cairo_t* cairo, double size, bool bold) {
+  cairo_select_font_face(cairo, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
+                         bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_set_font_size(cairo, size);
+}
+
+void draw_domain(cairo_t* cairo, const Domain& domain, double pixel) {
+  if (domain.kind == DomainKind::unbounded) return;
+  const Vec size = domain.max - domain.min;
+  const double dashes[] = {6 * pixel, 4 * pixel};
+  if (domain.kind == DomainKind::periodic) cairo_set_dash(cairo, dashes, 2, 0);
+  const double thickness = (domain.kind == DomainKind::periodic ? 1.2 : 3.0) * pixel;
+  cairo_set_line_width(cairo, thickness);
+  set_colour(cairo, kDomain);
+  cairo_rectangle(cairo, domain.min.x() - thickness / 2, domain.min.y() - thickness / 2, size.x() + thickness,
+                  size.y() + thickness);
+  cairo_stroke(cairo);
+  cairo_set_dash(cairo, nullptr, 0, 0);
+}
+
+void draw_scene(cairo_t* cairo, const Page& page, const Extent& shown, const Scene& scene, const Frame& frame,
+                double top) {
+  cairo_save(cairo);
+  cairo_rectangle(cairo, 0, page.top - 0.4 * page.unit, page.width,
+                  page.height - page.top - page.bottom + 0.8 * page.unit);
+  cairo_clip(cairo);
+  const double left = (page.width - page.scale * shown.size().x()) / 2;
+  cairo_translate(cairo, left, page.height - page.bottom);
+  cairo_scale(cairo, page.scale, -page.scale);
+  cairo_translate(cairo, -shown.min.x(), -shown.min.y());
+  const double pixel = page.unit / 20 / page.scale;
+  draw_domain(cairo, scene.domain, pixel);
+  draw_bodies(cairo, scene, frame, pixel, top);
+  draw_walls(cairo, scene, 3.0 * pixel);
+  cairo_restore(cairo);
+}
+
+void draw_title(cairo_t* cairo, const Page& page, const Scene& scene, const Frame& frame) {
+  set_colour(cairo, kInk);
+  set_font(cairo, 1.25 * page.unit, true);
+  write(cairo, scene.name, page.border, 2.0 * page.unit);
+  set_font(cairo, page.unit, false);
+  set_colour(cairo, kFaint);
+  char time[64];
+  std::snprintf(time, sizeof time, "t = %.3f s", frame.time);
+  write(cairo, std::to_string(frame.position.size()) + " bodies   " + time, page.width - page.border,
+        2.0 * page.unit, Align::right);
+}
+
+void draw_scale_bar(cairo_t* cairo, const Page& page) {
+  const double metres = round_below(0.22 * page.width / page.scale), bar = metres * page.scale;
+  const double y = page.height - 2.9 * page.unit, tick = 0.3 * page.unit;
+  set_colour(cairo, kInk);
+  cairo_set_line_width(cairo, 0.12 * page.unit);
+  cairo_move_to(cairo, page.border, y - tick);
+  cairo_line_to(cairo, page.border, y + tick);
+  cairo_move_to(cairo, page.border, y);
+  cairo_line_to(cairo, page.border + bar, y);
+  cairo_move_to(cairo, page.border + bar, y - tick);
+  cairo_line_to(cairo, page.border + bar, y + tick);
+  cairo_stroke(cairo);
+  set_font(cairo, page.unit, false);
+  write(cairo, length(metres), page.border + bar / 2, y + 1.7 * page.unit, Align::centre);
+}
+
+void draw_colour_bar(cairo_t* cairo, const Page& page, double top) {
+  const double width = std::min(18 * page.unit, 0.4 * page.width), height = 0.8 * page.unit;
+  const double x = page.width - page.border - width, y = page.height - 2.9 * page.unit - height / 2;
+  std::unique_ptr<cairo_pattern_t, void (*)(cairo_pattern_t*)> ramp(
+      cairo_pattern_create_linear(x, 0, x + width, 0), cairo_pattern_destroy);
+  for (int i = 0; i <= 20; ++i) {
+    const Colour c = palette(i / 20.0);
+    cairo_pattern_add_color_stop_rgb(ramp.get(), i / 20.0, c.red, c.green, c.blue);
+  }
+  cairo_rectangle(cairo, x, y, width, height);
+  cairo_set_source(cairo, ramp.get());
+  cairo_fill(cairo);
+  set_colour(cairo, kInk);
+  const double baseline = y + height + 1.3 * page.unit;
+  write(cairo, "0", x, baseline);
+  write(cairo, "speed (m/s)", x + width / 2, baseline, Align::centre);
+  write(cairo, number(top), x + width, baseline, Align::right);
+}
+
+void draw_legend(cairo_t* cairo, const Page& page, const Frame& frame, double top) {
+  draw_scale_bar(cairo, page);
+  const double y = page.height - 2.6 * page.unit;
+  if (top > 0) return draw_colour_bar(cairo, page, top);
+  set_colour(cairo, kFaint);
+  write(cairo, frame.velocity.empty() ? "velocity not recorded" : "at rest", page.width - page.border, y,
+        Align::right);
+}
+
+double top_speed_of(const Scene& scene, const Frame& frame) {
+  std::vector<double> speeds;
+  for (std::size_t row = 0; row < frame.velocity.size(); ++row)
+    if (scene.bodies.kind[row] == BodyKind::dynamic) speeds.push_back(frame.velocity[row].norm());
+  return top_speed(speeds.data(), static_cast<long>(speeds.size()));
+}
+
+}  // namespace
+
+void draw_png(const Scene& scene, const Frame& frame, const std::string& output, int width) {
+  if (frame.position.empty() && scene.bodies.size() > 0)
+    throw InputError("there is nothing to draw: the recording holds no positions");
+  const Extent shown = framing(scene, frame.position);
+  const Page page(shown, width);
+  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, page.width, page.height),
+                        cairo_surface_destroy);
+  const Context cairo(cairo_create(surface.get()), cairo_destroy);
+  cairo_set_source_rgb(cairo.get(), 1, 1, 1);
+  cairo_paint(cairo.get());
+  const double top = top_speed_of(scene, frame);
+  draw_scene(cairo.get(), page, shown, scene, frame, top);
+  draw_title(cairo.get(), page, scene, frame);
+  draw_legend(cairo.get(), page, frame, top);
+  const cairo_status_t status = cairo_surface_write_to_png(surface.get(), output.c_str());
+  if (status == CAIRO_STATUS_SUCCESS) return;
+  std::remove(output.c_str());
+  throw InputError("cannot write " + output + ": " + cairo_status_to_string(status));
+}
+
+}  // namespace throng::tools

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "tools/picture_bodies.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace throng::tools {
+
+namespace {
+
+constexpr Colour kFixed{0.62, 0.63, 0.65}, kKinematic{0.45, 0.47, 0.50}, kWall{0.20, 0.21, 0.24};
+constexpr double kSmallest = 1.5;   // pixels of radius below which a body has no outline
+constexpr double kTurnShows = 4.0;  // pixels of radius from which a disc shows how it turned
+
+void set_colour(cairo_t* cairo, const Colour& c) {
+  cairo_set_source_rgb(cairo, c.red, c.green, c.blue);
+}
+
+/// A convex part grown by its radius: straight along the edges, round at the vertices.
+void add_part(cairo_t* cairo, const narrowphase::Convex& part) {
+  cairo_new_sub_path(cairo);
+  const std::size_t n = part.vertices.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec& vertex = part.vertices[i];
+    const Vec before = vertex - part.vertices[(i + n - 1) % n], after = part.vertices[(i + 1) % n] - vertex;
+    if (part.radius <= 0) {
+      cairo_line_to(cairo, vertex.x(), vertex.y());
+    } else if (n == 1) {
+      cairo_arc(cairo, vertex.x(), vertex.y(), part.radius, 0, 2 * std::numbers::pi);
+    } else {
+      const double quarter = std::numbers::pi / 2;
+      cairo_arc(cairo, vertex.x(), vertex.y(), part.radius, std::atan2(before.y(), before.x()) - quarter,
+                std::atan2(after.y(), after.x()) - quarter);
+    }
+  }
+  cairo_close_path(cairo);
+}
+
+void add_shape(cairo_t* cairo, const Shape& shape, double radius) {
+  if (shape.kind == ShapeKind::disc) {
+    cairo_new_sub_path(cairo);
+    cairo_arc(cairo, 0, 0, radius, 0, 2 * std::numbers::pi);
+  } else if (!shape.outline.empty()) {
+    cairo_new_sub_path(cairo);
+    for (const Vec& point : shape.outline) cairo_line_to(cairo, point.x(), point.y());
+    cairo_close_path(cairo);
+  } else {
+    for (const narrowphase::Convex& part : shape.parts) add_part(cairo, part);
+  }
+}
+
+/// The outline first and twice as wide, then the filling over it: right for shapes of several parts, too.
+void paint(cairo_t* cairo, const Shape& shape, double radius, const Colour& colour, double pixel) {
+  add_shape(cairo, shape, radius);
+  const bool outlined = radius > kSmallest * pixel;
+  if (outlined) {
+    cairo_set_line_width(cairo, std::min(1.6 * pixel, 0.24 * radius));
+    set_colour(cairo, shade(colour));
+    cairo_stroke_preserve(cairo);
+  }
+  set_colour(cairo, colour);
+  cairo_fill(cairo);
+  if (shape.kind != ShapeKind::disc || radius < kTurnShows * pixel) return;
+  cairo_move_to(cairo, 0, 0);
+  cairo_line_to(cairo, 0.92 * radius, 0);
+  cairo_set_line_width(cairo, std::min(1.6 * pixel, 0.16 * radius));
+  set_colour(cairo, shade(colour));
+  cairo_stroke(cairo);
+}
+
+Colour colour_of(const Scene& scene, const Frame& frame, std::size_t row, double top) {
+  if (scene.bodies.kind[row] == BodyKind::fixed) return kFixed;
+  if (scene.bodies.kind[row] == BodyKind::kinematic) return kKinematic;
+  if (frame.velocity.empty()) return palette(0.35);
+  return palette(top > 0 ? frame.velocity[row].norm() / top : 0.0);
+}
+
+void draw_at(cairo_t* cairo, const Scene& scene, const Frame& frame, std::size_t row, const Vec& at,
+             const Colour& colour, double pixel) {
+  cairo_save(cairo);
+  cairo_translate(cairo, at.x(), at.y());
+  if (!frame.angle.empty()) cairo_rotate(cairo, std::fmod(frame.angle[row], 2 * std::numbers::pi));
+  paint(cairo, scene.shapes[scene.bodies.shape[row]], scene.bodies.radius[row], colour, pixel);
+  cairo_restore(cairo);
+}
+
+/// The body, and in a periodic domain its images that reach over a border.
+void draw_body(cairo_t* cairo, const Scene& scene, const Frame& frame, std::size_t row, double pixel,
+               double top) {
+  const Colour colour = colour_of(scene, frame, row, top);
+  if (scene.domain.kind != DomainKind::periodic)
+    return draw_at(cairo, scene, frame, row, frame.position[row], colour, pixel);
+  const Vec size = scene.domain.max - scene.domain.min;
+  const double radius = scene.bodies.radius[row];
+  const Vec turns = ((frame.position[row] - scene.domain.min).array() / size.array()).floor();
+  const Vec home = frame.position[row] - size.cwiseProduct(turns);
+  for (int i = -1; i <= 1; ++i)
+    for (int j = -1; j <= 1; ++j) {
+      const Vec at = home + Vec(i * size.x(), j * size.y());
+      const bool seen = (at.array() + radius > scene.domain.min.array()).all() &&
+                        (at.array() - radius < scene.domain.max.array()).all();
+      if (seen) draw_at(cairo, scene, frame, row, at, colour, pixel);
+    }
+}
+
+}  // namespace
+
+void draw_bodies(cairo_t* cairo, const Scene& scene, const Frame& frame, double pixel, double top) {
+  cairo_save(cairo);
+  cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
+  cairo_set_tolerance(cairo, 0.1);
+  if (scene.domain.kind == DomainKind::periodic) {
+    const Vec size = scene.domain.max - scene.domain.min;
+    cairo_rectangle(cairo, scene.domain.min.x(), scene.domain.min.y(), size.x(), size.y());
+    cairo_clip(cairo);
+  }
+  for (std::size_t row = 0; row < frame.position.size(); ++row)
+    draw_body(cairo, scene, frame, row, pixel, top);
+  cairo_restore(cairo);
+}
+
+void draw_walls(cairo_t* cairo, const Scene& scene, double thickness) {
+  set_colour(cairo, kWall);
+  cairo_set_line_width(cairo, thickness);
+  cairo_set_line_cap(cairo, CAIRO_LINE_CAP_ROUND);
+  cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
+  for (const Wall& wall : scene.walls) {
+    cairo_new_sub_path(cairo);
+    for (const Vec& point : wall.points) cairo_line_to(cairo, point.x(), point.y());
+    if (wall.closed) cairo_close_path(cairo);
+  }
+  cairo_stroke(cairo);
+}
+
+}  // namespace throng::tools
