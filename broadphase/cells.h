@@ -51,6 +51,7 @@ class Cells {
   std::size_t buckets() const { return buckets_; }
   bool shared() const { return shared_; }
   bool periodic() const { return periodic_; }
+  double width() const { return 1.0 / per_cell_.x(); }  ///< m, of a cell of the unbounded plane
   std::int64_t columns() const { return columns_; }
   std::int64_t rows() const { return rows_; }
 
