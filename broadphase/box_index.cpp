@@ -11,9 +11,9 @@ namespace throng::broadphase {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-constexpr double kManyCells = 1024.0;  // an extent with more is large
+constexpr double kManyCells = 1024.0;      // an extent with more is large
 constexpr std::size_t kLeastItems = 4096;  // so that an empty hall of 128 by 128 cells needs no hashing
-constexpr std::size_t kFewLarge = 16;  // every question looks at all of these
+constexpr std::size_t kFewLarge = 16;      // every question looks at all of these
 
 /// About how many cells of a size an extent comes near, and at least that.
 double cell_count(const Extent& extent, double size) {
