@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "broadphase/box_index.h"
 #include "broadphase/neighbours.h"
 #include "broadphase/pairs.h"
 #include "broadphase/point.h"
@@ -52,6 +53,14 @@ inline std::vector<Neighbour> near(std::span<const Point> points, const Point& p
   std::stable_sort(result.begin(), result.end(),
                    [](const Neighbour& a, const Neighbour& b) { return a.distance < b.distance; });
   if (result.size() > near.most) result.resize(near.most);
+  return result;
+}
+
+/// All rows of the extents that touch `box`, ascending.
+inline std::vector<std::uint32_t> near(std::span<const Extent> extents, const Box& box) {
+  std::vector<std::uint32_t> result;
+  for (std::uint32_t row = 0; row < extents.size(); ++row)
+    if (touches(extents[row], box)) result.push_back(row);
   return result;
 }
 

@@ -72,27 +72,4 @@ bool Cells::range(const Point& p, double radius, Range& range) const {
          this->range(1, low.y(), high.y(), rows_, range.first.y, range.last.y);
 }
 
-bool Cells::range(const Point& low, const Point& high, Range& range) const {
-  assert(!periodic_);
-  return this->range(0, low.x() - origin_.x(), high.x() - origin_.x(), columns_, range.first.x,
-                     range.last.x) &&
-         this->range(1, low.y() - origin_.y(), high.y() - origin_.y(), rows_, range.first.y, range.last.y);
-}
-
-/// The cells of [low, high], measured from the origin, along one axis.
-bool Cells::range(int axis, double low, double high, std::int64_t count, std::int64_t& first,
-                  std::int64_t& last) const {
-  low *= per_cell_[axis];
-  high *= per_cell_[axis];
-  const double top = static_cast<double>(count - 1);
-  if (periodic_ && high - low < top - 1.0) {
-    first = static_cast<std::int64_t>(std::floor(low));
-    last = static_cast<std::int64_t>(std::floor(high));
-    return true;
-  }
-  first = low <= 0.0 || periodic_ ? 0 : static_cast<std::int64_t>(std::min(low, top));
-  last = high >= top || periodic_ ? count - 1 : static_cast<std::int64_t>(std::max(high, 0.0));
-  return periodic_ || (low < static_cast<double>(count) && high >= 0.0);
-}
-
 }  // namespace throng::broadphase

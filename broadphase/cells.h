@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -17,7 +19,7 @@
 namespace throng::broadphase {
 
 struct Cell {
-  std::int64_t x, y;
+  std::int64_t x = 0, y = 0;
   friend bool operator==(const Cell&, const Cell&) = default;
 };
 
@@ -51,6 +53,7 @@ class Cells {
   std::size_t buckets() const { return buckets_; }
   bool shared() const { return shared_; }
   bool periodic() const { return periodic_; }
+  double width() const { return 1.0 / per_cell_.x(); }  ///< m, of a cell of the unbounded plane
   std::int64_t columns() const { return columns_; }
   std::int64_t rows() const { return rows_; }
 
@@ -131,5 +134,28 @@ class Cells {
   int stretch_bits_ = 0;
   bool periodic_ = false, shared_ = false;
 };
+
+inline bool Cells::range(const Point& low, const Point& high, Range& range) const {
+  assert(!periodic_);
+  return this->range(0, low.x() - origin_.x(), high.x() - origin_.x(), columns_, range.first.x,
+                     range.last.x) &&
+         this->range(1, low.y() - origin_.y(), high.y() - origin_.y(), rows_, range.first.y, range.last.y);
+}
+
+/// The cells of [low, high], measured from the origin, along one axis.
+inline bool Cells::range(int axis, double low, double high, std::int64_t count, std::int64_t& first,
+                         std::int64_t& last) const {
+  low *= per_cell_[axis];
+  high *= per_cell_[axis];
+  const double top = static_cast<double>(count - 1);
+  if (periodic_ && high - low < top - 1.0) {
+    first = static_cast<std::int64_t>(std::floor(low));
+    last = static_cast<std::int64_t>(std::floor(high));
+    return true;
+  }
+  first = low <= 0.0 || periodic_ ? 0 : static_cast<std::int64_t>(std::min(low, top));
+  last = high >= top || periodic_ ? count - 1 : static_cast<std::int64_t>(std::max(high, 0.0));
+  return periodic_ || (low < static_cast<double>(count) && high >= 0.0);
+}
 
 }  // namespace throng::broadphase
