@@ -15,9 +15,9 @@ namespace throng {
 namespace {
 
 /// A scene and its run.
-struct Run {
-  explicit Run(const std::string& text) : Run(scene_from(text)) {}
-  explicit Run(Scene given, int threads = 1)
+struct Trial {
+  explicit Trial(const std::string& text) : Trial(scene_from(text)) {}
+  explicit Trial(Scene given, int threads = 1)
       : scene(std::move(given)),
         plan(plan_for(scene)),
         state(initial_state(scene)),
@@ -48,8 +48,8 @@ std::string ball(double x, double y, double vx, double vy, double spin = 0.0) {
 }
 
 TEST(Step, FreeFallIsLateByWhatSemiImplicitEulerSays) {
-  Run run(std::string("gravity = [0, -10]\ntime = { dt = 0.01, until = 1, substeps = 4 }\n") + kDisc +
-          ball(0, 0, 3, 0));
+  Trial run(std::string("gravity = [0, -10]\ntime = { dt = 0.01, until = 1, substeps = 4 }\n") + kDisc +
+            ball(0, 0, 3, 0));
   run.steps(100);
   const double h = 0.0025, t = 1.0;
   EXPECT_NEAR(run.state.position[0].y(), -0.5 * 10 * t * t - 0.5 * 10 * h * t, 1e-12);
@@ -58,15 +58,15 @@ TEST(Step, FreeFallIsLateByWhatSemiImplicitEulerSays) {
 }
 
 TEST(Step, TimeIsTheNumberOfStepsTimesTheirLength) {
-  Run run(std::string("time = { dt = 0.1, until = 1 }\n") + kDisc + ball(0, 0, 0, 0));
+  Trial run(std::string("time = { dt = 0.1, until = 1 }\n") + kDisc + ball(0, 0, 0, 0));
   run.steps(7);
   EXPECT_EQ(run.state.step, 7);
 }
 
 TEST(Step, AnElasticDiscBouncesForEverToTheSameHeight) {
-  Run run(std::string("gravity = [0, -10]\ntime = { dt = 0.01, until = 1, substeps = 4 }\ndomain = { box = "
-                      "[[-5, 0], [5, 9]] }\n") +
-          material(1, 0) + kDisc + ball(0, 1.5, 0, 0));
+  Trial run(std::string("gravity = [0, -10]\ntime = { dt = 0.01, until = 1, substeps = 4 }\ndomain = { box = "
+                        "[[-5, 0], [5, 9]] }\n") +
+            material(1, 0) + kDisc + ball(0, 1.5, 0, 0));
   const double before = run.energy();
   double highest = 0.0;
   for (int i = 0; i < 20000; ++i) {
@@ -78,9 +78,9 @@ TEST(Step, AnElasticDiscBouncesForEverToTheSameHeight) {
 }
 
 TEST(Step, ADiscWithHalfTheRestitutionRisesToAQuarterOfTheHeight) {
-  Run run(std::string("gravity = [0, -10]\ntime = { dt = 0.01, until = 1, substeps = 4 }\ndomain = { box = "
-                      "[[-5, 0], [5, 9]] }\n") +
-          material(0.5, 0) + kDisc + ball(0, 2.5, 0, 0));
+  Trial run(std::string("gravity = [0, -10]\ntime = { dt = 0.01, until = 1, substeps = 4 }\ndomain = { box = "
+                        "[[-5, 0], [5, 9]] }\n") +
+            material(0.5, 0) + kDisc + ball(0, 2.5, 0, 0));
   run.steps(64);  // it lands after sqrt(0.4) = 0.632 s
   double highest = 0.0;
   for (int i = 0; i < 50; ++i) {
@@ -91,8 +91,8 @@ TEST(Step, ADiscWithHalfTheRestitutionRisesToAQuarterOfTheHeight) {
 }
 
 TEST(Step, TwoElasticDiscsExchangeVelocitiesHeadOn) {
-  Run run(std::string("time = { dt = 0.01, until = 1 }\n") + material(1, 0) + kDisc + ball(0, 0, 2, 0) +
-          ball(3, 0, -1, 0));
+  Trial run(std::string("time = { dt = 0.01, until = 1 }\n") + material(1, 0) + kDisc + ball(0, 0, 2, 0) +
+            ball(3, 0, -1, 0));
   run.steps(100);
   EXPECT_NEAR(run.state.velocity[0].x(), -1.0, 1e-12);
   EXPECT_NEAR(run.state.velocity[1].x(), 2.0, 1e-12);
@@ -102,8 +102,8 @@ TEST(Step, AnObliqueImpactObeysCoulomb) {
   // Against a wall, with I = m r² / 2: either it slides all the while, or it grips (notes in any mechanics
   // text).
   for (const double friction : {0.05, 0.8}) {
-    Run run(std::string("time = { dt = 0.001, until = 1 }\ndomain = { box = [[-50, 0], [50, 9]] }\n") +
-            material(0.6, friction) + kDisc + ball(0, 1, 1, -4, 3));
+    Trial run(std::string("time = { dt = 0.001, until = 1 }\ndomain = { box = [[-50, 0], [50, 9]] }\n") +
+              material(0.6, friction) + kDisc + ball(0, 1, 1, -4, 3));
     run.steps(400);
     const double r = 0.5, vn = 4, slip = 1 + 3 * r;  // surface against wall
     const double grip = slip / 3, slide = friction * (1 + 0.6) * vn;
@@ -115,7 +115,7 @@ TEST(Step, AnObliqueImpactObeysCoulomb) {
 }
 
 TEST(Step, ASlidingDiscEndsUpRolling) {
-  Run run(
+  Trial run(
       std::string(
           "gravity = [0, -10]\ntime = { dt = 0.01, until = 1 }\ndomain = { box = [[-50, 0], [50, 9]] }\n") +
       material(0, 0.3) + kDisc + ball(0, 0.5, 3, 0));
@@ -133,7 +133,7 @@ TEST(Step, ABlockOnASlopeSlidesOnlyWhereItIsSteeperThanFriction) {
            "[shapes]\nblock = { polygon = [[-1, -0.5], [1, -0.5], [1, 0.5], [-1, 0.5]] }\n" +
            "[[bodies]]\nshape = \"block\"\nat = [0, 0.5]\n";
   };
-  Run rests(slope(4.5)), slides(slope(6.0));
+  Trial rests(slope(4.5)), slides(slope(6.0));
   rests.steps(200), slides.steps(200);
   EXPECT_NEAR(rests.state.position[0].x(), 0.0, 1e-3);
   EXPECT_NEAR(slides.state.velocity[0].x(), (6.0 - 0.5 * 10) * 2.0, 0.02);
@@ -146,7 +146,7 @@ TEST(Step, NewtonsCradleSendsTheLastDiscOff) {
     for (int i = 1; i < 5; ++i) text += "[[bodies]]\nshape = \"ball\"\nat = [" + std::to_string(i) + ", 0]\n";
     Scene scene = scene_from(text);
     for (std::size_t i = 1; i < 5; ++i) scene.bodies.position[i].x() = static_cast<double>(i) * (1 + gap);
-    Run run(scene);
+    Trial run(scene);
     run.steps(200);
     for (std::size_t i = 0; i < 4; ++i)
       EXPECT_NEAR(run.state.velocity[i].x(), 0.0, 1e-9) << i << " gap " << gap;
@@ -155,7 +155,7 @@ TEST(Step, NewtonsCradleSendsTheLastDiscOff) {
 }
 
 TEST(Step, AGasKeepsItsMomentumAndEnergy) {
-  Run run(gallery_scene("gas"));
+  Trial run(gallery_scene("gas"));
   const double before = kinetic_energy(run.scene, run.state);
   const double scale =
       std::sqrt(2 * before * mass(run.scene, 0) * static_cast<double>(run.scene.bodies.size()));
@@ -172,7 +172,7 @@ TEST(Step, AStackOfBoxesStands) {
       material(0, 0.5) + "[shapes]\nbox = { polygon = [[0, 0], [1, 0], [1, 1], [0, 1]] }\n" +
       "[[bodies]]\nshape = \"box\"\nplace = { lattice = { origin = [0, 0.5], spacing = [1, 1], size = [1, "
       "10] } }\n";
-  Run run(text);
+  Trial run(text);
   run.steps(2000);
   for (std::size_t i = 0; i < 10; ++i) {
     EXPECT_NEAR(run.state.position[i].x(), 0.0, 1e-3) << "box " << i;
@@ -182,8 +182,8 @@ TEST(Step, AStackOfBoxesStands) {
 }
 
 TEST(Step, OverlappingDiscsPartWithoutExploding) {
-  Run run(std::string("time = { dt = 0.01, until = 1 }\n") + material(0, 0.5) + kDisc + ball(0, 0, 0, 0) +
-          ball(0.5, 0, 0, 0));
+  Trial run(std::string("time = { dt = 0.01, until = 1 }\n") + material(0, 0.5) + kDisc + ball(0, 0, 0, 0) +
+            ball(0.5, 0, 0, 0));
   double fastest = 0.0;
   for (int i = 0; i < 200; ++i) {
     run.steps(1);
@@ -194,8 +194,8 @@ TEST(Step, OverlappingDiscsPartWithoutExploding) {
 }
 
 TEST(Step, CoincidentDiscsPartToo) {
-  Run run(std::string("time = { dt = 0.01, until = 1 }\n") + material(0, 0.5) + kDisc + ball(0, 0, 0, 0) +
-          ball(0, 0, 0, 0));
+  Trial run(std::string("time = { dt = 0.01, until = 1 }\n") + material(0, 0.5) + kDisc + ball(0, 0, 0, 0) +
+            ball(0, 0, 0, 0));
   run.steps(200);
   EXPECT_LT(overlap(run.scene, run.state).max, 1e-3);
 }
@@ -203,24 +203,24 @@ TEST(Step, CoincidentDiscsPartToo) {
 TEST(Step, AKinematicBodyPushesAndIsNotPushed) {
   const std::string push =
       "[[bodies]]\nshape = \"ball\"\nat = [-2, 0]\nvelocity = [1, 0]\nkind = \"kinematic\"\n";
-  Run run(std::string("time = { dt = 0.01, until = 1 }\n") + material(0, 0) + kDisc + push +
-          ball(0, 0, 0, 0));
+  Trial run(std::string("time = { dt = 0.01, until = 1 }\n") + material(0, 0) + kDisc + push +
+            ball(0, 0, 0, 0));
   run.steps(300);
   EXPECT_NEAR(run.state.position[0].x(), 1.0, 1e-12);
   EXPECT_NEAR(run.state.position[1].x(), 2.0, 1e-2);
 }
 
 TEST(Step, APeriodicDomainLetsDiscsCollideAcrossItsSeam) {
-  Run run(std::string("time = { dt = 0.01, until = 1 }\ndomain = { periodic = [[0, 0], [10, 10]] }\n") +
-          material(1, 0) + kDisc + ball(9, 5, 1, 0) + ball(1, 5, -1, 0));
+  Trial run(std::string("time = { dt = 0.01, until = 1 }\ndomain = { periodic = [[0, 0], [10, 10]] }\n") +
+            material(1, 0) + kDisc + ball(9, 5, 1, 0) + ball(1, 5, -1, 0));
   run.steps(200);
   EXPECT_NEAR(run.state.velocity[0].x(), -1.0, 1e-12);
   EXPECT_NEAR(run.state.velocity[1].x(), 1.0, 1e-12);
 }
 
 TEST(Step, ADiscStaysBetweenTwoWallSegments) {
-  Run run(std::string("gravity = [0, -10]\ntime = { dt = 0.01, until = 1 }\n") + material(0, 0.3) + kDisc +
-          ball(0, 3, 0.3, 0) + "[[walls]]\npolyline = [[-4, 4], [0, 0], [4, 4]]\n");
+  Trial run(std::string("gravity = [0, -10]\ntime = { dt = 0.01, until = 1 }\n") + material(0, 0.3) + kDisc +
+            ball(0, 3, 0.3, 0) + "[[walls]]\npolyline = [[-4, 4], [0, 0], [4, 4]]\n");
   run.steps(1000);
   // The disc rests where both slopes of 45 degrees touch it: its centre is sqrt(2) radii above the corner.
   EXPECT_NEAR(run.state.position[0].x(), 0.0, 1e-3);
@@ -228,8 +228,8 @@ TEST(Step, ADiscStaysBetweenTwoWallSegments) {
 }
 
 TEST(Step, ABodyThatLeavesTheRepresentablePlaneEndsTheRunByName) {
-  Run run(std::string("gravity = [0, -1e9]\ntime = { dt = 1, until = 1000 }\n") + kDisc + ball(0, 0, 0, 0) +
-          ball(3, 0, 0, 0));
+  Trial run(std::string("gravity = [0, -1e9]\ntime = { dt = 1, until = 1000 }\n") + kDisc + ball(0, 0, 0, 0) +
+            ball(3, 0, 0, 0));
   try {
     run.steps(1000);
     FAIL() << "the run went on";
