@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "broadphase/box_index.h"
 #include "broadphase/neighbours.h"
 #include "sim/input_error.h"
 #include "sim/recording/recording.h"
@@ -51,7 +52,7 @@ void check(const Options& options) {
 }
 
 Vec parse_point(const std::string& text) {
-  Vec p;
+  Vec p{0.0, 0.0};
   const char *at = text.data(), *end = at + text.size();
   for (int axis = 0; axis < 2; ++axis) {
     const auto [next, error] = std::from_chars(at, end, p[axis]);
@@ -139,7 +140,7 @@ std::uint32_t row_of(const Crowd& crowd, std::int64_t id, const std::string& sou
 /// Cells that suit the question: as wide as the radius, but where a few are enough no wider than those few
 /// need.
 double cell_size(const Crowd& crowd, const Near& near) {
-  Eigen::AlignedBox2d box;
+  broadphase::Box box;
   for (const Vec& p : crowd.position) box.extend(p);
   const double count = static_cast<double>(std::max<std::size_t>(crowd.position.size(), 1));
   const double few = static_cast<double>(std::min(near.most, crowd.position.size()));
