@@ -189,6 +189,7 @@ void MinimalDiscs::sweep(std::vector<Contact>& contacts) {
   for (Contact& c : contacts) {
     Body &a = bodies_[c.a], &b = bodies_[c.b];
     const double s = c.offset + (c.nx * (b.x - a.x) + c.ny * (b.y - a.y));
+    if (!kBiased && s > 0.0 && c.normal_impulse == 0.0) continue;
     const double speed = (b.vx - a.vx) * c.nx + (b.vy - a.vy) * c.ny;
     const double old = c.normal_impulse;
     double wanted;
