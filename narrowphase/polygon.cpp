@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "narrowphase/polygon.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "narrowphase/crossing.h"
+#include "narrowphase/orientation.h"
+#include "narrowphase/relative.h"
+
+namespace throng::narrowphase {
+
+namespace {
+
+constexpr double kLargest = 1e100;  // m; products of four lengths stay finite
+
+/// A vertex and its place in the polygon as given.
+struct Given {
+  Vec point;
+  std::size_t index;
+};
+
+std::string vertex_name(std::size_t index) {
+  return "vertex " + std::to_string(index);
+}
+
+bool usable(double x) {
+  return std::abs(x) <= kLargest;
+}
+
+std::string name_faulty(std::span<const Vec> vertices) {
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    if (!usable(vertices[i].x()) || !usable(vertices[i].y()))
+      return vertex_name(i) + " is not finite or farther out than 1e100 m";
+  return {};
+}
+
+std::vector<Given> weld_equal(std::span<const Vec> vertices, std::vector<std::string>& repairs) {
+  std::size_t count = vertices.size();
+  if (count > 1 && vertices[0] == vertices[count - 1]) --count;
+  std::vector<Given> kept;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!kept.empty() && kept.back().point == vertices[i])
+      repairs.push_back(vertex_name(i) + " repeats the one before it: dropped");
+    else
+      kept.push_back({vertices[i], i});
+  }
+  while (kept.size() > 1 && kept.back().point == kept.front().point) {
+    repairs.push_back(vertex_name(kept.back().index) + " repeats vertex 0: dropped");
+    kept.pop_back();
+  }
+  return kept;
+}
+
+bool all_on_a_line(const std::vector<Given>& vertices) {
+  return std::all_of(vertices.begin(), vertices.end(), [&](const Given& v) {
+    return orientation(vertices[0].point, vertices[1].point, v.point) == 0;
+  });
+}
+
+/// Drops vertices that lie on the straight line from the one before to the one after; folds stay, to be
+/// refused.
+std::vector<Given> weld_straight(const std::vector<Given>& vertices, std::vector<std::string>& repairs) {
+  std::vector<Given> kept;
+  const std::size_t count = vertices.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec& before = kept.empty() ? vertices[count - 1].point : kept.back().point;
+    const Vec& here = vertices[i].point;
+    const Vec& after = vertices[next(i, count)].point;
+    if (orientation(before, here, after) == 0 && dot(here - before, after - here) > 0.0)
+      repairs.push_back(vertex_name(vertices[i].index) + " lies on a straight edge: dropped");
+    else
+      kept.push_back(vertices[i]);
+  }
+  return kept;
+}
+
+std::vector<Vec> points(const std::vector<Given>& vertices) {
+  std::vector<Vec> result;
+  result.reserve(vertices.size());
+  for (const Given& v : vertices) result.push_back(v.point);
+  return result;
+}
+
+std::string name_crossing(const std::vector<Given>& vertices, std::size_t i, std::size_t j) {
+  const auto edge = [&](std::size_t e) {
+    return std::to_string(vertices[e].index) + "-" + std::to_string(vertices[next(e, vertices.size())].index);
+  };
+  return "edge " + edge(i) + " meets edge " + edge(j) +
+         " (vertices counted from 0): the outline must not cross or touch itself";
+}
+
+/// Of a simple polygon: by its turn at the leftmost, there lowest vertex.
+bool is_clockwise(const std::vector<Vec>& polygon) {
+  const auto less = [](const Vec& p, const Vec& q) { return p.x() != q.x() ? p.x() < q.x() : p.y() < q.y(); };
+  const std::size_t count = polygon.size();
+  const auto i =
+      static_cast<std::size_t>(std::min_element(polygon.begin(), polygon.end(), less) - polygon.begin());
+  return orientation(polygon[previous(i, count)], polygon[i], polygon[next(i, count)]) < 0;
+}
+
+Cleaned refused(std::string why) {
+  return {{}, {}, std::move(why)};
+}
+
+struct Moments {
+  double twice_area = 0.0;
+  Vec first{0.0, 0.0};  // six times
+  double second = 0.0;  // twelve times
+};
+
+/// About `origin`, by triangles from there to each edge.
+Moments moments(std::span<const Vec> polygon, const Vec& origin) {
+  Moments m;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec p = polygon[i] - origin, q = polygon[next(i, polygon.size())] - origin;
+    const double twice = cross(p, q);
+    m.twice_area += twice;
+    m.first += twice * (p + q);
+    m.second += twice * (dot(p, p) + dot(p, q) + dot(q, q));
+  }
+  return m;
+}
+
+}  // namespace
+
+Cleaned clean(std::span<const Vec> vertices) {
+  if (std::string fault = name_faulty(vertices); !fault.empty()) return refused(std::move(fault));
+  Cleaned result;
+  const std::vector<Given> distinct = weld_equal(vertices, result.repairs);
+  if (distinct.size() < 3) return refused("a polygon needs three different vertices or more");
+  if (all_on_a_line(distinct)) return refused("all vertices lie on a line: the polygon has no area");
+  const std::vector<Given> kept = weld_straight(distinct, result.repairs);
+  result.vertices = points(kept);
+  if (const auto crossing = find_crossing(result.vertices))
+    return refused(name_crossing(kept, crossing->first, crossing->second));
+  if (is_clockwise(result.vertices)) {
+    std::reverse(result.vertices.begin() + 1, result.vertices.end());
+    result.repairs.push_back("the vertices run clockwise: turned round");
+  }
+  return result;
+}
+
+MassProperties mass_properties(std::span<const Vec> polygon) {
+  const Moments about_vertex = moments(polygon, polygon[0]);
+  const Vec centroid = polygon[0] + about_vertex.first / (3.0 * about_vertex.twice_area);
+  const Moments m = moments(polygon, centroid);
+  return {0.5 * about_vertex.twice_area, centroid, m.second / (6.0 * m.twice_area)};
+}
+
+}  // namespace throng::narrowphase

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "narrowphase/polygon.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "narrowphase/crossing.h"
+#include "polygons.h"
+
+namespace throng::narrowphase {
+namespace {
+
+using testing::HasSubstr;
+using Points = std::vector<Vec>;
+
+const Points kSquare = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+
+TEST(Clean, LeavesAGoodPolygonAlone) {
+  const Cleaned c = clean(kSquare);
+  EXPECT_EQ(c.vertices, kSquare);
+  EXPECT_TRUE(c.repairs.empty());
+  EXPECT_TRUE(c.refusal.empty());
+}
+
+TEST(Clean, TakesAClosingVertexAsAMatterOfCourse) {
+  const Cleaned c = clean(Points{{0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0}});
+  EXPECT_EQ(c.vertices, kSquare);
+  EXPECT_TRUE(c.repairs.empty());
+}
+
+TEST(Clean, WeldsRepeatedAndStraightVerticesAndSaysSo) {
+  const Cleaned c = clean(Points{{1, 0}, {2, 0}, {2, 0}, {2, 1}, {2, 1.5}, {2, 2}, {0, 2}, {0, 0}});
+  EXPECT_EQ(c.vertices, (Points{{2, 0}, {2, 2}, {0, 2}, {0, 0}}));
+  EXPECT_EQ(c.refusal, "");
+  ASSERT_EQ(c.repairs.size(), 4u);
+  EXPECT_EQ(c.repairs[0], "vertex 2 repeats the one before it: dropped");
+  EXPECT_EQ(c.repairs[1], "vertex 0 lies on a straight edge: dropped");
+}
+
+TEST(Clean, TurnsAClockwisePolygonRound) {
+  const Cleaned c = clean(Points{{0, 0}, {0, 2}, {2, 2}, {2, 0}});
+  EXPECT_EQ(c.vertices, kSquare);
+  EXPECT_EQ(c.repairs.size(), 1u);
+}
+
+TEST(Clean, KeepsAVertexThatIsOneUlpOffTheLine) {
+  EXPECT_EQ(clean(Points{{0, 0}, {1, -0x1p-52}, {2, 0}, {1, 1}}).vertices.size(), 4u);
+}
+
+TEST(Clean, RefusesABowtieAndNamesItsEdges) {
+  const Cleaned c = clean(Points{{0, 0}, {2, 2}, {2, 0}, {0, 2}});
+  EXPECT_THAT(c.refusal, HasSubstr("edge 0-1 meets edge 2-3"));
+  EXPECT_TRUE(c.vertices.empty());
+}
+
+TEST(Clean, NamesCrossingEdgesByTheGivenVerticesAfterRepairs) {
+  const Cleaned c = clean(Points{{0, 0}, {0, 0}, {1, 1}, {2, 2}, {2, 0}, {0, 2}});
+  EXPECT_THAT(c.refusal, HasSubstr("edge 0-3 meets edge 4-5"));
+}
+
+TEST(Clean, RefusesAnOutlineThatTouchesItself) {
+  EXPECT_NE(clean(Points{{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}).refusal, "");
+  EXPECT_NE(clean(Points{{0, 0}, {2, 2}, {4, 0}, {4, 4}, {2, 2}, {0, 4}}).refusal, "");
+}
+
+TEST(Clean, RefusesAFold) {
+  EXPECT_NE(clean(Points{{0, 0}, {4, 0}, {2, 0}, {2, 2}}).refusal, "");
+  EXPECT_NE(clean(Points{{0, 0}, {4, 0}, {4, 4}, {4, 6}, {4, 4}, {0, 4}}).refusal, "");
+}
+
+TEST(Clean, RefusesWhatHasNoAreaOrTooFewVertices) {
+  EXPECT_THAT(clean(Points{}).refusal, HasSubstr("three"));
+  EXPECT_THAT(clean(Points{{0, 0}}).refusal, HasSubstr("three"));
+  EXPECT_THAT(clean(Points{{0, 0}, {1, 1}, {0, 0}, {0, 0}}).refusal, HasSubstr("three"));
+  EXPECT_THAT(clean(Points{{0, 0}, {1, 1}, {2, 2}, {3, 3}}).refusal, HasSubstr("no area"));
+}
+
+TEST(Clean, RefusesWhatIsNotANumber) {
+  for (double x : {std::nan(""), static_cast<double>(INFINITY), 1e308})
+    EXPECT_THAT(clean(Points{{0, 0}, {1, 0}, {1, x}}).refusal, HasSubstr("vertex 2")) << x;
+}
+
+TEST(FindCrossing, SeesWhatAllPairsOfEdgesSee) {
+  Random random(77);
+  int crossing = 0;
+  for (int i = 0; i < 20000; ++i) {
+    Points points;
+    for (std::size_t n = 4 + random() % 6; points.size() < n;) {
+      const Vec p(static_cast<double>(random() % 6), static_cast<double>(random() % 6));
+      if (points.empty() || (points.back() != p && points.front() != p)) points.push_back(p);
+    }
+    bool expected = false;
+    const std::size_t n = points.size();
+    for (std::size_t a = 0; a < n; ++a)
+      for (std::size_t b = a + 2; b < n && !(a == 0 && b == n - 1); ++b)
+        expected |= segments_meet(points[a], points[a + 1], points[b], points[(b + 1) % n]);
+    for (std::size_t a = 0; a < n; ++a) {
+      const Vec u = points[(a + 1) % n] - points[a], v = points[(a + 2) % n] - points[(a + 1) % n];
+      expected |= u.x() * v.y() == u.y() * v.x() && u.dot(v) < 0;
+    }
+    ASSERT_EQ(find_crossing(points).has_value(), expected) << "seed 77, " << i;
+    crossing += expected;
+  }
+  EXPECT_GT(crossing, 2000);
+  EXPECT_LT(crossing, 19500);
+}
+
+TEST(FindCrossing, OfAHundredThousandVerticesTakesNoMinutes) {
+  EXPECT_FALSE(find_crossing(star(100000, 0.5)).has_value());
+  EXPECT_FALSE(find_crossing(spiral(100000, 100)).has_value());
+  EXPECT_FALSE(find_crossing(comb(100000)).has_value());
+  Points knot = star(100000, 0.5);
+  std::swap(knot[70001], knot[70003]);
+  EXPECT_TRUE(find_crossing(knot).has_value());
+}
+
+TEST(MassProperties, OfARectangleAreThoseOfTheTextbook) {
+  const Points rectangle = {{1, 1}, {5, 1}, {5, 3}, {1, 3}};
+  const MassProperties m = mass_properties(rectangle);
+  EXPECT_EQ(m.area, 8.0);
+  EXPECT_EQ(m.centroid, Vec(3, 2));
+  EXPECT_NEAR(m.gyration2, (16.0 + 4.0) / 12.0, 1e-15);
+}
+
+TEST(MassProperties, OfAnLAreThoseOfItsTwoRectangles) {
+  const MassProperties m = mass_properties(Points{{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}});
+  EXPECT_EQ(m.area, 5.0);
+  EXPECT_NEAR(m.centroid.x(), (3 * 1.5 + 2 * 0.5) / 5, 1e-15);
+  EXPECT_NEAR(m.centroid.y(), (3 * 0.5 + 2 * 2.0) / 5, 1e-15);
+  const double inertia = 3 * (10.0 / 12 + Vec(1.5 - 1.1, 0.5 - 1.1).squaredNorm()) +
+                         2 * (5.0 / 12 + Vec(0.5 - 1.1, 2.0 - 1.1).squaredNorm());
+  EXPECT_NEAR(m.gyration2, inertia / 5, 1e-15);
+}
+
+// I_origin - m c² would leave nothing of it.
+TEST(MassProperties, FarFromTheOriginKeepTheirDigits) {
+  Points here = star(60, 0.4), there = here;
+  for (Vec& v : here) v = Vec(std::round(v.x() * 0x1p20), std::round(v.y() * 0x1p20)) * 0x1p-20;
+  there = here;
+  for (Vec& v : there) v += Vec(0x1p30, -0x1p29);
+  const MassProperties m = mass_properties(here), far = mass_properties(there);
+  EXPECT_NEAR(far.area / m.area, 1.0, 1e-14);
+  EXPECT_NEAR(far.gyration2 / m.gyration2, 1.0, 1e-7);  // the centroid itself is rounded to 1e-7 there
+  EXPECT_NEAR((far.centroid - m.centroid - Vec(0x1p30, -0x1p29)).norm(), 0.0, 0x1p-22);
+}
+
+}  // namespace
+}  // namespace throng::narrowphase
