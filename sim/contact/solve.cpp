@@ -129,7 +129,8 @@ void relax_all(std::span<Contact> contacts, std::span<SolverBody> bodies, const 
   for (Contact& contact : contacts) {
     SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
     const double s = separation(contact, a, b);
-    if (s > 0.0 && contact.normal_impulse == 0.0) continue;  // what it may yet meet is the next substep's matter
+    if (s > 0.0 && contact.normal_impulse == 0.0)
+      continue;  // what it may yet meet is the next substep's matter
     press(contact, a, b, std::max(s, 0.0) * rate, 1.0, 0.0);
     if (settings.friction) rub(contact, a, b);
   }

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// Candidates against the definition: all pairs of colliders whose discs may meet within the step.
+#include "sim/contact/candidates.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "tests/sim/scene_from.h"
+
+namespace throng {
+namespace {
+
+using broadphase::Pair;
+
+/// Bodies of every kind and size, thrown together so that many touch.
+std::string crowd(const std::string& domain) {
+  return "seed = 3\ndomain = " + domain +
+         "\n[shapes]\nball = { disc = { radius = { uniform = [0.1, 0.6] } } }\n"
+         "brick = { polygon = [[0, 0], [1, 0], [1, 0.4], [0, 0.4]] }\n"
+         "ell = { polygon = [[0, 0], [1, 0], [1, 0.3], [0.3, 0.3], [0.3, 1], [0, 1]] }\n"
+         "pair = { discs = [[0, 0, 0.3], [0.5, 0, 0.2]] }\n"
+         "[[bodies]]\nshape = \"ball\"\ncount = 150\nvelocity = { maxwell = 2 }\nplace = { random = { within "
+         "= [[0, 0], [20, 20]] } }\n"
+         "[[bodies]]\nshape = \"brick\"\ncount = 60\nplace = { random = { within = [[0, 0], [20, 20]] } }\n"
+         "[[bodies]]\nshape = \"ell\"\ncount = 40\nplace = { random = { within = [[0, 0], [20, 20]] } }\n"
+         "[[bodies]]\nshape = \"pair\"\ncount = 40\nspin = 3\nplace = { random = { within = [[0, 0], [20, "
+         "20]] } }\n"
+         "[[bodies]]\nshape = \"brick\"\ncount = 10\nkind = \"kinematic\"\nplace = { random = { within = "
+         "[[0, 0], [20, 20]] } }\n"
+         "[[bodies]]\nshape = \"brick\"\ncount = 10\nkind = \"static\"\nplace = { random = { within = [[0, "
+         "0], [20, 20]] } }\n";
+}
+
+Vec part_centre(const Colliders& colliders, const State& state, std::uint32_t row) {
+  const std::uint32_t body = colliders.body[row];
+  return narrowphase::pose(state.position[body], state.angle[body]) * colliders.centre[row];
+}
+
+/// The pairs that must be there: discs as they stand overlap. Candidates may hold more, by their margins.
+std::vector<Pair> overlapping(const Candidates& candidates, const State& state) {
+  const Colliders& colliders = candidates.colliders();
+  std::vector<Pair> pairs;
+  for (std::uint32_t a = 0; a < colliders.size(); ++a)
+    for (std::uint32_t b = a + 1; b < colliders.size(); ++b) {
+      if (colliders.body[a] == colliders.body[b] || !(colliders.movable[a] || colliders.movable[b])) continue;
+      const Vec between =
+          part_centre(colliders, state, b) - part_centre(colliders, state, a) + candidates.shift({a, b});
+      if (between.norm() < colliders.radius[a] + colliders.radius[b]) pairs.push_back({a, b});
+    }
+  return pairs;
+}
+
+class Domains : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(Domains, HoldAllPairsThatMayTouchEachOnceAndNoneThatCannot) {
+  const Scene scene = scene_from(crowd(GetParam()));
+  const Plan plan = plan_for(scene);
+  Candidates candidates(scene, plan);
+  const State state = initial_state(scene);
+  candidates.find(state);
+  const std::vector<Pair> must = overlapping(candidates, state);
+  const std::vector<Pair> found(candidates.pairs().begin(), candidates.pairs().end());
+  EXPECT_GT(must.size(), 50u) << "a crowd too thin to test anything";
+  EXPECT_TRUE(std::ranges::includes(found, must));
+  EXPECT_EQ(std::ranges::adjacent_find(found, std::greater_equal<>()), found.end()) << "ascending, each once";
+  const Colliders& colliders = candidates.colliders();
+  for (const Pair& pair : found) {
+    EXPECT_NE(colliders.body[pair.a], colliders.body[pair.b]);
+    EXPECT_TRUE(colliders.movable[pair.a] || colliders.movable[pair.b]);
+    const Vec between = part_centre(colliders, state, pair.b) - part_centre(colliders, state, pair.a) +
+                        candidates.shift(pair);
+    EXPECT_LT(between.norm(),
+              colliders.radius[pair.a] + colliders.radius[pair.b] + candidates.reach(pair) + 1e-9);
+  }
+}
+
+TEST_P(Domains, HoldTheObstaclesThatBodiesMayTouch) {
+  const Scene scene = scene_from(crowd(GetParam()));
+  const Plan plan = plan_for(scene);
+  Candidates candidates(scene, plan);
+  const State state = initial_state(scene);
+  candidates.find(state);
+  const Obstacles& obstacles = candidates.obstacles();
+  const std::size_t sides = obstacles.side.size();
+  std::size_t must = 0;
+  for (std::uint32_t i = 0; i < candidates.colliders().size(); ++i) {
+    if (!candidates.colliders().movable[i]) continue;
+    const Vec c = part_centre(candidates.colliders(), state, i);
+    const double r = candidates.colliders().radius[i];
+    const Eigen::AlignedBox2d box(c.array() - r, c.array() + r);
+    for (std::uint32_t o = 0; o < obstacles.size(); ++o) {
+      const bool near = o < sides ? obstacles.side[o].normal.dot(c - obstacles.side[o].point) < r
+                                  : box.intersects(bounds(obstacles.part[o - sides]));
+      if (!near) continue;
+      ++must;
+      EXPECT_TRUE(std::ranges::binary_search(candidates.obstacle_pairs(), Pair{i, o})) << i << ", " << o;
+    }
+  }
+  EXPECT_GT(must, 5u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Candidates, Domains,
+                         ::testing::Values("{ box = [[0, 0], [20, 20]] }",
+                                           "{ periodic = [[0, 0], [20, 20]] }"),
+                         [](const auto& info) { return info.index == 0 ? "Box" : "Periodic"; });
+
+}  // namespace
+}  // namespace throng
