@@ -53,7 +53,7 @@ class Checker {
 };
 
 std::string what_it_is(const toml::node& node) {
-  if (const auto* text = node.as_string()) return "the string " + quoted(text->get());
+  if (const auto* text = node.as_string()) return "the string " + in_quotes(text->get());
   if (const auto* integer = node.as_integer()) return "the integer " + std::to_string(integer->get());
   if (const auto* number = node.as_floating_point()) return "the number " + to_text(number->get());
   if (const auto* boolean = node.as_boolean()) return boolean->get() ? "true" : "false";
@@ -133,10 +133,11 @@ bool Checker::check_choice(const toml::node& node, const Type& type, const Path&
   const std::string& word = node.as_string()->get();
   if (std::find(type.choices.begin(), type.choices.end(), word) != type.choices.end()) return true;
   if (std::find(type.later.begin(), type.later.end(), word) != type.later.end())
-    return fail(node, path,
-                "not supported yet: " + path.text() + " = " + quoted(word) + "; must be " + describe(type));
+    return fail(
+        node, path,
+        "not supported yet: " + path.text() + " = " + in_quotes(word) + "; must be " + describe(type));
   return fail(node, path,
-              "must be " + describe(type) + ", and is " + quoted(word) + suggestion(word, type.choices));
+              "must be " + describe(type) + ", and is " + in_quotes(word) + suggestion(word, type.choices));
 }
 
 bool Checker::check_name(const toml::node& node, const Type& type, const Path& path) {
@@ -147,7 +148,8 @@ bool Checker::check_name(const toml::node& node, const Type& type, const Path& p
   std::vector<std::string> known;
   if (entries)
     for (const auto& [name, entry] : *entries) known.emplace_back(name.str());
-  return fail(node, path, "there is no " + quoted(word) + " in [" + type.of + "]" + suggestion(word, known));
+  return fail(node, path,
+              "there is no " + in_quotes(word) + " in [" + type.of + "]" + suggestion(word, known));
 }
 
 bool Checker::check_tuple(const toml::node& node, const Type& type, const Path& path) {

@@ -256,13 +256,16 @@ Table root_table() {
 }
 
 std::string range(const Type& type) {
+  if (type.kind == Kind::integer)
+    return " from " + std::to_string(static_cast<std::int64_t>(type.low)) + " to " +
+           std::to_string(static_cast<std::int64_t>(type.high));
   return " from " + to_text(type.low) + " to " + to_text(type.high) +
          (type.unit.empty() ? "" : " " + type.unit);
 }
 
 std::string one_of(const std::vector<std::string>& words) {
   std::string result = "one of";
-  for (const std::string& word : words) result += (&word == &words.front() ? " " : ", ") + quoted(word);
+  for (const std::string& word : words) result += (&word == &words.front() ? " " : ", ") + in_quotes(word);
   return result;
 }
 

@@ -15,6 +15,7 @@ constexpr std::size_t kMostParts = 10'000;  ///< discs of one composite
 
 constexpr double kFarthest = 1e9;        ///< m, any coordinate
 constexpr double kShortest = 1e-9;       ///< m, any radius
+constexpr double kLeastArea = 1e-20;     ///< m², of any shape: its mass must be more than 0
 constexpr double kFastest = 1e9;         ///< m/s
 constexpr double kShortestStep = 1e-12;  ///< s
 constexpr double kMostSteps = 1e12;

@@ -87,7 +87,7 @@ class Applier {
     path_ = trimmed(text_.substr(0, equals));
     value_ = trimmed(text_.substr(equals + 1));
     const auto parts = split(path_);
-    if (!parts) return fail("", quoted(path_) + " is no path of keys, as time.dt or bodies[0].spin are");
+    if (!parts) return fail("", in_quotes(path_) + " is no path of keys, as time.dt or bodies[0].spin are");
     if (parts->size() > static_cast<std::size_t>(kDeepest)) return fail("", "the path is too deep");
     toml::node* node = &root;
     for (std::size_t i = 0; i + 1 < parts->size() && node; ++i) node = child((*parts)[i], *node);
@@ -102,7 +102,7 @@ class Applier {
       return table->get(part);
     }
     if (toml::array* list = node.as_array()) return entry(part, *list);
-    fail(path_, quoted(part) + " is asked of something that is neither a table nor a list");
+    fail(path_, in_quotes(part) + " is asked of something that is neither a table nor a list");
     return nullptr;
   }
 
@@ -111,7 +111,7 @@ class Applier {
     const auto end = std::from_chars(part.data(), part.data() + part.size(), index);
     if (end.ec == std::errc() && end.ptr == part.data() + part.size() && index < list.size())
       return list.get(index);
-    fail(path_, "there is no entry " + quoted(part) + " in a list of " + std::to_string(list.size()) +
+    fail(path_, "there is no entry " + in_quotes(part) + " in a list of " + std::to_string(list.size()) +
                     "; the first is 0");
     return nullptr;
   }
@@ -131,7 +131,7 @@ class Applier {
         list->replace(list->cbegin() + static_cast<std::ptrdiff_t>(index), std::move(concrete));
       });
     } else {
-      fail(path_, quoted(part) + " is asked of something that is neither a table nor a list");
+      fail(path_, in_quotes(part) + " is asked of something that is neither a table nor a list");
     }
   }
 

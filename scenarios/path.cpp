@@ -18,7 +18,7 @@ std::string Path::text() const {
   std::string result = parent_->text();
   if (index_ != kNoIndex) return result + "[" + std::to_string(index_) + "]";
   if (!result.empty()) result += ".";
-  return result + (is_bare_key(key_) && key_.size() <= 64 ? std::string(key_) : quoted(key_));
+  return result + (is_bare_key(key_) && key_.size() <= 64 ? std::string(key_) : in_quotes(key_));
 }
 
 }  // namespace throng::scenarios

@@ -4,7 +4,8 @@
 namespace throng::scenarios {
 
 double number(const toml::node& node) {
-  return *node.value<double>();
+  if (const auto* integer = node.as_integer()) return static_cast<double>(integer->get());
+  return node.as_floating_point()->get();
 }
 
 double number(const toml::table& table, std::string_view key, double fallback) {

@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "narrowphase/decompose.h"
+#include "narrowphase/disc_union.h"
+#include "narrowphase/polygon.h"
+#include "scenarios/limits.h"
 #include "scenarios/path.h"
 #include "scenarios/read.h"
 
@@ -22,14 +28,59 @@ class ShapeReader {
       : table_(table), path_(path), report_(report) {}
 
   void read(Shape& shape, ShapeDraw& draw) {
-    if (const toml::node* node = table_.get("disc")) read_disc(*node->as_table(), draw);
-    (void)shape;
+    if (const toml::node* node = table_.get("disc")) read_disc(*node->as_table(), shape, draw);
+    if (const toml::node* node = table_.get("polygon")) read_polygon(*node, shape);
+    if (const toml::node* node = table_.get("discs")) read_composite(*node, shape);
   }
 
  private:
-  void read_disc(const toml::table& disc, ShapeDraw& draw) {
+  void read_disc(const toml::table& disc, Shape& shape, ShapeDraw& draw) {
     const Path disc_path(path_, "disc");
+    shape.kind = ShapeKind::disc;
     draw.radius = read_uniform(*disc.get("radius"), Path(disc_path, "radius"), report_);
+  }
+
+  void read_polygon(const toml::node& node, Shape& shape) {
+    const Path path(path_, "polygon");
+    const std::vector<Vec> given = points(node);
+    narrowphase::Cleaned cleaned = narrowphase::clean(given);
+    for (const std::string& repair : cleaned.repairs) report_.warning(node.source(), path.text(), repair);
+    if (!cleaned.refusal.empty()) return fail(node, path, cleaned.refusal);
+    shape.kind = ShapeKind::polygon;
+    if (!take_mass(narrowphase::mass_properties(cleaned.vertices), node, path, shape)) return;
+    for (Vec& vertex : cleaned.vertices) vertex -= shape.centre;
+    cleaned = narrowphase::clean(cleaned.vertices);  // the move may have rounded a sliver away
+    if (!cleaned.refusal.empty()) return fail(node, path, cleaned.refusal);
+    shape.outline = cleaned.vertices;
+    shape.parts = narrowphase::decompose(shape.outline);
+    for (const Vec& vertex : shape.outline) shape.radius = std::max(shape.radius, vertex.norm());
+  }
+
+  void read_composite(const toml::node& node, Shape& shape) {
+    shape.kind = ShapeKind::composite;
+    std::vector<narrowphase::Disc> discs;
+    for (const toml::node& entry : *node.as_array())
+      discs.push_back({point(entry), number(*entry.as_array()->get(2))});
+    if (!take_mass(narrowphase::mass_properties(discs), node, Path(path_, "discs"), shape)) return;
+    for (const narrowphase::Disc& disc : discs) {
+      const Vec centre = disc.centre - shape.centre;
+      shape.parts.push_back(narrowphase::disc(disc.radius, centre));
+      shape.radius = std::max(shape.radius, centre.norm() + disc.radius);
+    }
+  }
+
+  /// False, and reported, where the shape is too small to have a mass.
+  bool take_mass(const narrowphase::MassProperties& mass, const toml::node& node, const Path& path,
+                 Shape& shape) {
+    shape.area = mass.area, shape.centre = mass.centroid, shape.gyration2 = mass.gyration2;
+    if (shape.area >= kLeastArea && shape.gyration2 >= kLeastArea) return true;
+    fail(node, path,
+         "must have an area of at least " + to_text(kLeastArea) + " m^2, and has " + to_text(shape.area));
+    return false;
+  }
+
+  void fail(const toml::node& node, const Path& path, std::string message) {
+    report_.error(node, path.text(), std::move(message));
   }
 
   const toml::table& table_;

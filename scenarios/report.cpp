@@ -74,7 +74,7 @@ std::vector<Diagnostic> Report::take() {
   return std::move(diagnostics_);
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   constexpr std::size_t kMost = 60;
   std::string result = "\"";
   for (char c : text.substr(0, kMost)) {
@@ -103,7 +103,7 @@ std::string suggestion(std::string_view word, const std::vector<std::string>& kn
     const std::size_t d = edit_distance(word, candidate);
     if (d < best) best = d, nearest = &candidate;
   }
-  return nearest ? ", did you mean " + quoted(*nearest) + "?" : "";
+  return nearest ? ", did you mean " + in_quotes(*nearest) + "?" : "";
 }
 
 }  // namespace throng::scenarios

@@ -49,7 +49,7 @@ class Report {
 };
 
 /// A stranger's text fit for a message: in double quotes, shortened, without control characters.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 /// The number as TOML writes it, with no more digits than needed to read it back.
 std::string to_text(double x);

@@ -41,7 +41,7 @@ class WktReader {
       fail(
           "must begin with LINESTRING, LINEARRING, POLYGON, MULTILINESTRING or MULTIPOLYGON, and begins "
           "with " +
-          quoted(text_));
+          in_quotes(text_));
     }
     skip_space();
     if (good() && at_ < text_.size()) fail("must end after its last parenthesis");

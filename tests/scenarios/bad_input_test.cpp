@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+// One fault a scenario: each must be found at its place and named.
+#include <gtest/gtest.h>
+
+#include "tests/scenarios/scenario_texts.h"
+
+namespace throng {
+
+using testing::faults;
+using testing::load_text;
+
+namespace {
+
+struct Case {
+  const char* text;  ///< after a first line "throng = 1"
+  const char* fault;
+};
+
+/// What precedes a body or a shape that is about something else.
+#define BALL "[shapes]\nb.disc.radius = 1\n[[bodies]]\nshape = \"b\"\n"
+#define SHAPE "[shapes]\nb = "
+#define WALL "[[walls]]\n"
+
+const Case kCases[] = {
+    // text
+    {"name = \"a", "s.toml:2:10: error: this is no TOML: "},
+    {"name = 'a'\nname = 'b'", "s.toml:3:8: error: this is no TOML: "},
+    {"name = \"\xff\xfe\"", "s.toml:2:8: error: this is no TOML: "},
+    {"time = { dt = 1e999 }", "s.toml:2:"},
+    {"time = { dt = 1, dt = 2 }", "s.toml:2:23: error: this is no TOML: "},
+    {"[time\ndt = 1", "s.toml:2:6: error: this is no TOML: "},
+    {"seed = 99999999999999999999", "s.toml:2:"},
+    {"<scenario/>", "s.toml:2:1: error: this is no TOML: "},
+    {"[a]\n[a]", "error: this is no TOML: "},
+    // keys
+    {"nmae = 'a'", "s.toml:2:1: error: nmae: unknown key, did you mean \"name\"?"},
+    {"time = { dt = 1, untill = 2 }",
+     "s.toml:2:18: error: time.untill: unknown key, did you mean \"until\"?"},
+    {"qqqqqqqqqq = 1", "s.toml:2:1: error: qqqqqqqqqq: unknown key\n"},
+    {"\"a b\" = 1", "s.toml:2:1: error: \"a b\": unknown key"},
+    {"[materials.ice]\nfricton = 1",
+     "s.toml:3:1: error: materials.ice.fricton: unknown key, did you mean \"friction\"?"},
+    {SHAPE "{ disk = { radius = 1 } }",
+     "s.toml:3:7: error: shapes.b.disk: unknown key, did you mean \"disc\"?"},
+    {BALL "at = [0, 0]\nvelocty = [0, 0]", "s.toml:7:1: error: bodies[0].velocty: unknown key, did you mean"},
+    {WALL "segmnt = [[0, 0], [1, 0]]",
+     "s.toml:3:1: error: walls[0].segmnt: unknown key, did you mean \"segment\"?"},
+    {"domain.sphere = 1", "s.toml:2:8: error: domain.sphere: unknown key"},
+    // not supported yet
+    {"areas.a = 'POLYGON'", "s.toml:2:1: error: areas: not supported yet: areas"},
+    {"[[agents]]\ncount = 1", "error: agents: not supported yet: agents"},
+    {"[[sensors]]\nradius = 1", "error: sensors: not supported yet: sensors"},
+    {"[[measure]]\nname = 'x'", "error: measure: not supported yet: measure"},
+    {"walkable = 'POLYGON'", "s.toml:2:1: error: walkable: not supported yet: walkable"},
+    {"engine = 'event_driven'", "s.toml:2:10: error: engine: not supported yet: engine"},
+    {"contact = { model = 'spring' }", "s.toml:2:21: error: contact.model: not supported yet: contact.model"},
+    {"contact = { model = 'hertz' }", "s.toml:2:21: error: contact.model: not supported yet: contact.model"},
+    {"record = { quantize = 1e-3 }",
+     "s.toml:2:12: error: record.quantize: not supported yet: record.quantize"},
+    {BALL "place = { file = 'a.csv' }",
+     "s.toml:6:11: error: bodies[0].place.file: not supported yet: bodies[0].place"},
+    {SHAPE "{ polygon = [[0,0],[9,0],[0,9]], holes = [] }",
+     "error: shapes.b.holes: not supported yet: shapes.b.holes"},
+    // choices and names
+    {"engine = 'navite'",
+     "s.toml:2:10: error: engine: must be one of \"native\", \"box2d\", and is \"navite\", did you mean"},
+    {"contact.model = 'impulses'",
+     "s.toml:2:17: error: contact.model: must be one of \"impulse\", \"none\", and is"},
+    {"record.fields = ['positon']", "s.toml:2:18: error: record.fields[0]: must be one of"},
+    {"record.precision = 'half'",
+     "s.toml:2:20: error: record.precision: must be one of \"double\", \"single\""},
+    {BALL "at = [0, 0]\nkind = 'fixed'",
+     "s.toml:7:8: error: bodies[0].kind: must be one of \"dynamic\", \"static\""},
+    {"[shapes]\nball.disc.radius = 1\n[[bodies]]\nshape = 'bal'\nat = [0, 0]",
+     "s.toml:5:9: error: bodies[0].shape: there is no \"bal\" in [shapes], did you mean \"ball\"?"},
+    {"[[bodies]]\nshape = 'a'\nat = [0, 0]",
+     "s.toml:3:9: error: bodies[0].shape: there is no \"a\" in [shapes]"},
+    {BALL "at = [0, 0]\nmaterial = 'ice'",
+     "s.toml:7:12: error: bodies[0].material: there is no \"ice\" in [materials]"},
+    {WALL "segment = [[0, 0], [1, 0]]\nmaterial = 'x'",
+     "s.toml:4:12: error: walls[0].material: there is no \"x\""},
+    // types
+    {"name = 1", "s.toml:2:8: error: name: must be a string of at most 256 bytes, and is the integer 1"},
+    {"seed = 1.0",
+     "s.toml:2:8: error: seed: must be an integer from 0 to 9007199254740991, and is the number 1"},
+    {"seed = '1'", "s.toml:2:8: error: seed: must be an integer"},
+    {"sleep = 1", "s.toml:2:9: error: sleep: must be true or false, and is the integer 1"},
+    {"gravity = 9.81", "s.toml:2:11: error: gravity: must be an acceleration [x, y], and is the number 9.81"},
+    {"gravity = [0]", "s.toml:2:11: error: gravity: must be an acceleration [x, y], and is a list of 1"},
+    {"gravity = [0, 0, 0]",
+     "s.toml:2:11: error: gravity: must be an acceleration [x, y], and is a list of 3"},
+    {"gravity = [0, 'down']", "s.toml:2:15: error: gravity[1]: must be a number"},
+    {"time = 1", "s.toml:2:8: error: time: must be a table { dt, until, substeps }, and is the integer 1"},
+    {"time.substeps = 2.5", "s.toml:2:17: error: time.substeps: must be an integer from 1 to 1000"},
+    {"domain = 1979-05-27",
+     "s.toml:2:10: error: domain: must be a table { box, periodic }, and is a date or time"},
+    {"shapes = []", "s.toml:2:10: error: shapes: must be a table of names, and is a list of 0"},
+    {"bodies = {}", "s.toml:2:10: error: bodies: must be a list of tables [[...]], and is a table"},
+    {"bodies = [1]", "s.toml:2:11: error: bodies[0]: must be a table"},
+    {SHAPE "1",
+     "s.toml:3:5: error: shapes.b: must be a table { disc, polygon, discs }, and is the integer 1"},
+    {SHAPE "{ disc = { radius = [1] } }", "s.toml:3:25: error: shapes.b.disc.radius: must be a number"},
+    {SHAPE "{ polygon = [[0, 0], [1, 0]] }",
+     "s.toml:3:17: error: shapes.b.polygon: must be a list of at least 3 points"},
+    {SHAPE "{ discs = [] }", "s.toml:3:15: error: shapes.b.discs: must be a list of discs [x, y, radius]"},
+    {SHAPE "{ discs = [[0, 0]] }", "s.toml:3:16: error: shapes.b.discs[0]: must be a disc [x, y, radius]"},
+    {WALL "wkt = 1", "s.toml:3:7: error: walls[0].wkt: must be a well-known text"},
+    {WALL "segment = [[0, 0]]", "s.toml:3:11: error: walls[0].segment: must be two points"},
+    {WALL "polyline = [[0, 0]]",
+     "s.toml:3:12: error: walls[0].polyline: must be a list of at least 2 points"},
+    {BALL "at = [0, 0]\nangle = '1'", "s.toml:7:9: error: bodies[0].angle: must be a number"},
+    {BALL "at = [0, 0]\nvelocity = 1",
+     "s.toml:7:12: error: bodies[0].velocity: must be a velocity [vx, vy], or a table"},
+    // ranges
+    {"time.dt = 0",
+     "s.toml:2:11: error: time.dt: must be a number from 1e-12 to 1e+06 s, and is the integer 0"},
+    {"time.dt = -0.1", "s.toml:2:11: error: time.dt: must be a number"},
+    {"time.dt = nan",
+     "s.toml:2:11: error: time.dt: must be a number from 1e-12 to 1e+06 s, and is the number nan"},
+    {"time.until = inf", "s.toml:2:14: error: time.until: must be a number"},
+    {"time = { dt = 1e-12, until = 1e12 }",
+     "s.toml:2:30: error: time.until: until / dt is 1e+24 steps; must be at most"},
+    {"time.substeps = 0",
+     "s.toml:2:17: error: time.substeps: must be an integer from 1 to 1000, and is the integer 0"},
+    {"gravity = [0, 1e308]", "s.toml:2:15: error: gravity[1]: must be a number"},
+    {"seed = -1",
+     "s.toml:2:8: error: seed: must be an integer from 0 to 9007199254740991, and is the integer -1"},
+    {"record.every = 0", "s.toml:2:16: error: record.every: must be an integer from 1"},
+    {"domain.box = [[0, 0], [0, 1]]", "s.toml:2:14: error: domain.box: must have its least x and y first"},
+    {"domain.periodic = [[5, 5], [0, 0]]",
+     "s.toml:2:19: error: domain.periodic: must have its least x and y first"},
+    {"domain = {}", "s.toml:2:10: error: domain: needs exactly one of box, periodic, and has none"},
+    {"domain = { box = [[0,0],[1,1]], periodic = [[0,0],[1,1]] }", "has box, periodic"},
+    {"materials.a.density = 0", "s.toml:2:23: error: materials.a.density: must be a number"},
+    {"materials.a.restitution = 1.01",
+     "s.toml:2:27: error: materials.a.restitution: must be a number from 0 to 1, and"},
+    {"materials.a.friction = -0.1", "s.toml:2:24: error: materials.a.friction: must be a number from 0"},
+    {SHAPE "{ disc = { radius = 0 } }",
+     "s.toml:3:25: error: shapes.b.disc.radius: must be a number from 1e-09"},
+    {SHAPE "{ disc = { radius = -1 } }",
+     "s.toml:3:25: error: shapes.b.disc.radius: must be a number from 1e-09"},
+    {SHAPE "{ disc.radius.uniform = [0, 1] }",
+     "s.toml:3:30: error: shapes.b.disc.radius.uniform[0]: must be a number"},
+    {SHAPE "{ disc.radius.uniform = [2, 1] }",
+     "s.toml:3:29: error: shapes.b.disc.radius.uniform: must have its lower"},
+    {SHAPE "{ discs = [[0, 0, 1], [0, 0, 0]] }",
+     "s.toml:3:34: error: shapes.b.discs[1][2]: must be a number"},
+    {BALL "at = [1e10, 0]",
+     "s.toml:6:7: error: bodies[0].at[0]: must be a number from -1e+09 to 1e+09 m, and is"},
+    {BALL "at = [0, 0]\nspin = inf", "s.toml:7:8: error: bodies[0].spin: must be a number"},
+    {BALL "at = [0, 0]\nvelocity = { maxwell = -1 }",
+     "s.toml:7:24: error: bodies[0].velocity.maxwell: must be"},
+    {BALL "at = [0, 0]\nangle.uniform = [1, 0]", "error: bodies[0].angle: must have its lower bound first"},
+    {BALL "count = -1\nat = [0, 0]",
+     "s.toml:6:9: error: bodies[0].count: must be an integer from 0 to 10000000"},
+    {BALL "count = 10000001\nat = [0, 0]",
+     "s.toml:6:9: error: bodies[0].count: must be an integer from 0 to 10000000"},
+    // what must be there
+    {SHAPE "{}", "s.toml:3:5: error: shapes.b: needs exactly one of disc, polygon, discs, and has none"},
+    {SHAPE "{ disc = {} }", "s.toml:3:14: error: shapes.b.disc.radius: is missing: a number"},
+    {"[[bodies]]\nat = [0, 0]",
+     "s.toml:2:1: error: bodies[0].shape: is missing: the name of an entry of [shapes]"},
+    {BALL "", "s.toml:4:1: error: bodies[0]: needs exactly one of at, place, and has none"},
+    {BALL "at = [0, 0]\nplace = { lattice = { origin = [0, 0], spacing = [1, 1], size = [1, 1] } }",
+     "has at, place"},
+    {BALL "place = { random = {} }", "s.toml:6:20: error: bodies[0].place.random.within: is missing: a box"},
+    {BALL "place = { lattice = { spacing = [1, 1], size = [1, 1] } }",
+     "place.lattice.origin: is missing: a point"},
+    {BALL "place = { random = { within = 'start' } }",
+     "bodies[0].place.random.within: must be a box [[min x, min y]"},
+    {WALL "",
+     "s.toml:2:1: error: walls[0]: needs exactly one of segment, polyline, polygon, wkt, and has none"},
+    // what only the whole tells
+    {BALL "count = 2\nat = [0, 0]", "s.toml:6:9: error: bodies[0].count: must be 1 for bodies placed by at"},
+    {BALL "count = 5\nplace.lattice = { origin = [0, 0], spacing = [3, 3], size = [2, 2] }",
+     "s.toml:6:9: error: bodies[0].count: must be at most the 4 sites of the lattice"},
+    {BALL "place.lattice = { origin = [0, 0], spacing = [3, 3], size = [10000, 10000] }",
+     "must make at most 10000000"},
+    {BALL "place.lattice = { origin = [0, 0], spacing = [1e9, 3], size = [9, 1] }",
+     "must end within 1e+09 m of the"},
+    {BALL "at = [0, 0]\nkind = 'static'\nspin = 1",
+     "s.toml:8:8: error: bodies[0].spin: must be absent for a static"},
+    {BALL "at = [0, 0]\nkind = 'static'\nvelocity = [1, 0]",
+     "bodies[0].velocity: must be absent for a static body"},
+    {BALL "place.random = { within = [[0, 0], [1, 1]] }", "body 1 is too large for `within`: 2 m across"},
+    {BALL "place.random = { within = [[3, 0], [0, 3]] }",
+     "bodies[0].place.random.within: must have its least x and y"},
+    {BALL "count = 9\nplace.random = { within = [[0, 0], [5, 5]] }", "bodies[0].place.random: body "},
+    {"domain.box = [[0, 0], [9, 9]]\n" BALL "at = [20, 5]",
+     "bodies[0].at: 1 body is not inside domain.box; the first is"},
+    {"domain.box = [[0, 0], [9, 9]]\n" BALL "at = [0.5, 5]", "bodies[0].at: 1 body is not inside domain.box"},
+    {"domain.box = [[0, 0], [9, 9]]\n" BALL "place.random = { within = [[0, 0], [10, 9]] }",
+     "must lie inside domain.box"},
+    {"domain.periodic = [[0, 0], [9, 1.5]]\n" BALL "at = [5, 0]",
+     "bodies[0].shape: a body 2 m across is wider than"},
+    {WALL "polygon = [[0, 0], [1, 0], [0, 0]]",
+     "s.toml:3:11: error: walls[0].polygon: must have at least 3 different"},
+    {WALL "segment = [[1, 2], [1, 2]]",
+     "s.toml:3:11: error: walls[0].segment: must have at least 2 different points"},
+    {WALL "wkt = 'CIRCLE (0 0)'", "s.toml:3:7: error: walls[0].wkt: must begin with LINESTRING"},
+    {WALL "wkt = 'LINESTRING (0 0, 1)'", "s.toml:3:7: error: walls[0].wkt: must have a number"},
+    {WALL "wkt = 'LINESTRING (0 0, 1 nan)'", "error: walls[0].wkt: must have a number"},
+    {WALL "wkt = 'LINESTRING (0 0, 1 1'", "error: walls[0].wkt: must have a , or ) here (character 21)"},
+    {WALL "wkt = 'LINESTRING (0 0, 1 1) x'", "error: walls[0].wkt: must end after its last parenthesis"},
+    {WALL "wkt = 'POLYGON ((0 0, 1 0, 1 1))'", "error: walls[0].wkt: a ring must end with its first point"},
+    {WALL "wkt = 'POLYGON ((0 0, 1 0, 0 0))'",
+     "error: walls[0].wkt: a ring must have at least 3 different points"},
+    {WALL "wkt = 'LINESTRING EMPTY'",
+     "error: walls[0].wkt: must have a ( here; Z, M and EMPTY are not supported"},
+    {WALL "wkt = 'LINESTRING (0 0, 1e10 0)'",
+     "error: walls[0].wkt: must have a number from -1e+09 to 1e+09 here"},
+};
+
+void PrintTo(const Case& c, std::ostream* out) {
+  *out << c.fault;
+}
+
+}  // namespace
+
+class BadInput : public ::testing::TestWithParam<Case> {};
+
+TEST_P(BadInput, IsFoundAtItsPlaceAndNamed) {
+  const Loaded loaded = load_text(std::string("throng = 1\n") + GetParam().text);
+  EXPECT_GE(loaded.errors(), 1);
+  EXPECT_NE(faults(loaded).find(GetParam().fault), std::string::npos)
+      << GetParam().text << "\nsays: " << faults(loaded) << "wanted: " << GetParam().fault;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BadInput, ::testing::ValuesIn(kCases));
+
+}  // namespace throng

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+// What a fuzzer, a broken disk or a malicious neighbour would feed us: refused, in seconds, without a crash.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scenarios/grammar.h"
+#include "scenarios/limits.h"
+#include "scenarios/report.h"
+#include "tests/scenarios/scenario_texts.h"
+
+namespace throng::scenarios {
+
+using throng::testing::faults;
+using throng::testing::kEverything;
+using throng::testing::load_text;
+
+namespace {
+
+std::string repeated(const std::string& part, std::size_t times) {
+  std::string result;
+  result.reserve(part.size() * times);
+  for (std::size_t i = 0; i < times; ++i) result += part;
+  return result;
+}
+
+/// The paths of all fields of the grammar, as overrides of kEverything say them.
+void collect(const Type& type, const std::string& path, std::vector<std::string>& paths) {
+  paths.push_back(path);
+  for (const Type& part : type.parts)
+    if (type.kind == Type::Kind::either) collect(part, path, paths);
+  if (type.kind == Type::Kind::tuple)
+    for (std::size_t i = 0; i < type.parts.size(); ++i)
+      collect(type.parts[i], path + "[" + std::to_string(i) + "]", paths);
+  if (type.kind == Type::Kind::list) collect(type.parts[0], path + "[0]", paths);
+  if (type.kind == Type::Kind::named)
+    for (const char* name : {"ball", "grain", "brick", "robot", "ice"})
+      collect(type.parts[0], path + "." + name, paths);
+  if (!type.table) return;
+  for (const Field& field : type.table->fields) {
+    if (type.kind == Type::Kind::table) collect(field.type, path + "." + field.key, paths);
+    for (int entry = 0; type.kind == Type::Kind::tables && entry < 4; ++entry)
+      collect(field.type, path + "[" + std::to_string(entry) + "]." + field.key, paths);
+  }
+}
+
+/// Every number that the scene holds is finite and in its bounds.
+bool is_sound(const Scene& scene) {
+  const auto near = [](const Vec& v) { return v.allFinite() && v.cwiseAbs().maxCoeff() <= 2e9; };
+  bool sound = scene.time.dt > 0 && scene.time.until >= 0 && scene.time.until / scene.time.dt <= 1e12 &&
+               near(scene.gravity);
+  sound = sound && scene.time.substeps >= 1 && scene.record.every >= 1 && near(scene.domain.min) &&
+          near(scene.domain.max);
+  for (const Material& m : scene.materials)
+    sound = sound && m.density > 0 && m.restitution >= 0 && m.restitution <= 1 && m.friction >= 0 &&
+            std::isfinite(m.density);
+  for (std::size_t row = 0; row < scene.bodies.size(); ++row) {
+    const Bodies& b = scene.bodies;
+    sound = sound && near(b.position[row]) && near(b.velocity[row]) && b.radius[row] > 0 &&
+            std::isfinite(b.radius[row]);
+    sound = sound && std::isfinite(b.angle[row]) && std::isfinite(b.spin[row]) && mass(scene, row) > 0;
+    sound = sound && std::isfinite(mass(scene, row)) && inertia(scene, row) > 0 &&
+            std::isfinite(inertia(scene, row));
+  }
+  for (const Wall& wall : scene.walls)
+    for (const Vec& p : wall.points) sound = sound && near(p);
+  return sound;
+}
+
+}  // namespace
+
+TEST(HostileInput, OfEveryKindInEveryFieldIsRefusedOrInRange) {
+  std::vector<std::string> paths;
+  Type root;
+  root.kind = Type::Kind::table;
+  root.table = std::make_shared<const Table>(grammar());
+  collect(root, "", paths);
+  ASSERT_GT(paths.size(), 300u);
+  const std::vector<std::string> values = {"true",
+                                           "\"\"",
+                                           "[]",
+                                           "{}",
+                                           "[[]]",
+                                           "[{}]",
+                                           "nan",
+                                           "inf",
+                                           "-inf",
+                                           "-1",
+                                           "-1.0",
+                                           "0",
+                                           "0.0",
+                                           "-0.0",
+                                           "1e308",
+                                           "-1e308",
+                                           "5e-324",
+                                           "9223372036854775807",
+                                           "-9223372036854775808",
+                                           "9007199254740993",
+                                           "1979-05-27T07:32:00Z",
+                                           "[nan, nan]",
+                                           "[1, 2, 3]",
+                                           "1.5",
+                                           "'" + std::string(100'000, 'x') + "'",
+                                           repeated("[", 30) + repeated("]", 30),
+                                           "{ uniform = [nan, 1] }",
+                                           "{ maxwell = inf }"};
+  int accepted = 0, refused = 0;
+  for (const std::string& path : paths) {
+    if (path.empty() || path.find("count") != std::string::npos) continue;  // counts: below
+    for (const std::string& value : values) {
+      const Loaded loaded = load_text(kEverything, {path.substr(1) + "=" + value});
+      if (loaded.errors() > 0) {
+        ++refused;
+        continue;
+      }
+      ++accepted;
+      ASSERT_TRUE(is_sound(loaded.scene)) << path << "=" << value;
+    }
+  }
+  EXPECT_GT(refused, 5000);
+  EXPECT_GT(accepted, 100);
+}
+
+TEST(HostileInput, OfDepthIsRefusedBeforeItIsParsed) {
+  for (const std::string& open : {std::string("["), std::string("{a="), std::string("[ ")}) {
+    const Loaded loaded = load_text("throng = 1\na = " + repeated(open, 1'000'000));
+    EXPECT_EQ(loaded.errors(), 1);
+    EXPECT_NE(faults(loaded).find("lists or tables more than 32 deep"), std::string::npos) << faults(loaded);
+  }
+}
+
+TEST(HostileInput, OfLongDottedKeysIsRefusedBeforeItIsParsed) {
+  for (const std::string& text :
+       {repeated("a.", 1'000'000) + "a = 1", "[" + repeated("a . ", 1'000'000) + "a]",
+        "x = {" + repeated("'a'.", 1'000'000) + "a = 1}", repeated("\"\".", 1'000'000) + "a = 1"})
+    EXPECT_NE(faults(load_text(text)).find("a dotted key of more than 32 parts"), std::string::npos);
+}
+
+TEST(HostileInput, OfManyKeysIsRefusedInSeconds) {
+  std::string text = "throng = 1\n";
+  for (int i = 0; i < 200'000; ++i) text += "k" + std::to_string(i) + " = 1\n";
+  EXPECT_EQ(load_text(text).errors(), Report::kMostErrors);
+}
+
+TEST(HostileInput, OfManyValuesIsRefusedBeforeItIsParsed) {
+  const Loaded loaded = load_text("a = [" + repeated("0,", kMostItems + 1) + "]");
+  EXPECT_NE(faults(loaded).find("more than 10000000 values"), std::string::npos) << faults(loaded);
+}
+
+TEST(HostileInput, OfBinaryKindIsNamedAsSuch) {
+  EXPECT_NE(faults(load_text(std::string("\x89HDF\r\n\x1a\n\0\0\0\0", 12))).find("s.toml:"),
+            std::string::npos);
+  EXPECT_NE(faults(load_text(std::string("a = 1\n\0\0", 8))).find("s.toml:2:1: error: a zero byte"),
+            std::string::npos);
+}
+
+TEST(HostileInput, CutAnywhereEndsInAMessageOrAScene) {
+  for (std::size_t end = 0; end < kEverything.size(); ++end) {
+    const Loaded loaded = load_text(kEverything.substr(0, end));
+    EXPECT_TRUE(loaded.errors() > 0 || is_sound(loaded.scene)) << end;
+  }
+}
+
+TEST(HostileInput, OfTooManyBodiesIsRefused) {
+  const Loaded loaded = load_text(kEverything, {"bodies[2].place.lattice.size=[10000000, 2]"});
+  EXPECT_NE(faults(loaded).find("must make at most 10000000 sites"), std::string::npos) << faults(loaded);
+  EXPECT_EQ(load_text(kEverything, {"bodies[1].count=9223372036854775807"}).errors(), 1);
+  EXPECT_EQ(load_text(kEverything, {"bodies[1].count=9999999"}).errors(), 1);
+}
+
+TEST(HostileInput, InStringsHidesNoBrackets) {
+  const std::string deep = repeated("[", 100);
+  EXPECT_EQ(faults(load_text("throng = 1\nname = '" + deep + "' # " + deep + "\ndescription = \"\"\"\\\"\"" +
+                             deep + "\"\"\"\n")),
+            "");
+}
+
+}  // namespace throng::scenarios

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "scenarios/report.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/scenarios/scenario_texts.h"
+
+namespace throng::scenarios {
+
+using throng::testing::faults;
+using throng::testing::kEverything;
+using throng::testing::load_text;
+
+TEST(Report, NamesAllFaultsInTheOrderOfTheText) {
+  const Loaded loaded = load_text("nmae = 1\nthrong = 2\nengine = 'x'\ntime = { until = -1, dt = 0 }\n");
+  EXPECT_EQ(faults(loaded),
+            "s.toml:1:1: error: nmae: unknown key, did you mean \"name\"?\n"
+            "s.toml:2:10: error: throng: must be 1, the version of this grammar, and is the integer 2\n"
+            "s.toml:3:10: error: engine: must be one of \"native\", \"box2d\", and is \"x\"\n"
+            "s.toml:4:18: error: time.until: must be a number from 0 to 1e+12 s, and is the integer -1\n"
+            "s.toml:4:27: error: time.dt: must be a number from 1e-12 to 1e+06 s, and is the integer 0\n");
+}
+
+TEST(Report, FindsWhatTheGrammarCannotSayInTheSameGo) {
+  const Loaded loaded = load_text(
+      "throng = 1\nname = 1\n[shapes]\na.disc.radius.uniform = [2, 1]\n"
+      "[[walls]]\nwkt = 'POINT (0 0)'\n[[bodies]]\nshape = 'a'\nat = [0, 0]\ncount = 2\n");
+  EXPECT_EQ(loaded.errors(), 4) << faults(loaded);
+}
+
+TEST(Report, StopsAfterTwentyErrors) {
+  std::string text = "throng = 1\n";
+  for (int i = 0; i < 1000; ++i) text += "x" + std::to_string(i) + " = 1\n";
+  EXPECT_EQ(load_text(text).errors(), 20);
+}
+
+TEST(Report, NamesTheOverrideInsteadOfAPlace) {
+  EXPECT_EQ(
+      faults(load_text(kEverything, {"time.dt=-1"})),
+      "--set time.dt=-1: error: time.dt: must be a number from 1e-12 to 1e+06 s, and is the integer -1\n");
+  EXPECT_EQ(faults(load_text(kEverything, {"bodies[0].at=[1, nan]"})),
+            "--set bodies[0].at=[1, nan]: error: bodies[0].at[1]: must be a number from -1e+09 to 1e+09 m, "
+            "and is the "
+            "number nan\n");
+}
+
+TEST(Report, RefusesOverridesThatLeadNowhere) {
+  for (const char* bad :
+       {"", "time.dt", "=1", "time..dt=1", ".time=1", "time.=1", "bodies[9].spin=1", "bodies[x].spin=1",
+        "bodies[0=1", "name.first=1", "\"time=1", "bodies[-1].spin=1", "bodies[].spin=1", "time.dt.x=1"}) {
+    const Loaded loaded = load_text(kEverything, {bad});
+    EXPECT_EQ(loaded.errors(), 1) << bad << "\n" << faults(loaded);
+    EXPECT_EQ(faults(loaded).rfind(std::string("--set ") + bad + ": error: ", 0), 0u) << faults(loaded);
+  }
+}
+
+TEST(Report, LetsNoOverrideBringASecondKey) {
+  const Loaded loaded = load_text(kEverything, {"name='a'\nseed=99"});
+  EXPECT_EQ(loaded.scene.seed, 7u);
+}
+
+TEST(Report, SuggestsOnlyWhatIsNear) {
+  EXPECT_EQ(suggestion("radus", {"radius", "at"}), ", did you mean \"radius\"?");
+  EXPECT_EQ(suggestion("zzzzzz", {"radius", "at"}), "");
+  EXPECT_EQ(suggestion("x", {}), "");
+}
+
+TEST(Report, QuotesAStrangersTextSafely) {
+  EXPECT_EQ(in_quotes("a\x1b[31m\n"), "\"a?[31m?\"");
+  EXPECT_LT(in_quotes(std::string(1'000'000, 'x')).size(), 80u);
+}
+
+TEST(Report, WarnsThatTheNativeEngineNeverSleeps) {
+  const Loaded loaded = load_text("throng = 1\nsleep = true\n");
+  EXPECT_EQ(loaded.errors(), 0);
+  EXPECT_EQ(faults(loaded), "s.toml:2:9: warning: sleep: the native engine keeps every body awake so far\n");
+  EXPECT_EQ(faults(load_text("throng = 1\nsleep = true\nengine = 'box2d'\n")), "");
+}
+
+}  // namespace throng::scenarios
