@@ -21,6 +21,8 @@ int main(int argc, char** argv) {
   add_plan(app, exit_code);
   add_run(app, exit_code, command_line);
   add_query(app, exit_code);
+  add_replay(app, exit_code);
+  add_info(app, exit_code);
   add_bench(app, exit_code);
 
   try {

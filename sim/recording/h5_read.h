@@ -12,10 +12,14 @@
 /// recording never holds (external storage, virtual datasets, other filters) is refused. All throw h5::Error.
 namespace throng::recording::h5 {
 
-/// An open file and how much it can hold at most.
+/// An open file.
 struct File {
   Handle handle;
-  std::uint64_t size = 0;  ///< bytes
+  std::string path;
+  bool unfinished = false;  ///< its writer is at work, or died
+
+  /// What its datasets may claim, in bytes: its size, and a little more where frames may be cut short.
+  std::uint64_t room() const;
 };
 
 /// A dataset that passed the checks above.

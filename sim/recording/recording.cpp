@@ -69,6 +69,7 @@ struct Recording::Impl {
 
   std::string path;
   bool running = false, complete = false;
+  std::uintmax_t bytes = 0;
   h5::File file;
   Scene scene;
   RecordingOrigin origin;
@@ -83,8 +84,8 @@ Recording::Impl::Impl(const std::string& name) : path(name) {
   running = open_for_writing && is_being_written(path);
   try {
     h5::prepare();
-    file.handle = open_file(path, open_for_writing);
-    file.size = std::filesystem::file_size(path);
+    file = {open_file(path, open_for_writing), path, open_for_writing};
+    bytes = std::filesystem::file_size(path);
     open();
   } catch (const h5::Error& error) {
     throw InputError(path + " is damaged: " + error.what());
@@ -228,7 +229,7 @@ bool Recording::running() const {
   return impl_->running;
 }
 double Recording::bytes() const {
-  return static_cast<double>(impl_->file.size);
+  return static_cast<double>(impl_->bytes);
 }
 const Scene& Recording::geometry() const {
   return impl_->scene;

@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: MIT
+"""Copies a recording into ones that must be refused, each with one fault: crafted.py FILE FOLDER."""
+import shutil
+import sys
+
+import h5py
+import numpy as np
+
+
+def replace(file, name, **how):
+    del file[name]
+    return file.create_dataset(name, **how)
+
+
+def external_storage(file):
+    # the bytes would come from another file on the disk
+    del file["throng/bodies/radius"]
+    plist = h5py.h5p.create(h5py.h5p.DATASET_CREATE)
+    plist.set_external(b"/etc/passwd", 0, 8 * 10)
+    space = h5py.h5s.create_simple((10,))
+    h5py.h5d.create(file["throng/bodies"].id, b"radius", h5py.h5t.IEEE_F64LE, space, plist)
+
+
+def external_link(file):
+    del file["throng/bodies"]
+    file["throng/bodies"] = h5py.ExternalLink("other.h5", "/throng/bodies")
+
+
+def soft_link(file):
+    file.move("throng/walls", "throng/walls2")
+    file["throng/walls"] = h5py.SoftLink("/throng/walls2")
+
+
+def virtual_dataset(file):
+    layout = h5py.VirtualLayout(shape=(10,), dtype="<f8")
+    layout[:] = h5py.VirtualSource("other.h5", "radius", shape=(10,))
+    del file["throng/bodies/radius"]
+    file.create_virtual_dataset("throng/bodies/radius", layout)
+
+
+def huge_dimensions(file):
+    replace(file, "throng/bodies/shape", shape=(10**15,), chunks=(1024,), dtype="<u4")
+
+
+def bomb(file):
+    # never written: a file of a few kB that would fill 2 GB with zeros
+    replace(file, "throng/shapes/outline", shape=(2**27, 2), chunks=(2**16, 2), dtype="<f8")
+
+
+def wrong_type(file):
+    replace(file, "throng/bodies/radius", data=np.ones(10, dtype="<f4"))
+
+
+def wrong_rank(file):
+    replace(file, "throng/bodies/radius", data=np.ones((10, 1)))
+
+
+def wrong_size(file):
+    replace(file, "throng/bodies/radius", data=np.ones(9))
+
+
+def not_finite(file):
+    replace(file, "throng/bodies/radius", data=np.array([1.0] * 9 + [np.nan]))
+
+
+def not_finite_position(file):
+    file["particles/trajectory/position/value"][3, 2, 1] = np.inf
+
+
+def altered_position(file):
+    file["particles/trajectory/position/value"][3, 2, 1] += 1e-12
+
+
+def altered_state_hash(file):
+    file["throng/frames/state_hash"][2] += np.uint64(1)
+
+
+def altered_scenario(file):
+    text = file["parameters/scenario"]
+    text[()] = text[()].replace(b"throng", b"thronG")
+
+
+def time_going_back(file):
+    file["throng/frames/step"][3] = 1
+    file["throng/frames/time"][3] = file["throng/frames/time"][1]
+
+
+def time_off_the_steps(file):
+    file["throng/frames/time"][3] += 1e-9
+
+
+def frame_missing(file):
+    for name in ("step", "time", "state_hash", "frame_hash"):
+        file["throng/frames"][name].resize((4,))
+
+
+def value_missing(file):
+    file["particles/trajectory/position/value"].resize((4, 10, 2))
+
+
+def index_beyond(file):
+    file["throng/bodies/shape"][4] = 3
+
+
+def kind_unknown(file):
+    file["throng/bodies/kind"][4] = 9
+
+
+def offset_beyond(file):
+    file["throng/walls/offset"][1] = 10**9
+
+
+def cycle(file):
+    del file["throng/bodies"]
+    file["throng/bodies"] = file["throng"]
+
+
+def deflated(file):
+    replace(file, "throng/bodies/radius", data=np.ones(10), chunks=(10,), compression="gzip")
+
+
+def foreign_filter(file):
+    replace(file, "throng/bodies/radius", data=np.ones(10), chunks=(10,), compression="lzf")
+
+
+def scale_offset(file):
+    replace(file, "throng/bodies/shape", data=np.zeros(10, dtype="<u4"), chunks=(10,), scaleoffset=0)
+
+
+def variable_text(file):
+    replace(file, "parameters/scenario", data="x" * 10, dtype=h5py.string_dtype())
+
+
+def no_utf8(file):
+    replace(file, "throng/shapes/name", data=np.array([b"\xff\xfe"] * 3))
+
+
+def dataset_for_a_group(file):
+    replace(file, "throng/walls", data=np.zeros(3))
+
+
+def group_missing(file):
+    del file["throng/frames"]
+
+
+def newer(file):
+    file["throng"].attrs.modify("version", np.array([2, 0], dtype="<i4"))
+
+
+def foreign(file):
+    del file["throng"]
+
+
+FAULTS = (external_storage, external_link, soft_link, virtual_dataset, huge_dimensions, bomb, wrong_type, wrong_rank,
+          wrong_size, not_finite, not_finite_position, altered_position, altered_state_hash, altered_scenario,
+          time_going_back, time_off_the_steps, frame_missing, value_missing, index_beyond, kind_unknown, offset_beyond,
+          cycle, deflated, foreign_filter, scale_offset, variable_text, no_utf8, dataset_for_a_group, group_missing,
+          newer, foreign)
+
+for fault in FAULTS:
+    path = f"{sys.argv[2]}/{fault.__name__}.h5"
+    shutil.copy(sys.argv[1], path)
+    with h5py.File(path, "r+", libver="latest") as opened:
+        fault(opened)

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "sim/recording/frame_queue.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <set>
+#include <thread>
+
+#include "tests/sim/recording/scenes.h"
+
+namespace throng::recording {
+namespace {
+
+using namespace testing_recordings;
+
+TEST(FrameQueue, HoldsAtLeastTwoFramesAndFewOfMany) {
+  EXPECT_EQ(FrameQueue(initial_state(mixed_scene(10))).capacity(), 16u);
+  Scene large = mixed_scene(1);
+  large.bodies.position.resize(1);
+  State state;
+  state.id.resize(3'000'000);
+  EXPECT_EQ(FrameQueue(state).capacity(), 2u);
+}
+
+TEST(FrameQueue, GivesFramesInTheOrderInWhichTheyCame) {
+  const Scene scene = mixed_scene(3);
+  FrameQueue queue(initial_state(scene));
+  std::thread producer([&] {
+    for (int i = 0; i < 1000; ++i) queue.push(state_at(scene, i));
+    queue.close();
+  });
+  std::int64_t expected = 0;
+  while (const State* state = queue.front()) {
+    EXPECT_EQ(state->step, expected);
+    EXPECT_EQ(hash(*state), hash(state_at(scene, expected)));
+    ++expected;
+    queue.pop();
+  }
+  producer.join();
+  EXPECT_EQ(expected, 1000);
+}
+
+TEST(FrameQueue, MakesTheProducerWaitWhereItIsFull) {
+  const Scene scene = mixed_scene(3);
+  FrameQueue queue(initial_state(scene));
+  std::atomic<std::size_t> pushed = 0;
+  std::thread producer([&] {
+    for (std::size_t i = 0; i <= queue.capacity(); ++i) {
+      queue.push(state_at(scene, static_cast<std::int64_t>(i)));
+      ++pushed;
+    }
+  });
+  while (pushed < queue.capacity()) std::this_thread::yield();
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  EXPECT_EQ(pushed, queue.capacity());
+  queue.front();
+  queue.pop();
+  producer.join();
+  EXPECT_EQ(pushed, queue.capacity() + 1);
+}
+
+TEST(FrameQueue, UsesTheSameMemoryAgain) {
+  const Scene scene = mixed_scene(100);
+  FrameQueue queue(initial_state(scene));
+  std::set<const void*> places;
+  for (std::size_t i = 0; i < 5 * queue.capacity(); ++i) {
+    queue.push(state_at(scene, static_cast<std::int64_t>(i)));
+    places.insert(queue.front()->position.data());
+    queue.pop();
+  }
+  EXPECT_EQ(places.size(), queue.capacity());
+}
+
+TEST(FrameQueue, TellsTheProducerWhyTheWriterGaveUp) {
+  const State state = initial_state(mixed_scene(3));
+  FrameQueue queue(state);
+  for (std::size_t i = 0; i < queue.capacity(); ++i) queue.push(state);
+  std::thread writer([&] { queue.fail(std::make_exception_ptr(std::runtime_error("disk full"))); });
+  EXPECT_THROW(queue.push(state), std::runtime_error);  // waits in a full queue until it is told
+  writer.join();
+  EXPECT_THROW(queue.check(), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace throng::recording

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "sim/recording/output_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "sim/input_error.h"
+#include "tests/sim/recording/scenes.h"
+
+namespace throng::recording {
+namespace {
+
+using namespace testing_recordings;
+using testing::HasSubstr;
+
+std::string refusal(const std::string& path, bool force = false) {
+  try {
+    OutputFile output(path, force);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+std::size_t entries(const Folder& folder) {
+  return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder.path), {}));
+}
+
+std::string content(const std::string& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(OutputFile, RefusesAFolderThatDoesNotExist) {
+  const Folder folder;
+  EXPECT_THAT(refusal(folder / "no/such/a.h5"), HasSubstr("no/such does not exist"));
+}
+
+TEST(OutputFile, RefusesAPlaceBelowAFile) {
+  const Folder folder;
+  std::ofstream(folder / "file") << "x";
+  EXPECT_THAT(refusal(folder / "file/a.h5"), HasSubstr("is no folder"));
+}
+
+TEST(OutputFile, RefusesAFolderThatCannotBeWritten) {
+  EXPECT_THAT(refusal("/proc/a.h5"), HasSubstr("cannot write /proc/a.h5"));
+}
+
+TEST(OutputFile, RefusesAFileThatExistsWithoutForce) {
+  const Folder folder;
+  std::ofstream(folder / "a.h5") << "precious";
+  EXPECT_THAT(refusal(folder / "a.h5"), HasSubstr("--force"));
+  EXPECT_EQ(content(folder / "a.h5"), "precious");
+  EXPECT_EQ(entries(folder), 1u);
+}
+
+TEST(OutputFile, RefusesAFolderAsTarget) {
+  const Folder folder;
+  std::filesystem::create_directory(folder / "a.h5");
+  EXPECT_THAT(refusal(folder / "a.h5", true), HasSubstr("no regular file"));
+}
+
+TEST(OutputFile, RefusesThePartOfARunThatDidNotEndWithoutForce) {
+  const Folder folder;
+  std::ofstream(folder / "a.h5.part") << "frames";
+  EXPECT_THAT(refusal(folder / "a.h5"), HasSubstr("did not end"));
+  EXPECT_EQ(content(folder / "a.h5.part"), "frames");
+  EXPECT_EQ(refusal(folder / "a.h5", true), "accepted");
+}
+
+TEST(OutputFile, NeverFollowsALinkOfThePartsName) {
+  const Folder folder;
+  std::ofstream(folder / "elsewhere") << "precious";
+  std::filesystem::create_symlink("elsewhere", folder / "a.h5.part");
+  EXPECT_THAT(refusal(folder / "a.h5", true), HasSubstr("cannot write"));
+  EXPECT_EQ(content(folder / "elsewhere"), "precious");
+}
+
+TEST(OutputFile, RefusesTwoRunsOfTheSameNameAndLeavesTheFirstInPeace) {
+  const Folder folder;
+  OutputFile first(folder / "a.h5", false);
+  EXPECT_TRUE(is_being_written(first.part()));
+  EXPECT_THAT(refusal(folder / "a.h5", true), HasSubstr("another run"));
+  EXPECT_TRUE(std::filesystem::exists(first.part()));
+}
+
+TEST(OutputFile, RefusesWhatTheDiskCannotHold) {
+  const Folder folder;
+  const OutputFile output(folder / "a.h5", false);
+  EXPECT_NO_THROW(output.expect_room(1000));
+  EXPECT_THROW(output.expect_room(1e18), InputError);
+}
+
+TEST(OutputFile, LeavesNothingWhereNothingWasKept) {
+  const Folder folder;
+  { OutputFile output(folder / "a.h5", false); }
+  EXPECT_EQ(entries(folder), 0u);
+}
+
+TEST(OutputFile, PublishesUnderTheFinalNameAndWithForceInPlaceOfTheOld) {
+  const Folder folder;
+  for (bool force : {false, true}) {
+    OutputFile output(folder / "a.h5", force);
+    std::ofstream(output.part()) << (force ? "new" : "old");
+    output.publish();
+    EXPECT_EQ(content(folder / "a.h5"), force ? "new" : "old");
+    EXPECT_EQ(entries(folder), 1u);
+  }
+}
+
+TEST(OutputFile, NeverReplacesAFileThatCameMeanwhile) {
+  const Folder folder;
+  OutputFile output(folder / "a.h5", false);
+  std::ofstream(folder / "a.h5") << "precious";
+  EXPECT_THROW(output.publish(), std::runtime_error);
+  EXPECT_EQ(content(folder / "a.h5"), "precious");
+}
+
+}  // namespace
+}  // namespace throng::recording
