@@ -59,7 +59,7 @@ TEST_P(SettledScene, StepsWithoutAllocating) {
 
 INSTANTIATE_TEST_SUITE_P(Gallery, SettledScene,
                          ::testing::Values("gas", "cradle", "billiard", "hopper", "gears", "mixed"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& scene) { return std::string(scene.param); });
 
 }  // namespace
 }  // namespace throng

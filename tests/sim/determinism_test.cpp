@@ -39,7 +39,7 @@ TEST_P(EveryScene, ReachesTheHashThatEveryBuildReaches) {
 INSTANTIATE_TEST_SUITE_P(Gallery, EveryScene,
                          ::testing::Values("gas", "pile", "polygons", "pyramid", "hopper", "gears",
                                            "billiard", "cradle", "mixed"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& scene) { return std::string(scene.param); });
 
 TEST(Hash, TellsStatesApartByEachQuantity) {
   const Scene scene =

@@ -104,7 +104,7 @@ TEST_P(Domains, HoldTheObstaclesThatBodiesMayTouch) {
 INSTANTIATE_TEST_SUITE_P(Candidates, Domains,
                          ::testing::Values("{ box = [[0, 0], [20, 20]] }",
                                            "{ periodic = [[0, 0], [20, 20]] }"),
-                         [](const auto& info) { return info.index == 0 ? "Box" : "Periodic"; });
+                         [](const auto& scene) { return scene.index == 0 ? "Box" : "Periodic"; });
 
 }  // namespace
 }  // namespace throng
