@@ -176,6 +176,18 @@ TEST(BoxIndex, NeedsNoMoreMemoryThanItPromises) {
   }
 }
 
+TEST(BoxIndex, NeedsNoMoreMemoryThanItPromisesForThousandsOfMiddlingBoxes) {
+  Random random(16);
+  Extents extents;
+  for (int i = 0; i < 2000; ++i) {  // of 900 cells each at the size that is asked for: none is kept aside
+    const Point corner = random.in_square(10.0);
+    extents.push_back(box_extent(corner.x(), corner.y(), corner.x() + 0.029, corner.y() + 0.029));
+  }
+  const BoxIndex index = index_of(extents, 1e-3);
+  EXPECT_LE(index.entries(), 16 * extents.size() + 4096);
+  for (int query = 0; query < 30; ++query) expect_brute_force(random, extents, index, 10.0, 0.1);
+}
+
 TEST(BoxIndex, PutsALongDiagonalIntoFewCells) {
   const BoxIndex index = index_of({segment(0, 0, 100, 70)}, 1.0);
   EXPECT_EQ(index.cell_size(), 1.0);
