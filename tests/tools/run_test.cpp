@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// throng run and throng plan, run as their users run them.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "tests/tools/program.h"
+
+namespace throng {
+namespace {
+
+using nlohmann::json;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+const char* const kScene = R"(throng = 1
+name = "drop"
+gravity = [0, -10]
+time = { dt = 0.01, until = 1.0 }
+domain = { box = [[-5, 0], [5, 9]] }
+[shapes]
+ball = { disc = { radius = 0.5 } }
+[[bodies]]
+shape = "ball"
+at = [0, 2]
+[[bodies]]
+shape = "ball"
+at = [0.3, 4]
+)";
+
+class RunCommand : public Program {};
+class PlanCommand : public Program {};
+
+TEST_F(RunCommand, PrintsOneObjectWithTheKeysOfTheContract) {
+  const Result result = throng("run " + write("a.toml", kScene));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const json summary = json::parse(result.out);
+  for (const char* key : {"scenario", "engine", "steps", "time", "bodies", "agents", "wall_s", "step_ms",
+                          "step_ms_last", "stages", "hash", "max_overlap", "mean_overlap", "kinetic_energy",
+                          "potential_energy", "momentum", "contacts", "output"})
+    EXPECT_TRUE(summary.contains(key)) << key;
+  EXPECT_EQ(summary["steps"], 100);
+  EXPECT_EQ(summary["output"], nullptr);
+  EXPECT_TRUE(std::regex_match(summary["hash"].get<std::string>(), std::regex("[0-9a-f]{16}")));
+}
+
+TEST_F(RunCommand, HashesTheSameWithAndWithoutRecordingAndForAnyNumberOfThreads) {
+  const std::string scene = write("a.toml", kScene);
+  const auto hash = [&](const std::string& options) {
+    return json::parse(throng("run " + scene + options).out)["hash"];
+  };
+  const auto plain = hash("");
+  EXPECT_EQ(hash(" --threads 2"), plain);
+  EXPECT_EQ(hash(" -o " + path("a.h5")), plain);
+  EXPECT_EQ(hash(" --every 7 -o " + path("b.h5")), plain);
+  EXPECT_NE(hash(" --dt 0.005"), plain);
+}
+
+TEST_F(RunCommand, OptionsAreFieldsOfTheScenario) {
+  const Result result = throng("run " + write("a.toml", kScene) +
+                               " --until 0.1 --dt 0.02 --set bodies.0.velocity=[1,0] --set gravity=[0,0]");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const json summary = json::parse(result.out);
+  EXPECT_EQ(summary["steps"], 5);
+  EXPECT_NEAR(summary["momentum"][0].get<double>(), 0.785398, 1e-6);
+}
+
+TEST_F(RunCommand, RecordsWhatReplayThenVerifies) {
+  const std::string scene = write("a.toml", kScene), recording = path("a.h5");
+  ASSERT_EQ(throng("run " + scene + " --every 10 -o " + recording).exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(recording + ".part"));
+  const Result verified = throng("replay --verify " + recording);
+  EXPECT_EQ(verified.exit_code, 0) << verified.err;
+  EXPECT_THAT(verified.out + verified.err, HasSubstr("11"));
+}
+
+TEST_F(RunCommand, OverwritesOnlyWhenForced) {
+  const std::string command = "run " + write("a.toml", kScene) + " -o " + write("a.h5", "precious");
+  const Result refused = throng(command);
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("--force"));
+  EXPECT_EQ(read(path("a.h5")), "precious");
+  EXPECT_EQ(throng(command + " --force").exit_code, 0);
+}
+
+TEST_F(RunCommand, RefusesAnOutputFolderThatDoesNotExist) {
+  const Result result = throng("run " + write("a.toml", kScene) + " -o " + path("nowhere/a.h5"));
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("nowhere"));
+  EXPECT_FALSE(std::filesystem::exists(path("nowhere")));
+}
+
+TEST_F(RunCommand, DryRunWritesNothing) {
+  const Result result = throng("run " + write("a.toml", kScene) + " --dry-run -o " + path("a.h5"));
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(json::parse(result.out)["steps"], 0);
+  EXPECT_FALSE(std::filesystem::exists(path("a.h5")));
+}
+
+TEST_F(RunCommand, ARunThatBreaksDownNamesStepAndBodyAndKeepsItsFrames) {
+  const Result result =
+      throng("run " + write("a.toml", kScene) +
+             " --set gravity=[0,1e8] --set domain={} --until 1000 --dt 1 -o " + path("a.h5"));
+  EXPECT_EQ(result.exit_code, 1) << result.err;
+  EXPECT_THAT(result.err, AllOf(HasSubstr("step "), HasSubstr("body "), HasSubstr("throng run ")));
+  EXPECT_FALSE(std::filesystem::exists(path("a.h5")));
+  const Result info = throng("info " + path("a.h5.part"));
+  EXPECT_EQ(info.exit_code, 0) << info.err;
+}
+
+TEST_F(RunCommand, AStoppedRunClosesItsFile) {
+  const std::string command = "timeout -s INT 1 ";
+  const Result result = throng("run " + write("a.toml", kScene) + " --until 1e6 -o " + path("a.h5"), command);
+  EXPECT_EQ(result.exit_code, 124) << "timeout says so when it had to stop the program";
+  EXPECT_THAT(result.err, HasSubstr("stopped by a signal"));
+  EXPECT_EQ(throng("replay --verify " + path("a.h5.part") + " >/dev/null; true").exit_code, 0);
+  EXPECT_EQ(throng("info " + path("a.h5.part")).exit_code, 0);
+}
+
+TEST_F(RunCommand, RefusesABadScenarioWithAllItsFaults) {
+  const Result result =
+      throng("run " + write("a.toml", std::string(kScene) + "colour = \"red\"\nspin = \"fast\"\n"));
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, AllOf(HasSubstr("a.toml:14:"), HasSubstr("a.toml:15:")));
+  EXPECT_EQ(result.out, "");
+}
+
+TEST_F(RunCommand, RefusesUnknownOptionsAndValues) {
+  const std::string scene = write("a.toml", kScene);
+  for (const char* options :
+       {" --thread 2", " --threads 0", " --threads two", " --progress loud", " --dt fast", " --dt nan",
+        " --engine havok", " --set", " --set nonsense", " --every 0", " --substeps 1.5"})
+    EXPECT_EQ(throng("run " + scene + options).exit_code, 2) << options;
+}
+
+TEST_F(PlanCommand, SaysWhichStagesRunAndWhy) {
+  const Result text = throng("plan " + write("a.toml", kScene));
+  EXPECT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_THAT(text.out, AllOf(HasSubstr("find_pairs"), HasSubstr("skipped"), HasSubstr("2 dynamic")));
+  const Result object = throng("plan --json " + path("a.toml"));
+  const json plan = json::parse(object.out);
+  EXPECT_EQ(plan["bodies"], 2);
+  EXPECT_EQ(plan["stages"].size(), 10u);
+  EXPECT_GT(plan["output_bytes"], 0);
+}
+
+}  // namespace
+}  // namespace throng
