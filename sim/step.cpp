@@ -12,8 +12,7 @@ namespace throng {
 
 namespace {
 
-constexpr double kContactHertz =
-    0.125;  // of the substep's rate: contacts are springs as stiff as h can carry
+constexpr double kContactHertz = 0.25;  // of the substep's rate: as stiff as h can carry
 constexpr double kContactDamping = 10.0;
 constexpr double kPushOut = 10.0;   // radii a second: the fastest that overlap is undone
 constexpr int kBounceSweeps = 64;   // a cluster that still rattles after these ends the substep inelastically
