@@ -83,6 +83,8 @@ Plan plan_for(const Scene& scene) {
       plan.contacts() && std::ranges::any_of(plan.surfaces, [](const Surface& s) { return s.friction > 0; });
   plan.restitution = plan.contacts() &&
                      std::ranges::any_of(plan.surfaces, [](const Surface& s) { return s.restitution > 0; });
+  plan.elastic = plan.contacts() &&
+                 std::ranges::any_of(plan.surfaces, [](const Surface& s) { return s.restitution >= 1.0; });
   plan.stages = stages(scene, plan);
   return plan;
 }

@@ -33,6 +33,7 @@ struct Plan {
   bool polygons = false;          ///< some moving body is not a disc: manifolds, and angles turn shapes
   bool friction = false;          ///< some surface rubs
   bool restitution = false;       ///< some surface bounces
+  bool elastic = false;           ///< some surface keeps all energy
   std::vector<Surface> surfaces;  ///< of materials i, j at i * materials.size() + j
   std::vector<Stage> stages;      ///< in the order of the step, those that are skipped too
 

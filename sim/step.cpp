@@ -15,7 +15,8 @@ namespace {
 constexpr double kContactHertz = 0.25;  // of the substep's rate: as stiff as h can carry
 constexpr double kContactDamping = 10.0;
 constexpr double kPushOut = 10.0;   // radii a second: the fastest that overlap is undone
-constexpr int kBounceSweeps = 64;   // a cluster that still rattles after these ends the substep inelastically
+constexpr int kElasticSweeps = 64;  // of bounces in a substep: what still meets then ends without bounce,
+constexpr int kBounceSweeps = 8;    // where each takes energy sooner, as dense clusters do anyway
 constexpr double kRestSpeed = 2.0;  // slower than what gravity gives in so many substeps, a contact rests
 
 /// Measures the time from lap to lap.
@@ -53,10 +54,10 @@ void move(std::span<SolverBody> bodies, double h) {
 }
 
 /// Bounces all that meets in this substep, and what that sets in motion, until nothing meets any more.
-void bounce(Workspace& work, const Vec& kick) {
+void bounce(Workspace& work, const Vec& kick, int sweeps) {
   const double h = work.solver.h;
   const double threshold = kRestSpeed * kick.norm();
-  for (int sweep = 0; sweep < kBounceSweeps; ++sweep) {
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
     const bool discs = bounce(work.contacts.discs, work.bodies, h, threshold, kick);
     const bool points = bounce(work.contacts.points, work.bodies, h, threshold, kick);
     if (!discs && !points) return;
@@ -78,7 +79,8 @@ void substep(const Scene& scene, const Plan& plan, Workspace& work) {
   Contacts& contacts = work.contacts;
   const std::span<SolverBody> bodies = work.bodies;
   if (plan.contacts()) prepare_all(scene, plan, work);
-  if (plan.restitution) bounce(work, plan.gravity ? kick : Vec(0.0, 0.0));
+  if (plan.restitution)
+    bounce(work, plan.gravity ? kick : Vec(0.0, 0.0), plan.elastic ? kElasticSweeps : kBounceSweeps);
   if (plan.gravity) fall(bodies, kick);
   if (plan.contacts()) {
     warm_start(contacts.discs, bodies);
