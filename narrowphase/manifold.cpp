@@ -7,6 +7,7 @@
 #include "narrowphase/core_separation.h"
 #include "narrowphase/face.h"
 #include "narrowphase/relative.h"
+#include "narrowphase/wall.h"
 
 namespace throng::narrowphase {
 
@@ -169,71 +170,19 @@ Manifold clip(const Roles& roles, const Face& face, double reach) {
   return m;
 }
 
-bool is_wall(const Convex& shape) {
-  return shape.vertices.size() == 2 && shape.radius == 0.0;
-}
-
-/// The side of a wall on which a body's centre stands, as the wall's edge that looks there.
-std::size_t side(const Convex& wall, const Vec& centre) {
-  return dot(wall.normals[0], centre - wall.vertices[0]) >= 0.0 ? 0 : 1;
-}
-
-/// The face of `wall` towards the body's centre, and the vertex of the body deepest behind it.
-Face wall_face(const Convex& wall, const Convex& body, const Pose& body_in_wall) {
-  const std::size_t edge = side(wall, body_in_wall.position);
-  const Vec normal = body_in_wall.unrotate(wall.normals[edge]);
-  Face face{std::numeric_limits<double>::infinity(), edge, 0};
-  for (std::size_t j = 0; j < body.vertices.size(); ++j)
-    if (const double height = dot(normal, body.vertices[j]); height < face.separation)
-      face = {height, edge, j};
-  face.separation += dot(wall.normals[edge], body_in_wall.position - wall.vertices[0]);
-  return face;
-}
-
-/// The widest face of a body against a wall, of those that don't push it across: its normal leans against the
-/// wall's side by at most 60 degrees.
-Face body_face(const Convex& body, const Convex& wall, const Pose& wall_in_body, std::size_t wall_side) {
-  const Vec wrong = wall_in_body.rotate(wall.normals[wall_side]);
-  const Vec ends[] = {wall_in_body * wall.vertices[0], wall_in_body * wall.vertices[1]};
-  Face best{-std::numeric_limits<double>::infinity(), 0, 0};
-  for (std::size_t i = 0; i < body.vertices.size(); ++i) {
-    if (dot(body.normals[i], wrong) > 0.5) continue;
-    const double heights[] = {dot(body.normals[i], ends[0] - body.vertices[i]),
-                              dot(body.normals[i], ends[1] - body.vertices[i])};
-    const std::size_t lower = heights[1] < heights[0] ? 1 : 0;
-    if (heights[lower] > best.separation) best = {heights[lower], i, lower};
-  }
-  return best;
-}
-
-/// The widest faces of the two; those of a wall and a body that it cuts are told by the body's side.
-struct Faces {
-  Face of_a, of_b;
-};
-
-void take_sides(Faces& faces, const Convex& a, const Convex& b, const Pose& b_in_a, const Pose& a_in_b) {
-  if (is_wall(a) == is_wall(b) || std::max(faces.of_a.separation, faces.of_b.separation) > 0.0) return;
-  if (is_wall(a)) {
-    faces.of_a = wall_face(a, b, b_in_a);
-    faces.of_b = body_face(b, a, a_in_b, faces.of_a.edge);
-  } else {
-    faces.of_b = wall_face(b, a, a_in_b);
-    faces.of_a = body_face(a, b, b_in_a, faces.of_b.edge);
-  }
-}
-
 Manifold polygon_manifold(const Convex& a, const Pose& pose_a, const Convex& b, const Pose& pose_b,
                           double reach) {
   const double enough = reach + a.radius + b.radius;
   const Pose b_in_a = relative(pose_a, pose_b);
   if (facing_face(a, b, b_in_a).separation > enough) return {};
   const Pose a_in_b = inverse(b_in_a);
-  Faces faces{widest_face(a, b, b_in_a), widest_face(b, a, a_in_b)};
-  if (std::max(faces.of_a.separation, faces.of_b.separation) > enough) return {};
-  take_sides(faces, a, b, b_in_a, a_in_b);
-  if (faces.of_b.separation > faces.of_a.separation)
-    return clip({b, a, pose_b, a_in_b, false}, faces.of_b, reach);
-  return clip({a, b, pose_a, b_in_a, true}, faces.of_a, reach);
+  Face of_a = widest_face(a, b, b_in_a), of_b = widest_face(b, a, a_in_b);
+  const double widest = std::max(of_a.separation, of_b.separation);
+  if (widest > enough) return {};
+  if (widest <= 0.0 && is_wall(a) && !is_wall(b)) take_sides(of_a, of_b, a, b, b_in_a, a_in_b);
+  if (widest <= 0.0 && is_wall(b) && !is_wall(a)) take_sides(of_b, of_a, b, a, a_in_b, b_in_a);
+  if (of_b.separation > of_a.separation) return clip({b, a, pose_b, a_in_b, false}, of_b, reach);
+  return clip({a, b, pose_a, b_in_a, true}, of_a, reach);
 }
 
 Manifold disc_manifold(const Convex& a, const Pose& pose_a, const Convex& b, const Pose& pose_b,

@@ -23,6 +23,7 @@ int main(int argc, char** argv) {
   add_query(app, exit_code);
   add_replay(app, exit_code);
   add_info(app, exit_code);
+  add_pairs(app, exit_code);
   add_bench(app, exit_code);
 
   try {

@@ -87,7 +87,7 @@ TEST(Decompose, HoldsOnGriddedOutlinesFullOfStraightDiagonals) {
   for (int i = 0; i < 40000; ++i) {
     Points points;
     for (std::size_t n = 4 + random() % 9; points.size() < n;)
-      points.emplace_back(static_cast<double>(random() % 5), static_cast<double>(random() % 5));
+      points.push_back(Vec{static_cast<double>(random() % 5), static_cast<double>(random() % 5)});
     const Points polygon = clean(points).vertices;
     if (polygon.empty()) continue;
     ++tried;

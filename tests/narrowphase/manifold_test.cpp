@@ -7,6 +7,7 @@
 #include <set>
 
 #include "narrowphase/distance.h"
+#include "narrowphase/wall.h"
 #include "random_shapes.h"
 
 namespace throng::narrowphase {
@@ -149,9 +150,7 @@ TEST(ManifoldOf, AnyPairAgreesWithTheExactSeparation) {
   Counts counts;
   for (int i = 0; i < kPairs; ++i) {
     const auto [family, a, b, scale, world] = random_pair(random);
-    const bool wall = (a.shape.vertices.size() == 2 && a.shape.radius == 0.0) ||
-                      (b.shape.vertices.size() == 2 && b.shape.radius == 0.0);
-    if (wall || family == "sliver") continue;
+    if (is_wall(a.shape) || is_wall(b.shape) || family == "sliver") continue;
     const double reach = 0.05 * scale, tolerance = 16 * kUnitRoundoff * world;
     const Separation s = separation(a.shape, a.pose, b.shape, b.pose);
     const Manifold m = manifold(a.shape, a.pose, b.shape, b.pose, reach);
@@ -170,18 +169,24 @@ TEST(ManifoldOf, AnyPairAgreesWithTheExactSeparation) {
   EXPECT_GT(counts.apart, kPairs / 10);
 }
 
+// A wall may need several pushes: near its end, its side is not the shortest way out.
 TEST(ManifoldOf, AnyPairIsFreeOnceItsDeepestPointIsPushedOut) {
   Random random(kSeed + 1);
   int pushed = 0;
   for (int i = 0; i < kPairs; ++i) {
     auto [family, a, b, scale, world] = random_pair(random);
     if (family == "sliver") continue;
-    const Manifold m = manifold(a.shape, a.pose, b.shape, b.pose, 0.0);
-    if (m.count == 0) continue;
-    b.pose.position -= least(m) * m.normal;
-    const double rest = separation(a.shape, a.pose, b.shape, b.pose).distance;
-    ASSERT_GE(rest, -16 * kUnitRoundoff * world) << family << " " << i << " seed " << kSeed + 1;
-    ++pushed;
+    const double tolerance = 16 * kUnitRoundoff * world;
+    const int allowed = is_wall(a.shape) || is_wall(b.shape) ? 40 : 1;
+    double rest = separation(a.shape, a.pose, b.shape, b.pose).distance;
+    pushed += rest < 0.0;
+    for (int push = 0; push < allowed && rest < -tolerance; ++push) {
+      const Manifold m = manifold(a.shape, a.pose, b.shape, b.pose, 0.0);
+      ASSERT_GT(m.count, 0) << family << " " << i << " seed " << kSeed + 1;
+      b.pose.position -= least(m) * m.normal;
+      rest = separation(a.shape, a.pose, b.shape, b.pose).distance;
+    }
+    ASSERT_GE(rest, -tolerance) << family << " " << i << " seed " << kSeed + 1;
   }
   EXPECT_GT(pushed, kPairs / 4);
 }

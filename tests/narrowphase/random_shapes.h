@@ -54,33 +54,44 @@ struct ShapePair {
   double world;  ///< of the coordinates in the world
 };
 
+/// In braces, which are evaluated in order with every compiler: the same shapes everywhere.
+inline Vec random_vec(Random& random, double x, double y) {
+  return Vec{uniform(random, -x, x), uniform(random, -y, y)};
+}
+
 inline Convex random_shape(Random& random, double aspect) {
   const std::size_t kind = random() % 6;
   const double radius = random() % 3 == 0 ? uniform(random, 0.0, 0.5) : 0.0;
-  if (kind == 0) return disc(uniform(random, 0.1, 1.0), {uniform(random, -0.2, 0.2), 0.0});
-  if (kind == 1)
-    return segment({uniform(random, -2, 0), aspect * uniform(random, -1, 1)}, {uniform(random, 0.1, 2), 0.0},
-                   radius);
+  if (kind == 0) {
+    const Vec centre = random_vec(random, 0.2, 0.0);
+    return disc(uniform(random, 0.1, 1.0), centre);
+  }
+  if (kind == 1) {
+    const Vec p = random_vec(random, 2.0, aspect);
+    return segment(p, {uniform(random, 2.1, 2.5), 0.0}, radius);
+  }
   std::vector<Vec> points;
   for (std::size_t n = 3 + random() % 12; points.size() < n;)
-    points.emplace_back(uniform(random, -1, 1), aspect * uniform(random, -1, 1));
+    points.push_back(random_vec(random, 1.0, aspect));
   return convex(hull(points), radius);
+}
+
+inline Vec gridded_vec(Random& random, unsigned cells) {
+  const double half = 0.25 * (cells - 1);
+  return Vec{0.5 * static_cast<double>(random() % cells) - half,
+             0.5 * static_cast<double>(random() % cells) - half};
 }
 
 inline Convex gridded_shape(Random& random) {
   std::vector<Vec> points;
-  for (std::size_t n = 1 + random() % 10; points.size() < n;)
-    points.emplace_back(0.5 * static_cast<double>(random() % 5) - 1,
-                        0.5 * static_cast<double>(random() % 5) - 1);
+  for (std::size_t n = 1 + random() % 10; points.size() < n;) points.push_back(gridded_vec(random, 5));
   return convex(hull(points), random() % 4 == 0 ? 0.25 : 0.0);
 }
 
 inline Pose gridded_pose(Random& random) {
   constexpr double kCos[] = {1, 0, -1, 0}, kSin[] = {0, 1, 0, -1};
   const std::size_t turn = random() % 4;
-  return {{0.5 * static_cast<double>(random() % 9) - 2, 0.5 * static_cast<double>(random() % 9) - 2},
-          kCos[turn],
-          kSin[turn]};
+  return {gridded_vec(random, 9), kCos[turn], kSin[turn]};
 }
 
 inline Pose random_pose(Random& random, double range) {

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include "tools/pair_query.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <set>
+
+#include "narrowphase/decompose.h"
+#include "narrowphase/polygon.h"
+#include "sim/input_error.h"
+
+namespace throng::tools {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using narrowphase::Convex;
+using narrowphase::Vec;
+
+constexpr int kDeepest = 8;                   // levels of nesting that any line needs, and some
+constexpr std::size_t kMostVertices = 20000;  // of a polygon: seconds, not minutes
+constexpr double kLargest = 1e100;            // m
+
+[[noreturn]] void fail(const std::string& path, const std::string& what) {
+  throw InputError(path + ": " + what);
+}
+
+/// Refuses what a DOM would hide: keys that are there twice, and towers of brackets.
+class Guard {
+ public:
+  bool operator()(int depth, Json::parse_event_t event, Json& value) {
+    using Event = Json::parse_event_t;
+    if (depth > kDeepest) throw InputError("nested more than " + std::to_string(kDeepest) + " levels deep");
+    if (event == Event::object_start) keys_.emplace_back();
+    if (event == Event::object_end) keys_.pop_back();
+    if (event == Event::key && !keys_.back().insert(value.get<std::string>()).second)
+      throw InputError("the key \"" + value.get<std::string>() + "\" is there twice");
+    return true;
+  }
+
+ private:
+  std::vector<std::set<std::string>> keys_;
+};
+
+Json parse(std::string_view line) {
+  Guard guard;
+  try {
+    return Json::parse(line.begin(), line.end(), [&guard](int depth, Json::parse_event_t event, Json& value) {
+      return guard(depth, event, value);
+    });
+  } catch (const Json::exception& error) {
+    const std::string what = error.what();
+    const std::size_t bracket = what.find("] ");
+    throw InputError("not JSON: " + (bracket == std::string::npos ? what : what.substr(bracket + 2)));
+  }
+}
+
+void check_keys(const Json& object, const std::string& path, std::initializer_list<const char*> allowed) {
+  if (!object.is_object()) fail(path, "an object is expected");
+  for (const auto& item : object.items()) {
+    if (std::find(allowed.begin(), allowed.end(), item.key()) != allowed.end()) continue;
+    std::string list;
+    for (const char* key : allowed) list += (list.empty() ? "" : ", ") + std::string(key);
+    fail(path, "unknown key \"" + item.key() + "\"; allowed: " + list);
+  }
+}
+
+double number(const Json& value, const std::string& path) {
+  if (!value.is_number()) fail(path, "a number is expected");
+  const double x = value.get<double>();
+  if (!(std::abs(x) <= kLargest)) fail(path, "a number up to 1e100 in size is expected");
+  return x;
+}
+
+double length(const Json& value, const std::string& path) {
+  const double x = number(value, path);
+  if (x < 0.0) fail(path, "must not be negative");
+  return x;
+}
+
+const Json& array(const Json& value, const std::string& path, std::size_t size) {
+  if (!value.is_array() || value.size() != size)
+    fail(path, "a list of " + std::to_string(size) + " is expected");
+  return value;
+}
+
+std::string at(const std::string& path, std::size_t i) {
+  return path + "[" + std::to_string(i) + "]";
+}
+
+Vec point(const Json& value, const std::string& path) {
+  array(value, path, 2);
+  return {number(value[0], at(path, 0)), number(value[1], at(path, 1))};
+}
+
+double optional_number(const Json& object, const std::string& path, const char* key) {
+  return object.contains(key) ? number(object[key], path + "." + key) : 0.0;
+}
+
+double rounding(const Json& solid, const std::string& path) {
+  return solid.contains("radius") ? length(solid["radius"], path + ".radius") : 0.0;
+}
+
+std::vector<Convex> read_polygon(const Json& value, const std::string& path, double radius,
+                                 std::vector<std::string>& repairs) {
+  if (!value.is_array()) fail(path, "a list of points is expected");
+  if (value.size() > kMostVertices)
+    fail(path, "at most " + std::to_string(kMostVertices) + " vertices are supported");
+  std::vector<Vec> vertices;
+  for (std::size_t i = 0; i < value.size(); ++i) vertices.push_back(point(value[i], at(path, i)));
+  const narrowphase::Cleaned cleaned = narrowphase::clean(vertices);
+  if (!cleaned.refusal.empty()) fail(path, cleaned.refusal);
+  for (const std::string& repair : cleaned.repairs) repairs.push_back(path + ": " + repair);
+  return narrowphase::decompose(cleaned.vertices, radius);
+}
+
+Convex read_disc(const Json& value, const std::string& path) {
+  check_keys(value, path, {"at", "radius"});
+  if (!value.contains("radius")) fail(path, "radius is missing");
+  const Vec centre = value.contains("at") ? point(value["at"], path + ".at") : Vec{0.0, 0.0};
+  return narrowphase::disc(length(value["radius"], path + ".radius"), centre);
+}
+
+std::vector<Convex> read_discs(const Json& value, const std::string& path) {
+  if (!value.is_array() || value.empty()) fail(path, "a list of [x, y, radius] is expected");
+  std::vector<Convex> parts;
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    const std::string here = at(path, i);
+    array(value[i], here, 3);
+    parts.push_back(narrowphase::disc(length(value[i][2], at(here, 2)),
+                                      {number(value[i][0], at(here, 0)), number(value[i][1], at(here, 1))}));
+  }
+  return parts;
+}
+
+Convex read_segment(const Json& value, const std::string& path, double radius) {
+  array(value, path, 2);
+  const Vec p = point(value[0], at(path, 0)), q = point(value[1], at(path, 1));
+  if (p == q) fail(path, "its two ends must differ");
+  return narrowphase::segment(p, q, radius);
+}
+
+std::vector<Convex> read_parts(const Json& solid, const std::string& path,
+                               std::vector<std::string>& repairs) {
+  const int kinds = solid.contains("polygon") + solid.contains("disc") + solid.contains("segment") +
+                    solid.contains("discs");
+  if (kinds != 1) fail(path, "one of polygon, disc, segment, discs is expected");
+  const bool can_be_rounded = solid.contains("polygon") || solid.contains("segment");
+  if (solid.contains("radius") && !can_be_rounded)
+    fail(path + ".radius", "only a polygon or a segment is rounded");
+  if (solid.contains("polygon"))
+    return read_polygon(solid["polygon"], path + ".polygon", rounding(solid, path), repairs);
+  if (solid.contains("segment"))
+    return {read_segment(solid["segment"], path + ".segment", rounding(solid, path))};
+  if (solid.contains("disc")) return {read_disc(solid["disc"], path + ".disc")};
+  return read_discs(solid["discs"], path + ".discs");
+}
+
+bool moves(const Json& solid, const std::string& path) {
+  const Vec velocity =
+      solid.contains("velocity") ? point(solid["velocity"], path + ".velocity") : Vec{0.0, 0.0};
+  return velocity != Vec(0.0, 0.0) || optional_number(solid, path, "spin") != 0.0;
+}
+
+Solid read_solid(const Json& line, const char* name, std::vector<std::string>& repairs) {
+  if (!line.contains(name)) fail(name, "is missing");
+  const Json& solid = line[name];
+  check_keys(solid, name,
+             {"polygon", "disc", "segment", "discs", "radius", "at", "angle", "velocity", "spin"});
+  if (moves(solid, name)) throw InputError("not supported yet: motion");
+  const std::string path = name;
+  const Vec position = solid.contains("at") ? point(solid["at"], path + ".at") : Vec{0.0, 0.0};
+  return {read_parts(solid, path, repairs),
+          narrowphase::pose(position, optional_number(solid, path, "angle"))};
+}
+
+}  // namespace
+
+PairQuery read_pair(std::string_view text) {
+  const Json line = parse(text);
+  check_keys(line, "line", {"id", "a", "b", "until", "epsilon"});
+  PairQuery query;
+  if (line.contains("id")) query.id = line["id"];
+  if (!query.id.is_null() && !query.id.is_string() && !query.id.is_number())
+    fail("id", "a string or a number is expected");
+  if (optional_number(line, "line", "until") != 0.0) throw InputError("not supported yet: motion");
+  if (line.contains("epsilon")) length(line["epsilon"], "epsilon");
+  query.a = read_solid(line, "a", query.repairs);
+  query.b = read_solid(line, "b", query.repairs);
+  return query;
+}
+
+}  // namespace throng::tools

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "narrowphase/convex.h"
+
+namespace throng::tools {
+
+/// A shape of `throng pairs` and where it stands: the union of its convex parts.
+struct Solid {
+  std::vector<narrowphase::Convex> parts;
+  narrowphase::Pose pose;
+};
+
+/// One line of `throng pairs`.
+struct PairQuery {
+  nlohmann::ordered_json id;  ///< as given, a string or a number; null if none was
+  Solid a, b;
+  std::vector<std::string> repairs;  ///< what was mended in the polygons
+};
+
+/// Reads one line as design.md has it. Throws InputError with what is wrong and where in the line: no JSON, a
+/// key that is unknown, missing or there twice, a wrong type, a number that is not finite, a shape that is
+/// none.
+PairQuery read_pair(std::string_view line);
+
+}  // namespace throng::tools
