@@ -100,7 +100,7 @@ TEST(HostileInput, OfEveryKindInEveryFieldIsRefusedOrInRange) {
                                            "[nan, nan]",
                                            "[1, 2, 3]",
                                            "1.5",
-                                           "'" + std::string(100'000, 'x') + "'",
+                                           repeated("'", 1) + std::string(100'000, 'x') + "'",
                                            repeated("[", 30) + repeated("]", 30),
                                            "{ uniform = [nan, 1] }",
                                            "{ maxwell = inf }"};
@@ -131,14 +131,14 @@ TEST(HostileInput, OfDepthIsRefusedBeforeItIsParsed) {
 
 TEST(HostileInput, OfLongDottedKeysIsRefusedBeforeItIsParsed) {
   for (const std::string& text :
-       {repeated("a.", 1'000'000) + "a = 1", "[" + repeated("a . ", 1'000'000) + "a]",
+       {repeated("a.", 1'000'000) + "a = 1", repeated("[", 1) + repeated("a . ", 1'000'000) + "a]",
         "x = {" + repeated("'a'.", 1'000'000) + "a = 1}", repeated("\"\".", 1'000'000) + "a = 1"})
     EXPECT_NE(faults(load_text(text)).find("a dotted key of more than 32 parts"), std::string::npos);
 }
 
 TEST(HostileInput, OfManyKeysIsRefusedInSeconds) {
   std::string text = "throng = 1\n";
-  for (int i = 0; i < 200'000; ++i) text += "k" + std::to_string(i) + " = 1\n";
+  for (int i = 0; i < 200'000; ++i) text.append("k").append(std::to_string(i)).append(" = 1\n");
   EXPECT_EQ(load_text(text).errors(), Report::kMostErrors);
 }
 

@@ -30,7 +30,7 @@ TEST(Report, FindsWhatTheGrammarCannotSayInTheSameGo) {
 
 TEST(Report, StopsAfterTwentyErrors) {
   std::string text = "throng = 1\n";
-  for (int i = 0; i < 1000; ++i) text += "x" + std::to_string(i) + " = 1\n";
+  for (int i = 0; i < 1000; ++i) text.append("x").append(std::to_string(i)).append(" = 1\n");
   EXPECT_EQ(load_text(text).errors(), 20);
 }
 
