@@ -147,6 +147,27 @@ TEST(HostileInput, OfManyValuesIsRefusedBeforeItIsParsed) {
   EXPECT_NE(faults(loaded).find("more than 10000000 values"), std::string::npos) << faults(loaded);
 }
 
+TEST(HostileInput, OfHugeShapesIsRefusedOrReadInSeconds) {
+  const auto comb = [](int teeth) {
+    std::string text = "throng = 1\nshapes.a.polygon = [[0, -1], [" + std::to_string(teeth) + ", -1]";
+    for (int i = teeth; i > 0; --i)
+      text.append(", [")
+          .append(std::to_string(i))
+          .append(", 0], [")
+          .append(std::to_string(i))
+          .append("e0, 5]");
+    return text + "]\n";
+  };
+  const auto flower = [](int discs) {
+    std::string text = "throng = 1\nshapes.a.discs = [[0, 0, 1]";
+    for (int i = 1; i < discs; ++i) text.append(", [").append(std::to_string(i)).append("e-3, 0, 1]");
+    return text + "]\n";
+  };
+  EXPECT_NE(faults(load_text(comb(6000))).find("must be a list of 3 to 10000 points"), std::string::npos);
+  EXPECT_NE(faults(load_text(flower(1001))).find("must be a list of 1 to 1000 discs"), std::string::npos);
+  EXPECT_EQ(faults(load_text(flower(1000))), "");
+}
+
 TEST(HostileInput, OfBinaryKindIsNamedAsSuch) {
   EXPECT_NE(faults(load_text(std::string("\x89HDF\r\n\x1a\n\0\0\0\0", 12))).find("s.toml:"),
             std::string::npos);
