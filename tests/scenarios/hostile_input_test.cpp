@@ -189,11 +189,13 @@ TEST(HostileInput, OfTooManyBodiesIsRefused) {
   EXPECT_EQ(load_text(kEverything, {"bodies[1].count=9999999"}).errors(), 1);
 }
 
-TEST(HostileInput, InStringsHidesNoBrackets) {
+TEST(HostileInput, IsNotSeenInBracketsOfStringsAndComments) {
   const std::string deep = repeated("[", 100);
-  EXPECT_EQ(faults(load_text("throng = 1\nname = '" + deep + "' # " + deep + "\ndescription = \"\"\"\\\"\"" +
-                             deep + "\"\"\"\n")),
-            "");
+  for (const char* quotes : {"'", "\"", "\"\\\"", "\"\"\"\\\"", "\"\"\"\n\"\" ", "'''\n' "}) {
+    const std::string open = quotes, close = open[1] == open[0] ? open.substr(0, 3) : open.substr(0, 1);
+    EXPECT_EQ(faults(load_text("throng = 1\nname = " + open + deep + close + " # " + deep + "\n")), "")
+        << open;
+  }
 }
 
 }  // namespace throng::scenarios

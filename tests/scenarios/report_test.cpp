@@ -66,6 +66,7 @@ TEST(Report, RefusesOverridesThatLeadNowhere) {
 TEST(Report, LetsNoOverrideBringASecondKey) {
   const Loaded loaded = load_text(kEverything, {"name='a'\nseed=99"});
   EXPECT_EQ(loaded.scene.seed, 7u);
+  EXPECT_EQ(loaded.scene.name, "'a'?seed=99");
 }
 
 TEST(Report, SuggestsOnlyWhatIsNear) {
