@@ -115,8 +115,8 @@ Type speed() {
 Type point() {
   return tuple({coordinate(), coordinate()}, "a point [x, y]");
 }
-Type points(std::size_t least, std::string called) {
-  return list(point(), least, std::move(called));
+Type points(std::size_t least, std::string called, std::size_t most = kMostItems) {
+  return list(point(), least, std::move(called), most);
 }
 Type box() {
   return tuple({point(), point()}, "a box [[min x, min y], [max x, max y]]");
@@ -168,11 +168,11 @@ Type disc_table() {
 
 Type shape_table() {
   return table({{{"disc", disc_table(), "A disc."},
-                 {"polygon", points(3, "a list of at least 3 points [x, y]"),
+                 {"polygon", points(3, "a list of 3 to 10000 points [x, y]", kMostVertices),
                   "A simple polygon, convex or not, counter-clockwise, m."},
                  {"discs",
                   list(tuple({coordinate(), coordinate(), length()}, "a disc [x, y, radius]"), 1,
-                       "a list of discs [x, y, radius]", kMostParts),
+                       "a list of 1 to 1000 discs [x, y, radius]", kMostParts),
                   "One rigid body of several discs: x, y, radius, m."},
                  later("holes", "Polygons cut out of the polygon.")},
                 {"disc", "polygon", "discs"}});

@@ -44,6 +44,7 @@ std::optional<toml::table> parse(const std::string& name, Loaded& loaded) {
 
 void read_scene(const toml::table& root, Scene& scene, Report& report) {
   check(root, report);
+  if (report.full()) return;  // the rest of the tree was not looked at
   read_settings(root, scene, report);
   read_materials(root, scene, report);
   const std::vector<ShapeDraw> draws = read_shapes(root, scene, report);

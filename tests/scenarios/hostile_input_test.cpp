@@ -100,7 +100,7 @@ TEST(HostileInput, OfEveryKindInEveryFieldIsRefusedOrInRange) {
                                            "[nan, nan]",
                                            "[1, 2, 3]",
                                            "1.5",
-                                           "'" + std::string(100'000, 'x') + "'",
+                                           repeated("'", 1) + std::string(100'000, 'x') + "'",
                                            repeated("[", 30) + repeated("]", 30),
                                            "{ uniform = [nan, 1] }",
                                            "{ maxwell = inf }"};
@@ -131,20 +131,41 @@ TEST(HostileInput, OfDepthIsRefusedBeforeItIsParsed) {
 
 TEST(HostileInput, OfLongDottedKeysIsRefusedBeforeItIsParsed) {
   for (const std::string& text :
-       {repeated("a.", 1'000'000) + "a = 1", "[" + repeated("a . ", 1'000'000) + "a]",
+       {repeated("a.", 1'000'000) + "a = 1", repeated("[", 1) + repeated("a . ", 1'000'000) + "a]",
         "x = {" + repeated("'a'.", 1'000'000) + "a = 1}", repeated("\"\".", 1'000'000) + "a = 1"})
     EXPECT_NE(faults(load_text(text)).find("a dotted key of more than 32 parts"), std::string::npos);
 }
 
 TEST(HostileInput, OfManyKeysIsRefusedInSeconds) {
   std::string text = "throng = 1\n";
-  for (int i = 0; i < 200'000; ++i) text += "k" + std::to_string(i) + " = 1\n";
+  for (int i = 0; i < 200'000; ++i) text.append("k").append(std::to_string(i)).append(" = 1\n");
   EXPECT_EQ(load_text(text).errors(), Report::kMostErrors);
 }
 
 TEST(HostileInput, OfManyValuesIsRefusedBeforeItIsParsed) {
   const Loaded loaded = load_text("a = [" + repeated("0,", kMostItems + 1) + "]");
   EXPECT_NE(faults(loaded).find("more than 10000000 values"), std::string::npos) << faults(loaded);
+}
+
+TEST(HostileInput, OfHugeShapesIsRefusedOrReadInSeconds) {
+  const auto comb = [](int teeth) {
+    std::string text = "throng = 1\nshapes.a.polygon = [[0, -1], [" + std::to_string(teeth) + ", -1]";
+    for (int i = teeth; i > 0; --i)
+      text.append(", [")
+          .append(std::to_string(i))
+          .append(", 0], [")
+          .append(std::to_string(i))
+          .append("e0, 5]");
+    return text + "]\n";
+  };
+  const auto flower = [](int discs) {
+    std::string text = "throng = 1\nshapes.a.discs = [[0, 0, 1]";
+    for (int i = 1; i < discs; ++i) text.append(", [").append(std::to_string(i)).append("e-3, 0, 1]");
+    return text + "]\n";
+  };
+  EXPECT_NE(faults(load_text(comb(6000))).find("must be a list of 3 to 10000 points"), std::string::npos);
+  EXPECT_NE(faults(load_text(flower(1001))).find("must be a list of 1 to 1000 discs"), std::string::npos);
+  EXPECT_EQ(faults(load_text(flower(1000))), "");
 }
 
 TEST(HostileInput, OfBinaryKindIsNamedAsSuch) {
@@ -168,11 +189,13 @@ TEST(HostileInput, OfTooManyBodiesIsRefused) {
   EXPECT_EQ(load_text(kEverything, {"bodies[1].count=9999999"}).errors(), 1);
 }
 
-TEST(HostileInput, InStringsHidesNoBrackets) {
+TEST(HostileInput, IsNotSeenInBracketsOfStringsAndComments) {
   const std::string deep = repeated("[", 100);
-  EXPECT_EQ(faults(load_text("throng = 1\nname = '" + deep + "' # " + deep + "\ndescription = \"\"\"\\\"\"" +
-                             deep + "\"\"\"\n")),
-            "");
+  for (const char* quotes : {"'", "\"", "\"\\\"", "\"\"\"\\\"", "\"\"\"\n\"\" ", "'''\n' "}) {
+    const std::string open = quotes, close = open[1] == open[0] ? open.substr(0, 3) : open.substr(0, 1);
+    EXPECT_EQ(faults(load_text("throng = 1\nname = " + open + deep + close + " # " + deep + "\n")), "")
+        << open;
+  }
 }
 
 }  // namespace throng::scenarios

@@ -182,11 +182,20 @@ TEST(Overlaps, AreNoneWhereBodiesTouch) {
   }
 }
 
+TEST(Overlaps, AreNoneWhereOnlyDigitsWereDropped) {
+  const std::string pair =
+      "throng = 1\nshapes.a.disc.radius = 0.5\n[[bodies]]\nshape = 'a'\nat = [0, 0]\n[[bodies]]\nshape = "
+      "'a'\nat = ";
+  EXPECT_EQ(faults(load_text(pair + "[0.5, 0.8660254037]")), "");
+  EXPECT_NE(faults(load_text(pair + "[0.5, 0.8660]")), "");
+}
+
 TEST(Overlaps, AreNoMatterAmongWhatCannotMove) {
   const std::string pair =
       "throng = 1\nshapes.a.disc.radius = 0.5\n[[bodies]]\nshape = 'a'\nat = [0, 0]\nkind = 'static'\n"
       "[[bodies]]\nshape = 'a'\nat = [0.5, 0]\nkind = 'kinematic'\n";
   EXPECT_EQ(faults(load_text(pair)), "");
+  EXPECT_NE(faults(load_text(pair, {"bodies[0].kind=dynamic"})), "");
   EXPECT_NE(faults(load_text(pair, {"bodies[1].kind=dynamic"})), "");
   EXPECT_EQ(faults(load_text(pair, {"bodies[1].kind=dynamic", "contact.model=none"})), "");
 }

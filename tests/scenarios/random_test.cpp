@@ -33,6 +33,13 @@ TEST(Random, GivesTheSameNumbersAgain) {
   for (int i = 0; i < 100; ++i) ASSERT_EQ(a.uniform(), b.uniform());
 }
 
+TEST(Random, GivesOtherNumbersEachTime) {
+  Random random(5, 6, 7, Purpose::place);
+  std::set<double> seen;
+  for (int i = 0; i < 10'000; ++i) seen.insert(random.uniform());
+  EXPECT_EQ(seen.size(), 10'000u);
+}
+
 /// Mean of f(x) over many bodies' first draws, as placement uses them.
 template <class Draw>
 double mean(Draw draw) {

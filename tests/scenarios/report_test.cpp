@@ -30,8 +30,17 @@ TEST(Report, FindsWhatTheGrammarCannotSayInTheSameGo) {
 
 TEST(Report, StopsAfterTwentyErrors) {
   std::string text = "throng = 1\n";
-  for (int i = 0; i < 1000; ++i) text += "x" + std::to_string(i) + " = 1\n";
+  for (int i = 0; i < 1000; ++i) text.append("x").append(std::to_string(i)).append(" = 1\n");
   EXPECT_EQ(load_text(text).errors(), 20);
+}
+
+// Once the report was full, what stood behind was read unchecked: a table that is none ended in a crash.
+TEST(Report, ReadsNothingThatItDidNotCheck) {
+  std::string text = "throng = 1\n";
+  for (int i = 0; i < 30; ++i) text.append("a").append(std::to_string(i)).append(" = 1\n");
+  for (const char* field : {"bodies = [1]", "contact = 1", "domain = 1", "gravity = 1", "materials = 1",
+                            "record = 1", "seed = []", "shapes.a = 1", "time = 1", "walls = [1]"})
+    EXPECT_EQ(load_text(text + field).errors(), 20) << field;
 }
 
 TEST(Report, NamesTheOverrideInsteadOfAPlace) {
@@ -57,6 +66,7 @@ TEST(Report, RefusesOverridesThatLeadNowhere) {
 TEST(Report, LetsNoOverrideBringASecondKey) {
   const Loaded loaded = load_text(kEverything, {"name='a'\nseed=99"});
   EXPECT_EQ(loaded.scene.seed, 7u);
+  EXPECT_EQ(loaded.scene.name, "'a'?seed=99");
 }
 
 TEST(Report, SuggestsOnlyWhatIsNear) {
