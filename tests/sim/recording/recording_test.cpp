@@ -54,7 +54,7 @@ TEST(Recording, HoldsAnyChoiceOfFields) {
     scene.record.angle = choice & 2;
     scene.record.velocity = choice & 4;
     scene.record.spin = choice & 8;
-    const std::string path = folder / ("a" + std::to_string(choice) + ".h5");
+    const std::string path = folder / std::to_string(choice).append(".h5");
     record_drift(path, scene, 3);
     const Recording recording(path);
     for (int i = 0; i < 3; ++i) expect_equal(state_at(scene, i), recording.frame(i), scene.record);

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+// throng info and throng replay, as their users run them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace throng {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr const char* kScene = R"(throng = 1
+name = "three </script><b>&"
+gravity = [0.0, -9.81]
+time = { dt = 0.01, until = 0.2, substeps = 2 }
+domain = { box = [[0, 0], [4, 3]] }
+[materials.default]
+density = 1.0
+[shapes]
+ball = { disc = { radius = 0.3 } }
+[[bodies]]
+shape = "ball"
+place = { lattice = { origin = [0.7, 0.4], spacing = [1.0, 1.0], size = [3, 1] } }
+velocity = [1.0, 0.5]
+)";
+
+struct Answer {
+  std::string text;
+  int code;
+};
+
+struct Replay : testing::Test {
+  Replay() {
+    std::string pattern = std::filesystem::temp_directory_path() / "throng-test-XXXXXX";
+    folder = mkdtemp(pattern.data());
+    std::ofstream(folder / "three.toml") << kScene;
+    const Answer made = throng("run three.toml -o a.h5 --progress none");
+    EXPECT_EQ(made.code, 0) << made.text;
+  }
+  ~Replay() override { std::filesystem::remove_all(folder); }
+
+  Answer shell(const std::string& command) const {
+    FILE* pipe = popen(("cd " + folder.string() + " && " + command + " 2>&1").c_str(), "r");
+    Answer answer;
+    for (int c; (c = std::fgetc(pipe)) != EOF;) answer.text += static_cast<char>(c);
+    answer.code = WEXITSTATUS(pclose(pipe));
+    return answer;
+  }
+  Answer throng(const std::string& arguments) const { return shell(THRONG_PROGRAM " " + arguments); }
+
+  /// Edits the recording with h5py and makes its own hashes fit: a forgery that only running it again can
+  /// find.
+  void alter(const std::string& python) const {
+    const Answer answer =
+        shell("/usr/bin/python3 -c \"import h5py; f = h5py.File('a.h5', 'r+'); " + python + "\"");
+    ASSERT_EQ(answer.code, 0) << answer.text;
+  }
+
+  std::string content(const std::string& name) const {
+    std::ifstream file(folder / name);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+  std::filesystem::path folder;
+};
+
+TEST_F(Replay, InfoTellsWhatTheFileHolds) {
+  const Answer answer = throng("info a.h5");
+  EXPECT_EQ(answer.code, 0);
+  EXPECT_THAT(answer.text, HasSubstr("status        complete"));
+  EXPECT_THAT(answer.text, HasSubstr("frames        21"));
+  EXPECT_THAT(answer.text, HasSubstr("bodies        3"));
+  EXPECT_THAT(throng("info a.h5 --json").text, HasSubstr("\"command_line\": \"throng run three.toml"));
+}
+
+TEST_F(Replay, VerifiesWhatTheSameProgramWrote) {
+  const Answer answer = throng("replay a.h5 --verify");
+  EXPECT_EQ(answer.code, 0);
+  EXPECT_EQ(answer.text, "verified: 21 frames\n");
+}
+
+TEST_F(Replay, VerifiesOtherFieldsAndRates) {
+  ASSERT_EQ(throng("run three.toml -o b.h5 --progress none --every 7 --set 'record.fields=[\"angle\"]'").code,
+            0);
+  EXPECT_EQ(throng("replay b.h5 --verify").text, "verified: 3 frames\n");
+}
+
+TEST_F(Replay, CallsADamagedFileUnusable) {
+  alter("f['particles/trajectory/position/value'][4, 1, 0] += 1e-9");
+  const Answer answer = throng("replay a.h5 --verify");
+  EXPECT_EQ(answer.code, 2);
+  EXPECT_THAT(answer.text, HasSubstr("frame 4: it does not match its hash"));
+}
+
+TEST_F(Replay, NamesTheFirstStepAndBodyThatDiverge) {
+  const Answer other = throng("run three.toml -o other.h5 --progress none --set gravity=[0.0,-9.8]");
+  ASSERT_EQ(other.code, 0) << other.text;
+  const std::string swap =
+      "import h5py; a = h5py.File('a.h5'); b = h5py.File('other.h5', 'r+');"
+      "[b['parameters'].attrs.modify(n, a['parameters'].attrs[n]) for n in ('resolved_hash',)];"
+      "b.__delitem__('parameters/resolved'); a.copy('parameters/resolved', b['parameters'])";
+  const Answer swapped = shell("/usr/bin/python3 -c \"" + swap + "\"");
+  ASSERT_EQ(swapped.code, 0) << swapped.text;
+  const Answer answer = throng("replay other.h5 --verify");
+  EXPECT_EQ(answer.code, 1);
+  EXPECT_THAT(answer.text, HasSubstr("diverged: at step 1 "));
+  EXPECT_THAT(answer.text, HasSubstr("position y of body 1 was recorded as"));
+}
+
+TEST_F(Replay, DrawsAPicture) {
+  const Answer answer = throng("replay a.h5 --png a.png --at 0.1 --width 400");
+  EXPECT_EQ(answer.code, 0) << answer.text;
+  EXPECT_THAT(content("a.png"), testing::StartsWith("\x89PNG"));
+  EXPECT_GT(content("a.png").size(), 3000u);
+}
+
+TEST_F(Replay, RefusesAPictureThatCannotBeWritten) {
+  const Answer answer = throng("replay a.h5 --png no/such/a.png");
+  EXPECT_EQ(answer.code, 2);
+  EXPECT_THAT(answer.text, HasSubstr("cannot write no/such/a.png"));
+}
+
+TEST_F(Replay, WritesAPageThatIsCompleteAndSafe) {
+  const Answer answer = throng("replay a.h5 --html a.html");
+  EXPECT_EQ(answer.code, 0) << answer.text;
+  const std::string page = content("a.html");
+  const auto has = [&](const char* text) { return page.find(text) != std::string::npos; };
+  EXPECT_TRUE(page.starts_with("<!doctype html>"));
+  EXPECT_TRUE(page.ends_with("</html>\n"));
+  EXPECT_TRUE(has("three \\u003c/script>\\u003cb>&"));  // the name cannot end the script that holds it
+  EXPECT_FALSE(has("three </script>"));
+  EXPECT_FALSE(has("@SCENE@") || has("@FRAMES@"));
+  EXPECT_FALSE(has("://"));  // nothing from the network
+}
+
+TEST_F(Replay, ListsTheFramesWithoutOptions) {
+  const Answer answer = throng("replay a.h5");
+  EXPECT_EQ(answer.code, 0);
+  EXPECT_EQ(std::count(answer.text.begin(), answer.text.end(), '\n'),
+            21);  // a heading and twenty of the frames
+}
+
+TEST_F(Replay, SaysWhatIsNotSupportedYet) {
+  for (const std::string option : {"--video a.mp4", "--speed 2"}) {
+    const Answer answer = throng("replay a.h5 " + option);
+    EXPECT_EQ(answer.code, 2);
+    EXPECT_THAT(answer.text, HasSubstr("not supported yet: --"));
+  }
+}
+
+TEST_F(Replay, SaysWhatIsWrongWithAFileThatIsNoRecording) {
+  const Answer answer = throng("replay three.toml");
+  EXPECT_EQ(answer.code, 2);
+  EXPECT_EQ(answer.text, "throng: three.toml is no HDF5 file\n");
+}
+
+}  // namespace
+}  // namespace throng

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "tools/framing.h"
+
+#include <gtest/gtest.h>
+
+namespace throng::tools {
+namespace {
+
+Scene discs(std::size_t n) {
+  Scene scene;
+  scene.bodies.radius.assign(n, 0.5);
+  scene.bodies.shape.assign(n, 0);
+  return scene;
+}
+
+std::vector<Vec> square(int side) {
+  std::vector<Vec> positions;
+  for (int i = 0; i < side * side; ++i) positions.push_back({i % side, i / side});
+  return positions;
+}
+
+TEST(Framing, ShowsAllBodiesWithLittleAround) {
+  const Extent shown = framing(discs(400), square(20));
+  EXPECT_LE(shown.min.x(), -0.5);
+  EXPECT_GE(shown.max.y(), 19.5);
+  EXPECT_LT(shown.size().maxCoeff(), 22);
+}
+
+TEST(Framing, LeavesOutAFewThatEscaped) {
+  std::vector<Vec> positions = square(20);
+  positions[7] = {1e7, -1e9};
+  EXPECT_LT(framing(discs(400), positions).size().maxCoeff(), 22);
+}
+
+TEST(Framing, ShowsTheFloorAndTheSidesOfABoxButNotItsEmptyTop) {
+  Scene scene = discs(400);
+  scene.domain = {DomainKind::box, {-0.5, -0.5}, {19.5, 200}};
+  const Extent shown = framing(scene, square(20));
+  EXPECT_LE(shown.min.x(), -0.5);
+  EXPECT_LE(shown.min.y(), -0.5);
+  EXPECT_LT(shown.max.y(), 25);
+}
+
+TEST(Framing, ShowsAllOfABoxThatIsFull) {
+  Scene scene = discs(400);
+  scene.domain = {DomainKind::box, {-3, -3}, {22, 22}};
+  const Extent shown = framing(scene, square(20));
+  EXPECT_LE(shown.min.x(), -3);
+  EXPECT_GE(shown.max.y(), 22);
+}
+
+TEST(Framing, IsNeverEmpty) {
+  Scene none;
+  EXPECT_GT(framing(none, {}).size().minCoeff(), 0);
+  const std::vector<Vec> one{{1e6, 1e6}};
+  Scene point = discs(1);
+  point.bodies.radius[0] = 1e-6;
+  EXPECT_GT(framing(point, one).size().minCoeff(), 0);
+  EXPECT_LT(framing(point, one).size().maxCoeff(), 1.0);
+}
+
+}  // namespace
+}  // namespace throng::tools
