@@ -11,14 +11,15 @@ namespace throng {
 namespace {
 
 TEST(Observe, OverlapMeasuresBodiesWallsAndTheBox) {
-  const Scene scene = scene_from(
+  Scene scene = scene_from(
       "domain = { box = [[0, 0], [20, 20]] }\n[shapes]\nball = { disc = { radius = 1 } }\n"
       "block = { polygon = [[0, 0], [2, 0], [2, 2], [0, 2]] }\n"
       "[[bodies]]\nshape = \"ball\"\nat = [5, 5]\n"
-      "[[bodies]]\nshape = \"ball\"\nat = [6.9, 5]\n"     // 0.1 deep in the first
-      "[[bodies]]\nshape = \"block\"\nat = [10, 0.98]\n"  // 0.02 deep in the floor
+      "[[bodies]]\nshape = \"ball\"\nat = [6.9, 5]\n"  // 0.1 deep in the first
+      "[[bodies]]\nshape = \"block\"\nat = [10, 1]\n"
       "[[bodies]]\nshape = \"ball\"\nat = [15, 15.97]\n"  // 0.03 deep in the wall
       "[[walls]]\nsegment = [[13, 15], [17, 15]]\n");
+  scene.bodies.position[2].y() = 0.98;  // 0.02 deep in the floor
   const Overlap o = overlap(scene, initial_state(scene));
   EXPECT_EQ(o.pairs, 3u);
   EXPECT_NEAR(o.max, 0.1, 1e-12);

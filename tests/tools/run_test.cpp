@@ -99,14 +99,24 @@ TEST_F(RunCommand, DryRunWritesNothing) {
 }
 
 TEST_F(RunCommand, ARunThatBreaksDownNamesStepAndBodyAndKeepsItsFrames) {
-  const Result result =
-      throng("run " + write("a.toml", kScene) +
-             " --set gravity=[0,1e8] --set domain={} --until 1000 --dt 1 -o " + path("a.h5"));
+  const std::string scene = write("a.toml", R"(throng = 1
+name = "runaway"
+gravity = [0, 1e8]
+time = { dt = 1, until = 1000, substeps = 1 }
+[shapes]
+ball = { disc = { radius = 0.5 } }
+[[bodies]]
+shape = "ball"
+at = [0, 2]
+)");
+  const Result result = throng("run " + scene + " -o " + path("a.h5"));
   EXPECT_EQ(result.exit_code, 1) << result.err;
-  EXPECT_THAT(result.err, AllOf(HasSubstr("step "), HasSubstr("body "), HasSubstr("throng run ")));
+  EXPECT_THAT(result.err,
+              AllOf(HasSubstr("step 141"), HasSubstr("body 1"), HasSubstr("throng run " + scene)));
   EXPECT_FALSE(std::filesystem::exists(path("a.h5")));
-  const Result info = throng("info " + path("a.h5.part"));
+  const Result info = throng("info --json " + path("a.h5.part"));
   EXPECT_EQ(info.exit_code, 0) << info.err;
+  EXPECT_EQ(json::parse(info.out)["frames"], 141);
 }
 
 TEST_F(RunCommand, AStoppedRunClosesItsFile) {
