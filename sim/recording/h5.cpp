@@ -7,13 +7,14 @@
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__clang__)
 // What libhdf5 1.10 itself loses on damaged files and failed writes is not ours to mend; our own leaks still
-// show.
+// show. NOLINTBEGIN(bugprone-reserved-identifier)
 extern "C" const char* __lsan_default_options() {
   return "print_suppressions=0";
-}  // NOLINT(bugprone-reserved-identifier)
+}
 extern "C" const char* __lsan_default_suppressions() {
   return "leak:libhdf5";
-}  // NOLINT(bugprone-reserved-identifier)
+}
+// NOLINTEND(bugprone-reserved-identifier)
 #endif
 
 namespace throng::recording::h5 {
