@@ -99,7 +99,9 @@ void ContactFinder::find(const Candidates& candidates, const State& state, std::
   pose_.resize(state.position.size());
   manifolds_.resize(touches_.size());
   workers.for_ranges(pose_.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) pose_[i] = narrowphase::pose(state.position[i], state.angle[i]);
+    for (std::size_t i = begin; i < end; ++i)
+      pose_[i] =
+          plan_.polygons ? narrowphase::pose(state.position[i], state.angle[i]) : Pose{state.position[i]};
   });
   workers.for_ranges(touches_.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) manifolds_[i] = manifold(candidates, touches_[i]);

@@ -25,7 +25,7 @@ double cross(const Vec& a, const Vec& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// How the two kinds of contact reach their bodies: velocity of b against a at the contact, and an impulse
+/// How the two kinds of contact reach their bodies: the velocity of b against a at the contact, and impulses
 /// there. For discs about their centres a normal impulse turns nothing and a tangential one has the radius as
 /// its arm.
 struct DiscArms {
@@ -36,17 +36,14 @@ struct DiscArms {
     return (b.velocity - a.velocity).dot(contact.normal);
   }
   double tangent_velocity(const SolverBody& a, const SolverBody& b) const {
-    return (b.velocity - a.velocity).dot(t) - a.spin * contact.radius_a - b.spin * contact.radius_b;
+    return (b.velocity - a.velocity).dot(t) - (a.spin * contact.radius_a + b.spin * contact.radius_b);
   }
-  void push(SolverBody& a, SolverBody& b, double impulse) const {
-    a.velocity -= impulse * a.inverse_mass * contact.normal;
-    b.velocity += impulse * b.inverse_mass * contact.normal;
-  }
-  void rub(SolverBody& a, SolverBody& b, double impulse) const {
-    a.velocity -= impulse * a.inverse_mass * t;
-    b.velocity += impulse * b.inverse_mass * t;
-    a.spin -= impulse * a.inverse_inertia * contact.radius_a;
-    b.spin -= impulse * b.inverse_inertia * contact.radius_b;
+  void apply(SolverBody& a, SolverBody& b, double normal_impulse, double tangent_impulse) const {
+    const Vec impulse = normal_impulse * contact.normal + tangent_impulse * t;
+    a.velocity -= a.inverse_mass * impulse;
+    a.spin -= a.inverse_inertia * contact.radius_a * tangent_impulse;
+    b.velocity += b.inverse_mass * impulse;
+    b.spin -= b.inverse_inertia * contact.radius_b * tangent_impulse;
   }
 };
 
@@ -61,14 +58,13 @@ struct PointArms {
     return velocity(a, b).dot(contact.normal);
   }
   double tangent_velocity(const SolverBody& a, const SolverBody& b) const { return velocity(a, b).dot(t); }
-  void apply(SolverBody& a, SolverBody& b, const Vec& impulse) const {
+  void apply(SolverBody& a, SolverBody& b, double normal_impulse, double tangent_impulse) const {
+    const Vec impulse = normal_impulse * contact.normal + tangent_impulse * t;
     a.velocity -= a.inverse_mass * impulse;
     a.spin -= a.inverse_inertia * cross(contact.arm_a, impulse);
     b.velocity += b.inverse_mass * impulse;
     b.spin += b.inverse_inertia * cross(contact.arm_b, impulse);
   }
-  void push(SolverBody& a, SolverBody& b, double impulse) const { apply(a, b, impulse * contact.normal); }
-  void rub(SolverBody& a, SolverBody& b, double impulse) const { apply(a, b, impulse * t); }
 };
 
 DiscArms arms(const DiscContact& contact) {
@@ -82,28 +78,42 @@ double separation(const ContactBase& c, const SolverBody& a, const SolverBody& b
   return c.offset + c.normal.dot(b.position - a.position);
 }
 
-/// Coulomb: the tangential impulse stays within friction times the normal one.
-template <class Contact>
-void rub(Contact& contact, SolverBody& a, SolverBody& b) {
-  const auto at = arms(contact);
-  const double limit = contact.friction * contact.normal_impulse;
-  const double old = contact.tangent_impulse;
-  if (limit == 0.0 && old == 0.0) return;
-  const double wanted = old - contact.tangent_mass * at.tangent_velocity(a, b);
-  contact.tangent_impulse = std::clamp(wanted, -limit, limit);
-  at.rub(a, b, contact.tangent_impulse - old);
-}
+/// What a sweep asks of a contact: a normal velocity of at least -bias, more or less softly.
+struct Wish {
+  double bias;  ///< m/s
+  double mass_scale = 1.0, impulse_scale = 0.0;
+};
 
-/// Drives the normal velocity towards at least -bias; impulses only push.
-template <class Contact>
-void press(Contact& contact, SolverBody& a, SolverBody& b, double bias, double mass_scale,
-           double impulse_scale) {
-  const auto at = arms(contact);
+/// The change of the normal impulse that grants the wish; impulses only push.
+double press(ContactBase& contact, double velocity, const Wish& wish) {
   const double old = contact.normal_impulse;
   const double wanted =
-      old - contact.normal_mass * mass_scale * (at.normal_velocity(a, b) + bias) - impulse_scale * old;
+      old - contact.normal_mass * wish.mass_scale * (velocity + wish.bias) - wish.impulse_scale * old;
   contact.normal_impulse = std::max(wanted, 0.0);
-  at.push(a, b, contact.normal_impulse - old);
+  return contact.normal_impulse - old;
+}
+
+/// The change of the tangential impulse that stops the slip. Coulomb: it stays within friction times the
+/// normal one.
+double rub(ContactBase& contact, double slip) {
+  const double limit = contact.friction * contact.normal_impulse;
+  const double old = contact.tangent_impulse;
+  contact.tangent_impulse = std::clamp(old - contact.tangent_mass * slip, -limit, limit);
+  return contact.tangent_impulse - old;
+}
+
+/// Both at once: pressing a disc doesn't change its slip.
+void respond(DiscContact& contact, SolverBody& a, SolverBody& b, const Wish& wish, bool friction) {
+  const DiscArms at = arms(contact);
+  const double slip = friction ? at.tangent_velocity(a, b) : 0.0;
+  const double normal = press(contact, at.normal_velocity(a, b), wish);
+  at.apply(a, b, normal, friction ? rub(contact, slip) : 0.0);
+}
+
+void respond(PointContact& contact, SolverBody& a, SolverBody& b, const Wish& wish, bool friction) {
+  const PointArms at = arms(contact);
+  at.apply(a, b, press(contact, at.normal_velocity(a, b), wish), 0.0);
+  if (friction) at.apply(a, b, 0.0, rub(contact, at.tangent_velocity(a, b)));
 }
 
 template <class Contact>
@@ -114,12 +124,10 @@ void push_apart_all(std::span<Contact> contacts, std::span<SolverBody> bodies,
   for (Contact& contact : contacts) {
     SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
     const double s = separation(contact, a, b);
-    if (s > 0.0)
-      press(contact, a, b, s * rate, 1.0, 0.0);
-    else
-      press(contact, a, b, std::max(s * soft.bias_rate, -settings.push_out), soft.mass_scale,
-            soft.impulse_scale);
-    if (settings.friction) rub(contact, a, b);
+    const Wish wish =
+        s > 0.0 ? Wish{s * rate}
+                : Wish{std::max(s * soft.bias_rate, -settings.push_out), soft.mass_scale, soft.impulse_scale};
+    respond(contact, a, b, wish, settings.friction);
   }
 }
 
@@ -131,19 +139,16 @@ void relax_all(std::span<Contact> contacts, std::span<SolverBody> bodies, const 
     const double s = separation(contact, a, b);
     if (s > 0.0 && contact.normal_impulse == 0.0)
       continue;  // what it may yet meet is the next substep's matter
-    press(contact, a, b, std::max(s, 0.0) * rate, 1.0, 0.0);
-    if (settings.friction) rub(contact, a, b);
+    respond(contact, a, b, Wish{std::max(s, 0.0) * rate}, settings.friction);
   }
 }
 
 template <class Contact>
 void warm_start_all(std::span<const Contact> contacts, std::span<SolverBody> bodies) {
-  for (const Contact& contact : contacts) {
-    if (contact.normal_impulse == 0.0) continue;
-    SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
-    arms(contact).push(a, b, contact.normal_impulse);
-    if (contact.tangent_impulse != 0.0) arms(contact).rub(a, b, contact.tangent_impulse);
-  }
+  for (const Contact& contact : contacts)
+    if (contact.normal_impulse > 0.0)
+      arms(contact).apply(bodies[contact.a], bodies[contact.b], contact.normal_impulse,
+                          contact.tangent_impulse);
 }
 
 /// The velocity that gravity adds to b against a, along the normal: nothing where both fall.
@@ -165,10 +170,10 @@ bool bounce_all(std::span<Contact> contacts, std::span<SolverBody> bodies, doubl
     const double fall = relative_kick(contact, a, b, kick);
     if (!(separation(contact, a, b) + h * (speed + fall) < 0.0)) continue;
     const double impulse = contact.normal_mass * -((1.0 + contact.restitution) * speed + fall);
-    at.push(a, b, impulse);
+    at.apply(a, b, impulse, 0.0);
     const double limit = contact.friction * impulse;
     if (limit > 0.0)
-      at.rub(a, b, std::clamp(-contact.tangent_mass * at.tangent_velocity(a, b), -limit, limit));
+      at.apply(a, b, 0.0, std::clamp(-contact.tangent_mass * at.tangent_velocity(a, b), -limit, limit));
     bounced = true;
   }
   return bounced;

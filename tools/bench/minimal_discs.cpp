@@ -159,28 +159,19 @@ void MinimalDiscs::prepare() {
 namespace {
 
 template <class Body, class Contact>
-void push(Body& a, Body& b, const Contact& c, double impulse) {
-  const double on_a = impulse * a.inverse_mass, on_b = impulse * b.inverse_mass;
-  a.vx -= on_a * c.nx, a.vy -= on_a * c.ny;
-  b.vx += on_b * c.nx, b.vy += on_b * c.ny;
-}
-
-template <class Body, class Contact>
-void rub(Body& a, Body& b, const Contact& c, double impulse) {
-  const double on_a = impulse * a.inverse_mass, on_b = impulse * b.inverse_mass;
-  a.vx += on_a * c.ny, a.vy -= on_a * c.nx;
-  b.vx -= on_b * c.ny, b.vy += on_b * c.nx;
-  a.spin -= impulse * a.inverse_inertia * c.radius_a;
-  b.spin -= impulse * b.inverse_inertia * c.radius_b;
+void apply(Body& a, Body& b, const Contact& c, double normal, double tangent) {
+  const double x = normal * c.nx - tangent * c.ny, y = normal * c.ny + tangent * c.nx;
+  a.vx -= a.inverse_mass * x, a.vy -= a.inverse_mass * y;
+  b.vx += b.inverse_mass * x, b.vy += b.inverse_mass * y;
+  a.spin -= a.inverse_inertia * c.radius_a * tangent;
+  b.spin -= b.inverse_inertia * c.radius_b * tangent;
 }
 
 }  // namespace
 
 void MinimalDiscs::warm_start(std::vector<Contact>& contacts) {
   for (const Contact& c : contacts) {
-    if (c.normal_impulse == 0.0) continue;
-    push(bodies_[c.a], bodies_[c.b], c, c.normal_impulse);
-    if (c.tangent_impulse != 0.0) rub(bodies_[c.a], bodies_[c.b], c, c.tangent_impulse);
+    if (c.normal_impulse > 0.0) apply(bodies_[c.a], bodies_[c.b], c, c.normal_impulse, c.tangent_impulse);
   }
 }
 
@@ -191,7 +182,9 @@ void MinimalDiscs::sweep(std::vector<Contact>& contacts) {
     const double s = c.offset + (c.nx * (b.x - a.x) + c.ny * (b.y - a.y));
     if (!kBiased && s > 0.0 && c.normal_impulse == 0.0) continue;
     const double speed = (b.vx - a.vx) * c.nx + (b.vy - a.vy) * c.ny;
-    const double old = c.normal_impulse;
+    const double slip =
+        (b.vy - a.vy) * c.nx - (b.vx - a.vx) * c.ny - (a.spin * c.radius_a + b.spin * c.radius_b);
+    const double old = c.normal_impulse, old_rub = c.tangent_impulse;
     double wanted;
     if (kBiased && s <= 0.0)
       wanted = old - c.normal_mass * mass_scale_ * (speed + std::max(s * bias_rate_, -push_out_)) -
@@ -199,14 +192,9 @@ void MinimalDiscs::sweep(std::vector<Contact>& contacts) {
     else
       wanted = old - c.normal_mass * (speed + std::max(s, 0.0) * (1.0 / h_));
     c.normal_impulse = std::max(wanted, 0.0);
-    push(a, b, c, c.normal_impulse - old);
-
-    const double limit = friction_ * c.normal_impulse, old_rub = c.tangent_impulse;
-    if (limit == 0.0 && old_rub == 0.0) continue;
-    const double slip =
-        (b.vy - a.vy) * c.nx - (b.vx - a.vx) * c.ny - a.spin * c.radius_a - b.spin * c.radius_b;
+    const double limit = friction_ * c.normal_impulse;
     c.tangent_impulse = std::clamp(old_rub - c.tangent_mass * slip, -limit, limit);
-    rub(a, b, c, c.tangent_impulse - old_rub);
+    apply(a, b, c, c.normal_impulse - old, c.tangent_impulse - old_rub);
   }
 }
 
