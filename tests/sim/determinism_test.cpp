@@ -30,8 +30,11 @@ void PrintTo(const Golden& golden, std::ostream* out) {
 }
 
 constexpr Golden kGallery[] = {
-    {"gas", 400, 0},   {"pile", 60, 0},       {"polygons", 40, 0}, {"pyramid", 10, 0}, {"hopper", 100, 0},
-    {"gears", 100, 0}, {"billiard", 1500, 0}, {"cradle", 2000, 0}, {"mixed", 200, 0},
+    {"gas", 400, 0xf4c6010f6a9ebe12},       {"pile", 60, 0x267197c61e862dc4},
+    {"polygons", 40, 0x434ac520a224aa40},   {"pyramid", 10, 0x84e3ea28d771a8c5},
+    {"hopper", 100, 0x1b552355f0d63a25},    {"gears", 100, 0x54493b9fadcfd6bc},
+    {"billiard", 1500, 0xc39891314a486ed1}, {"cradle", 2000, 0x7d1d3bfa5a6ce43a},
+    {"mixed", 200, 0x9eb7a75dc227aef0},
 };
 
 class EveryScene : public ::testing::TestWithParam<Golden> {};
