@@ -57,6 +57,16 @@ TEST_F(RunCommand, HashesTheSameWithAndWithoutRecordingAndForAnyNumberOfThreads)
   EXPECT_NE(hash(" --dt 0.005"), plain);
 }
 
+TEST_F(RunCommand, HashesTheSameOnAProcessorWithoutFmaAndInAnyLocale) {
+  const std::string arguments = std::string("run --until 0.5 ") + THRONG_SOURCE_DIR + "/scenarios/mixed.toml";
+  const auto hash = [&](const std::string& before) {
+    return json::parse(throng(arguments, before).out)["hash"];
+  };
+  const auto plain = hash("");
+  EXPECT_EQ(hash("GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-AVX2_Usable,-FMA_Usable "), plain);
+  EXPECT_EQ(hash("LC_ALL=de_DE.UTF-8 MALLOC_PERTURB_=165 "), plain);
+}
+
 TEST_F(RunCommand, OptionsAreFieldsOfTheScenario) {
   const Result result = throng("run " + write("a.toml", kScene) +
                                " --until 0.1 --dt 0.02 --set bodies.0.velocity=[1,0] --set gravity=[0,0]");
