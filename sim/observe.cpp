@@ -39,17 +39,17 @@ class Parts {
   const Colliders& colliders_;
 };
 
-double obstacle_distance(const Convex& shape, const Pose& pose, const Obstacles& obstacles,
-                         std::uint32_t row) {
+double obstacle_distance(const Convex& shape, const Pose& pose, const Obstacles& obstacles, std::uint32_t row,
+                         const Vec& shift) {
   const std::size_t sides = obstacles.side.size();
   if (row < sides) return narrowphase::clearance(shape, pose, obstacles.side[row]);
-  return narrowphase::separation(shape, pose, obstacles.part[row - sides], Pose{}).distance;
+  return narrowphase::separation(shape, pose, obstacles.part[row - sides], Pose{shift}).distance;
 }
 
 }  // namespace
 
 Overlap overlap(const Scene& scene, const State& state) {
-  const Plan plan = plan_for(scene);
+  const Plan plan = plan_for(scene, ContactModel::impulse);  // also where bodies ignore each other
   Overlap result;
   if (!plan.contacts()) return result;
   Candidates candidates(scene, plan);
@@ -69,7 +69,8 @@ Overlap overlap(const Scene& scene, const State& state) {
               .distance);
   }
   for (const broadphase::Pair& pair : candidates.obstacle_pairs())
-    count(obstacle_distance(parts.shape(pair.a), parts.pose(pair.a), candidates.obstacles(), pair.b));
+    count(obstacle_distance(parts.shape(pair.a), parts.pose(pair.a), candidates.obstacles(), pair.b,
+                            candidates.obstacle_shift(pair.a)));
   if (result.pairs > 0) result.mean = sum / static_cast<double>(result.pairs);
   return result;
 }

@@ -51,7 +51,10 @@ std::vector<Stage> stages(const Scene& scene, const Plan& plan) {
       {"obstacles", plan.obstacles,
        plan.obstacles ? "walls or static bodies, indexed once"
                       : (off ? no_contact : "no walls, no static bodies")},
-      {"box", plan.box, plan.box ? "the domain's four walls" : "the domain is no box"},
+      {"box", plan.box,
+       plan.box ? "the domain's four walls"
+       : off    ? no_contact
+                : "the domain is no box"},
       {"integrate", moving > 0,
        moving > 0 ? counted(moving, "moving body") + ", " + substeps : "nothing moves"},
       {"gravity", plan.gravity, plan.gravity ? "bodies fall" : "gravity is zero, or nothing is dynamic"},
@@ -66,8 +69,12 @@ std::vector<Stage> stages(const Scene& scene, const Plan& plan) {
 }  // namespace
 
 Plan plan_for(const Scene& scene) {
+  return plan_for(scene, scene.contact);
+}
+
+Plan plan_for(const Scene& scene, ContactModel contact) {
   const std::size_t dynamic = count(scene, BodyKind::dynamic);
-  const bool touching = scene.contact != ContactModel::none && dynamic > 0;
+  const bool touching = contact != ContactModel::none && dynamic > 0;
   Plan plan;
   plan.substep = scene.time.dt / scene.time.substeps;
   plan.gravity = dynamic > 0 && scene.gravity != Vec(0.0, 0.0);

@@ -29,7 +29,7 @@ struct Plan {
   bool obstacles = false;         ///< there are walls or static bodies
   bool box = false;               ///< the domain is a box
   bool periodic = false;          ///< the domain repeats
-  bool composites = false;        ///< some moving body has several parts, or a part off its centre
+  bool composites = false;        ///< some moving body has several parts
   bool polygons = false;          ///< some moving body is not a disc: manifolds, and angles turn shapes
   bool friction = false;          ///< some surface rubs
   bool restitution = false;       ///< some surface bounces
@@ -41,5 +41,8 @@ struct Plan {
 };
 
 Plan plan_for(const Scene& scene);
+
+/// The same as if the scene had that contact model.
+Plan plan_for(const Scene& scene, ContactModel contact);
 
 }  // namespace throng

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "sim/scene.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace throng {
 
 std::int64_t Time::steps() const {
-  return static_cast<std::int64_t>(std::ceil(until / dt - 1e-9));
+  const double steps = until / dt;
+  const double rounding = std::max(1e-9, 4.0 * std::numeric_limits<double>::epsilon() * steps);
+  return static_cast<std::int64_t>(std::ceil(steps - rounding));
 }
 
 double mass(const Scene& scene, std::size_t row) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "sim/periodic.h"
 #include "sim/simulation_error.h"
 
 namespace throng {
@@ -18,6 +19,9 @@ constexpr double kPushOut = 10.0;   // radii a second: the fastest that overlap 
 constexpr int kElasticSweeps = 64;  // of bounces in a substep: what still meets then ends without bounce,
 constexpr int kBounceSweeps = 8;    // where each takes energy sooner, as dense clusters do anyway
 constexpr double kRestSpeed = 2.0;  // slower than what gravity gives in so many substeps, a contact rests
+
+constexpr int kAttempts =
+    4;  // at a step in which a body is hit so hard that it gets where nobody was looked for
 
 /// Measures the time from lap to lap.
 class StageClock {
@@ -95,24 +99,14 @@ void substep(const Scene& scene, const Plan& plan, Workspace& work) {
   }
 }
 
-/// Into [origin, origin + size).
-double wrapped(double x, double origin, double size) {
-  const double y = x - size * std::floor((x - origin) / size);
-  return y >= origin + size || y < origin ? origin : y;
-}
-
 void store(const Scene& scene, const Plan& plan, std::span<const SolverBody> bodies, State& state) {
-  const Domain& domain = scene.domain;
   for (std::size_t i = 0; i < state.position.size(); ++i) {
     state.position[i] = bodies[i].position;
     state.velocity[i] = bodies[i].velocity;
     state.spin[i] = bodies[i].spin;
     state.angle[i] += bodies[i].turn;
     check_body(state, i);
-    if (!plan.periodic) continue;
-    for (int axis : {0, 1})
-      state.position[i][axis] =
-          wrapped(state.position[i][axis], domain.min[axis], domain.max[axis] - domain.min[axis]);
+    if (plan.periodic) state.position[i] = wrapped(state.position[i], scene.domain);
   }
 }
 
@@ -138,15 +132,18 @@ Workspace::Workspace(const Scene& scene, const Plan& plan, int threads)
 
 void step(const Scene& scene, const Plan& plan, State& state, Workspace& work) {
   StageClock clock;
-  load(state, work.bodies);
-  if (plan.contacts()) {
-    work.candidates.find(state);
-    clock.lap(work.times.find_pairs);
-    work.finder.find(work.candidates, state, work.bodies, work.contacts, work.workers);
-    clock.lap(work.times.find_contacts);
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    load(state, work.bodies);
+    if (plan.contacts()) {
+      work.candidates.find(state);
+      clock.lap(work.times.find_pairs);
+      work.finder.find(work.candidates, state, work.bodies, work.contacts, work.workers);
+      clock.lap(work.times.find_contacts);
+    }
+    for (int i = 0; i < scene.time.substeps; ++i) substep(scene, plan, work);
+    clock.lap(work.times.solve);
+    if (!plan.contacts() || !work.candidates.widen(state, work.bodies)) break;
   }
-  for (int i = 0; i < scene.time.substeps; ++i) substep(scene, plan, work);
-  clock.lap(work.times.solve);
   ++state.step;
   store(scene, plan, work.bodies, state);
   if (plan.contacts()) work.contacts.save(state);

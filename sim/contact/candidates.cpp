@@ -3,6 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+
+#include "sim/periodic.h"
+#include "sim/simulation_error.h"
 
 namespace throng {
 
@@ -22,6 +26,12 @@ std::vector<broadphase::Extent> extents(const Obstacles& obstacles) {
   return result;
 }
 
+[[noreturn]] void fail_at_period(const State& state, std::uint32_t body) {
+  throw SimulationError(
+      "step " + std::to_string(state.step) + ": body " + std::to_string(state.id[body]) +
+      " reaches farther in a step than a quarter of the period: take a shorter dt or a wider domain");
+}
+
 double fastest(const State& state) {
   double most = 0.0;
   for (const Vec& v : state.velocity) most = std::max(most, v.squaredNorm());
@@ -35,7 +45,8 @@ Candidates::Candidates(const Scene& scene, const Plan& plan)
   period_ = {scene.domain.min, scene.domain.max - scene.domain.min};
   if (!plan.obstacles && !plan.box) return;
   const double widest = colliders_.radius.empty() ? 0.0 : *std::ranges::max_element(colliders_.radius);
-  obstacles_ = throng::obstacles(scene, 4.0 * widest);
+  // No body reaches farther than a quarter of the period: see find().
+  obstacles_ = throng::obstacles(scene, 0.25 * std::max(period_.size.x(), period_.size.y()));
   if (plan.obstacles) index_.build(extents(obstacles_), 2.0 * widest);
 }
 
@@ -64,8 +75,41 @@ void Candidates::place(const State& state) {
       centre_[i] += offset;
       margin_[i] += std::abs(state.spin[body]) * offset.norm() * dt;
     }
+    if (!widened_.empty()) margin_[i] = std::max(margin_[i], widened_[body]);
     reach_[i] = radius + margin_[i];
+    if (plan_.periodic && 4.0 * reach_[i] > period_.size.minCoeff()) fail_at_period(state, body);
   }
+  if (plan_.periodic && !colliders_.centre.empty()) wrap_centres();
+}
+
+/// Parts of a body near the seam may stand beyond it.
+void Candidates::wrap_centres() {
+  wrap_.resize(centre_.size());
+  for (std::size_t i = 0; i < centre_.size(); ++i) {
+    const Vec inside = wrapped(centre_[i], scene_.domain);
+    wrap_[i] = inside - centre_[i];
+    centre_[i] = inside;
+  }
+}
+
+Vec Candidates::wrap(std::uint32_t collider) const {
+  return wrap_.empty() ? Vec(0.0, 0.0) : wrap_[collider];
+}
+
+bool Candidates::widen(const State& state, std::span<const SolverBody> bodies) {
+  bool farther = false;
+  for (std::size_t i = 0; i < colliders_.size(); ++i) {
+    if (!colliders_.movable[i]) continue;
+    const std::uint32_t body = colliders_.body[i];
+    double way = (bodies[body].position - state.position[body]).norm();
+    if (!colliders_.centre.empty()) way += std::abs(bodies[body].turn) * colliders_.centre[i].norm();
+    if (!(way > margin_[i] * (1.0 + 1e-9))) continue;
+    if (widened_.empty()) widened_.resize(bodies.size(), 0.0);
+    widened_[body] = std::max(widened_[body], 1.5 * way);
+    farther = true;
+  }
+  if (!farther) widened_.clear();
+  return farther;
 }
 
 void Candidates::drop_own_parts() {
@@ -97,8 +141,11 @@ void Candidates::add_box_sides(std::uint32_t collider) {
 Vec Candidates::shift(broadphase::Pair pair) const {
   if (!plan_.periodic) return {0.0, 0.0};
   const Vec between = centre_[pair.b] - centre_[pair.a];
-  return {-period_.size.x() * std::floor(between.x() / period_.size.x() + 0.5),
-          -period_.size.y() * std::floor(between.y() / period_.size.y() + 0.5)};
+  return nearest_image(between, period_.size) - between + wrap(pair.b) - wrap(pair.a);
+}
+
+Vec Candidates::obstacle_shift(std::uint32_t collider) const {
+  return -wrap(collider);
 }
 
 }  // namespace throng

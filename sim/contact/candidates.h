@@ -7,6 +7,7 @@
 #include "broadphase/box_index.h"
 #include "broadphase/disc_pairs.h"
 #include "sim/colliders.h"
+#include "sim/contact/contact.h"
 #include "sim/plan.h"
 #include "sim/state.h"
 
@@ -17,8 +18,14 @@ class Candidates {
  public:
   Candidates(const Scene& scene, const Plan& plan);
 
-  /// Replaces all pairs by those of the step that begins with `state`. Allocates only to grow.
+  /// Replaces all pairs by those of the step that begins with `state`. Allocates only to grow. Throws
+  /// SimulationError where a body reaches farther than a quarter of the period: it could meet two images of
+  /// another.
   void find(const State& state);
+
+  /// Whether some body got farther, in the step that began with `state` and brought `bodies` to where they
+  /// are, than find() looked. If so, the next find() looks far enough, and the step must be taken again.
+  bool widen(const State& state, std::span<const SolverBody> bodies);
 
   /// Rows of colliders, a < b, ascending. Parts of one body are no pair, nor are two bodies that nothing can
   /// push.
@@ -34,11 +41,16 @@ class Candidates {
   /// Where the image of b that is nearest to a stands, from b (m). Zero in domains that don't repeat.
   Vec shift(broadphase::Pair pair) const;
 
+  /// The same for an obstacle that `collider` may touch.
+  Vec obstacle_shift(std::uint32_t collider) const;
+
   const Colliders& colliders() const { return colliders_; }
   const Obstacles& obstacles() const { return obstacles_; }
 
  private:
   void place(const State& state);
+  void wrap_centres();
+  Vec wrap(std::uint32_t collider) const;
   void drop_own_parts();
   void find_obstacle_pairs();
   void add_box_sides(std::uint32_t collider);
@@ -50,9 +62,12 @@ class Candidates {
   broadphase::BoxIndex index_;
   broadphase::DiscPairs disc_pairs_;
   broadphase::Period period_;
-  std::vector<Vec> centre_;     ///< m, world, of each collider's bounding disc
+  std::vector<Vec> centre_;     ///< m, world, of each collider's bounding disc; inside a domain that repeats
+  std::vector<Vec> wrap_;       ///< m, what that moved it by; empty where it moves nothing
   std::vector<double> margin_;  ///< m, how far it may get within the step
   std::vector<double> reach_;   ///< m, its radius and margin
+  std::vector<double>
+      widened_;  ///< m, the least margin of each body, while a step is taken again; else empty
   std::vector<broadphase::Pair> pairs_, obstacle_pairs_;
 };
 

@@ -10,6 +10,15 @@
 /// outlives the step are the impulses in `State`.
 namespace throng {
 
+/// `v` turned left by a right angle.
+inline Vec tangent(const Vec& v) {
+  return {-v.y(), v.x()};
+}
+
+inline double cross(const Vec& a, const Vec& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
 /// One body in one cache line.
 struct alignas(64) SolverBody {
   Vec position;            ///< m

@@ -21,10 +21,6 @@ std::uint64_t key_of(Pair pair, bool obstacle) {
   return (obstacle ? kObstacle : 0) | std::uint64_t{pair.a} << 32 | pair.b;
 }
 
-double cross(const Vec& a, const Vec& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
 Vec tangent(const Vec& normal) {
   return {-normal.y(), normal.x()};
 }
@@ -126,7 +122,8 @@ void ContactFinder::sort_out(const Candidates& candidates, const State& state,
     contacts.disc_key.push_back(key_of(pair, false));
     memory.recall(contacts.disc_key.back(), 0, contact);
   }
-  for (const Pair& pair : candidates.obstacle_pairs()) touches_.push_back({pair, true, Vec(0.0, 0.0)});
+  for (const Pair& pair : candidates.obstacle_pairs())
+    touches_.push_back({pair, true, candidates.obstacle_shift(pair.a)});
 }
 
 Manifold ContactFinder::manifold(const Candidates& candidates, const Touch& touch) const {
@@ -150,7 +147,7 @@ Manifold ContactFinder::manifold(const Candidates& candidates, const Touch& touc
   const double reach = candidates.reach(row_a);
   const std::size_t sides = obstacles.side.size();
   if (row_b < sides) return narrowphase::manifold(a, pose_a, obstacles.side[row_b], reach);
-  return narrowphase::manifold(a, pose_a, obstacles.part[row_b - sides], Pose{}, reach);
+  return narrowphase::manifold(a, pose_a, obstacles.part[row_b - sides], Pose{touch.shift}, reach);
 }
 
 /// What all points of one manifold share but the normal.

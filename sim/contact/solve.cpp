@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/periodic.h"
+
 namespace throng {
 
 Softness softness(double hertz, double damping, double h) {
@@ -19,10 +21,6 @@ namespace {
 
 Vec tangent(const Vec& normal) {
   return {-normal.y(), normal.x()};
-}
-
-double cross(const Vec& a, const Vec& b) {
-  return a.x() * b.y() - a.y() * b.x();
 }
 
 /// How the two kinds of contact reach their bodies: the velocity of b against a at the contact, and impulses
@@ -135,10 +133,10 @@ template <class Contact>
 void relax_all(std::span<Contact> contacts, std::span<SolverBody> bodies, const SolverSettings& settings) {
   const double rate = 1.0 / settings.h;
   for (Contact& contact : contacts) {
+    if (contact.normal_impulse == 0.0)
+      continue;  // what may yet meet is the next substep's matter, and may bounce
     SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
     const double s = separation(contact, a, b);
-    if (s > 0.0 && contact.normal_impulse == 0.0)
-      continue;  // what it may yet meet is the next substep's matter
     respond(contact, a, b, Wish{std::max(s, 0.0) * rate}, settings.friction);
   }
 }
@@ -182,13 +180,6 @@ bool bounce_all(std::span<Contact> contacts, std::span<SolverBody> bodies, doubl
 /// The vector after a turn by a small angle: two terms of sine and cosine, exact to its cube.
 Vec turned(const Vec& v, double angle) {
   return v + angle * tangent(v) - 0.5 * angle * angle * v;
-}
-
-/// a.x and a.y less whole periods, such that the result is the nearest image.
-Vec nearest_image(Vec d, const Vec& period) {
-  d.x() -= period.x() * std::floor(d.x() / period.x() + 0.5);
-  d.y() -= period.y() * std::floor(d.y() / period.y() + 0.5);
-  return d;
 }
 
 }  // namespace

@@ -9,6 +9,12 @@
 #include "sim/simulation.h"
 #include "tests/sim/scene_from.h"
 
+// g++ looks through the operators below where it inlines one of a pair, and takes what it sees for a
+// mismatch.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wmismatched-new-delete"
+#endif
+
 namespace {
 std::atomic<long> allocations{0};
 

@@ -30,11 +30,11 @@ void PrintTo(const Golden& golden, std::ostream* out) {
 }
 
 constexpr Golden kGallery[] = {
-    {"gas", 400, 0xf4c6010f6a9ebe12},       {"pile", 60, 0x267197c61e862dc4},
-    {"polygons", 40, 0x434ac520a224aa40},   {"pyramid", 10, 0x84e3ea28d771a8c5},
-    {"hopper", 100, 0x1b552355f0d63a25},    {"gears", 100, 0x54493b9fadcfd6bc},
+    {"gas", 400, 0xf4c6010f6a9ebe12},       {"pile", 60, 0xf3f377d3f71d51},
+    {"polygons", 40, 0x203df4b28373e05},    {"pyramid", 10, 0xac23cff2d79c9d6d},
+    {"hopper", 100, 0x922c24dd4e64bca8},    {"gears", 100, 0xe4e88ff2785d1831},
     {"billiard", 1500, 0xc39891314a486ed1}, {"cradle", 2000, 0x7d1d3bfa5a6ce43a},
-    {"mixed", 200, 0x9eb7a75dc227aef0},
+    {"mixed", 200, 0x4f291a2e57a53356},
 };
 
 class EveryScene : public ::testing::TestWithParam<Golden> {};
@@ -55,9 +55,9 @@ TEST_P(EveryScene, HasContactsToTest) {
     run->step();
     contacts += run->contacts();
   }
-  // A bounce leaves no contact behind: there, velocities tell.
-  const auto turned = [&](std::size_t i) { return run->state().velocity[i] != scene.bodies.velocity[i]; };
-  EXPECT_TRUE(contacts > 0 || turned(0));
+  // A bounce leaves no contact behind: in scenes that nothing else accelerates, velocities tell.
+  const bool weightless = scene.gravity == Vec(0.0, 0.0);
+  EXPECT_TRUE(contacts > 0 || (weightless && run->state().velocity != scene.bodies.velocity));
 }
 
 INSTANTIATE_TEST_SUITE_P(Gallery, EveryScene, ::testing::ValuesIn(kGallery),

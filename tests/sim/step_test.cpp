@@ -218,6 +218,92 @@ TEST(Step, APeriodicDomainLetsDiscsCollideAcrossItsSeam) {
   EXPECT_NEAR(run.state.velocity[1].x(), 1.0, 1e-12);
 }
 
+/// A rod of discs, as long as a good part of the period, and what it meets, moved round the domain by (dx,
+/// dy).
+Scene across_the_seam(double dx, double dy) {
+  Scene scene = scene_from(
+      "time = { dt = 0.01, until = 1 }\ndomain = { periodic = [[0, 0], [20, 20]] }\n" + material(0.5, 0.3) +
+      "[shapes]\nball = { disc = { radius = 0.3 } }\n"
+      "rod = { discs = [[0, 0, 0.2], [0.3, 0, 0.2], [0.6, 0, 0.2], [0.9, 0, 0.2], [1.2, 0, 0.2], [1.5, 0, "
+      "0.2], [1.8, 0, "
+      "0.2]] }\nell = { polygon = [[0, 0], [2, 0], [2, 0.5], [0.5, 0.5], [0.5, 2], [0, 2]] }\n"
+      "[[bodies]]\nshape = \"rod\"\nat = [10, 10]\nspin = 1\n" +
+      ball(12, 10, -2, 0) +
+      "[[bodies]]\nshape = \"ell\"\nat = [10, 12]\nvelocity = [0, -1.013]\nangle = 0.3\n"
+      "[[bodies]]\nshape = \"ell\"\nat = [8, 8]\nvelocity = [0.5, 0.531]\nangle = 0.2\n"
+      "[[bodies]]\nshape = \"ball\"\nat = [8, 11]\nkind = \"static\"\n[[walls]]\nsegment = [[9, 8.5], [12, "
+      "8.5]]\n");
+  const Vec by(dx, dy);
+  for (Vec& p : scene.bodies.position)
+    p = (p + by).unaryExpr([](double x) { return x - 20.0 * std::floor(x / 20.0); });
+  for (Vec& p : scene.walls[0].points) p = p + by;
+  if (scene.walls[0].points[0].x() >= 20)
+    for (Vec& p : scene.walls[0].points) p.x() -= 20;
+  return scene;
+}
+
+TEST(Step, APeriodicDomainHasNoSeamForAnyShape) {
+  Trial reference(across_the_seam(0, 0));
+  reference.steps(300);
+  const double energy = kinetic_energy(reference.scene, reference.state);
+  ASSERT_NE(energy, kinetic_energy(reference.scene, initial_state(reference.scene))) << "nothing met";
+  for (const Vec& by : {Vec(10.0, 0.0), Vec(0.0, 10.0), Vec(9.5, 8.0), Vec(10.5, 9.0), Vec(11.5, 11.5)}) {
+    Trial moved(across_the_seam(by.x(), by.y()));
+    moved.steps(300);
+    EXPECT_NEAR(kinetic_energy(moved.scene, moved.state), energy, 1e-6 * energy) << by.transpose();
+    for (std::size_t i = 0; i < moved.state.velocity.size(); ++i)
+      EXPECT_LT((moved.state.velocity[i] - reference.state.velocity[i]).norm(), 1e-6)
+          << "body " << i << " " << by.transpose();
+  }
+}
+
+TEST(Step, ABodyThatReachesTooFarRoundThePeriodEndsTheRunByName) {
+  Trial run(std::string("time = { dt = 0.1, until = 1 }\ndomain = { periodic = [[0, 0], [10, 10]] }\n") +
+            kDisc + ball(2, 2, 0, 0) + ball(5, 5, 90, 0));
+  EXPECT_THROW(run.steps(1), SimulationError);
+}
+
+TEST(Step, ABodyStruckWithinAStepStillMeetsTheWall) {
+  // The second disc gets its speed from the first and reaches the wall in the same step, farther than its own
+  // motion said.
+  Trial run("time = { dt = 0.01, until = 1, substeps = 4 }\n" + material(1, 0) +
+            "[shapes]\nball = { disc = { radius = 0.05 } }\n" + ball(0.08, 0, 20, 0) + ball(0.2, 0, 0, 0) +
+            "[[walls]]\nsegment = [[0.28, -1], [0.28, 1]]\n");
+  run.steps(5);
+  EXPECT_LT(run.state.position[1].x(), 0.28);
+  EXPECT_NEAR(kinetic_energy(run.scene, run.state), 0.5 * mass(run.scene, 0) * 400, 1e-9);
+}
+
+TEST(Step, ABounceThatFallsOnTheEndOfASubstepKeepsItsEnergy) {
+  Trial run("time = { dt = 0.01, until = 1, substeps = 4 }\n" + material(1, 0) +
+            "[shapes]\nball = { disc = { radius = 0.05 } }\n" + ball(0, 0, 40, 0) + ball(0.2, 0, 0, 0));
+  run.steps(5);
+  EXPECT_NEAR(run.state.velocity[0].x(), 0.0, 1e-9);
+  EXPECT_NEAR(run.state.velocity[1].x(), 40.0, 1e-9);
+}
+
+TEST(Step, ACompositeTurnsAboutItsCentreOfMass) {
+  // A free dumbbell, struck off its centre: momentum and angular momentum stay.
+  Trial run("time = { dt = 0.005, until = 1 }\n" + material(1, 0) +
+            "[shapes]\nball = { disc = { radius = 0.5 } }\nbell = { discs = [[-1, 0, 0.5], [1, 0, 0.5]] }\n"
+            "[[bodies]]\nshape = \"bell\"\nat = [0, 0]\n" +
+            ball(1.1, 3, 0, -2));
+  const auto angular = [&] {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Vec &x = run.state.position[i], &v = run.state.velocity[i];
+      sum += mass(run.scene, i) * cross(x, v) + inertia(run.scene, i) * run.state.spin[i];
+    }
+    return sum;
+  };
+  const double before = angular(), energy = run.energy();
+  run.steps(400);
+  EXPECT_NE(run.state.spin[0], 0.0) << "nothing met";
+  EXPECT_NEAR(momentum(run.scene, run.state).y(), -2 * mass(run.scene, 1), 1e-12);
+  EXPECT_NEAR(angular(), before, 0.02 * std::abs(before));
+  EXPECT_NEAR(run.energy(), energy, 1e-9 * energy);
+}
+
 TEST(Step, ADiscStaysBetweenTwoWallSegments) {
   Trial run(std::string("gravity = [0, -10]\ntime = { dt = 0.01, until = 1 }\n") + material(0, 0.3) + kDisc +
             ball(0, 3, 0.3, 0) + "[[walls]]\npolyline = [[-4, 4], [0, 0], [4, 4]]\n");

@@ -180,7 +180,7 @@ void MinimalDiscs::sweep(std::vector<Contact>& contacts) {
   for (Contact& c : contacts) {
     Body &a = bodies_[c.a], &b = bodies_[c.b];
     const double s = c.offset + (c.nx * (b.x - a.x) + c.ny * (b.y - a.y));
-    if (!kBiased && s > 0.0 && c.normal_impulse == 0.0) continue;
+    if (!kBiased && c.normal_impulse == 0.0) continue;
     const double speed = (b.vx - a.vx) * c.nx + (b.vy - a.vy) * c.ny;
     const double slip =
         (b.vy - a.vy) * c.nx - (b.vx - a.vx) * c.ny - (a.spin * c.radius_a + b.spin * c.radius_b);
