@@ -40,6 +40,47 @@ double distance(std::span<const Convex> a, const Pose& pose_a, std::span<const C
   return least;
 }
 
+/// A disc round a part.
+struct Bound {
+  Vec centre;     ///< m
+  double radius;  ///< m
+};
+
+Bound bound(const Convex& part, const Pose& pose) {
+  Vec middle(0.0, 0.0);
+  for (const Vec& vertex : part.vertices) middle += vertex;
+  middle /= static_cast<double>(part.vertices.size());
+  double radius = 0.0;
+  for (const Vec& vertex : part.vertices) radius = std::max(radius, (vertex - middle).norm());
+  return {pose * middle, radius + part.radius};
+}
+
+/// False only where rounding can't make them come closer than `gap`.
+bool may_be_closer(const Bound& a, const Bound& b, double gap) {
+  const double sum = a.radius + b.radius + gap;
+  const double rounding = 1e-12 * (sum + a.centre.cwiseAbs().maxCoeff());
+  return (a.centre - b.centre).norm() <= sum + rounding;
+}
+
+bool is_closer(std::span<const Convex> a, const Pose& pose_a, std::span<const Convex> b, const Pose& pose_b,
+               const Bound& all_b, double gap, std::int64_t& work) {
+  constexpr std::int64_t kWorkOfSeparation = 16;
+  std::vector<Bound> bounds;
+  for (const Convex& part : b) bounds.push_back(bound(part, pose_b));
+  work += static_cast<std::int64_t>(a.size() + b.size());
+  for (const Convex& part : a) {
+    const Bound bound_a = bound(part, pose_a);
+    if (!may_be_closer(bound_a, all_b, gap)) continue;
+    work += static_cast<std::int64_t>(b.size());
+    for (std::size_t i = 0; i < b.size(); ++i) {
+      if (!may_be_closer(bound_a, bounds[i], gap)) continue;
+      work += kWorkOfSeparation;
+      if (narrowphase::separation(part, pose_a, b[i], pose_b).distance < gap) return true;
+    }
+  }
+  return false;
+}
+
 bool is_disc(const Scene& scene, std::uint32_t row) {
   return scene.shapes[scene.bodies.shape[row]].kind == ShapeKind::disc;
 }
@@ -60,6 +101,24 @@ double distance(const Scene& scene, const Placed& body, const WallGrid::Piece& p
   const Convex wall = narrowphase::segment(piece.a, piece.b);
   return distance(Parts(scene, body.row).all(),
                   narrowphase::pose(body.position, scene.bodies.angle[body.row]), {&wall, 1}, Pose{});
+}
+
+bool is_closer(const Scene& scene, const Placed& a, const Placed& b, double gap, std::int64_t& work) {
+  const Bodies& bodies = scene.bodies;
+  if (is_disc(scene, a.row) && is_disc(scene, b.row)) return distance(scene, a, b) < gap;
+  const Parts parts_a(scene, a.row), parts_b(scene, b.row);
+  return is_closer(parts_a.all(), narrowphase::pose(a.position, bodies.angle[a.row]), parts_b.all(),
+                   narrowphase::pose(b.position, bodies.angle[b.row]), {b.position, bodies.radius[b.row]},
+                   gap, work);
+}
+
+bool is_closer(const Scene& scene, const Placed& body, const WallGrid::Piece& piece, double gap,
+               std::int64_t& work) {
+  if (is_disc(scene, body.row)) return distance(scene, body, piece) < gap;
+  const Convex wall = narrowphase::segment(piece.a, piece.b);
+  return is_closer(Parts(scene, body.row).all(),
+                   narrowphase::pose(body.position, scene.bodies.angle[body.row]), {&wall, 1}, Pose{},
+                   bound(wall, Pose{}), gap, work);
 }
 
 Eigen::AlignedBox2d extent(const Scene& scene, std::uint32_t row) {

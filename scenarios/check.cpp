@@ -148,8 +148,10 @@ bool Checker::check_name(const toml::node& node, const Type& type, const Path& p
   std::vector<std::string> known;
   if (entries)
     for (const auto& [name, entry] : *entries) known.emplace_back(name.str());
+  if (type.of == "materials" && !(entries && entries->contains("default"))) known.emplace_back("default");
   return fail(node, path,
-              "there is no " + in_quotes(word) + " in [" + type.of + "]" + suggestion(word, known));
+              "there is no " + in_quotes(word) + " in [" + type.of + "]" +
+                  (known.empty() ? ", which is empty" : nearest_or_all(word, known)));
 }
 
 bool Checker::check_tuple(const toml::node& node, const Type& type, const Path& path) {
@@ -186,17 +188,23 @@ bool Checker::check_either(const toml::node& node, const Type& type, const Path&
   return wrong(node, type, path);
 }
 
+/// Where the key stands; one that an override brought has its value's place.
+const toml::source_region& place_of(const toml::key& key, const toml::node& node) {
+  return key.source().begin.line > 0 && key.source().path ? key.source() : node.source();
+}
+
 bool Checker::check_field(const toml::key& key, const toml::node& node, const Table& table,
                           const Path& path) {
   for (const Field& field : table.fields) {
     if (field.key != key.str()) continue;
     if (!field.later) return check(node, field.type, path);
-    report_.error(key.source(), path.text(), "not supported yet: " + path.text());
+    report_.error(place_of(key, node), path.text(), "not supported yet: " + path.text());
     return false;
   }
   std::vector<std::string> known;
-  for (const Field& field : table.fields) known.push_back(field.key);
-  report_.error(key.source(), path.text(), "unknown key" + suggestion(key.str(), known));
+  for (const Field& field : table.fields)
+    if (!field.later) known.push_back(field.key);
+  report_.error(place_of(key, node), path.text(), "unknown key" + nearest_or_all(key.str(), known));
   return false;
 }
 

@@ -11,11 +11,13 @@ constexpr std::size_t kMostBytes = std::size_t{64} << 20;  ///< of a file
 constexpr int kDeepest = 32;                               ///< levels of lists, tables and dotted keys
 constexpr std::size_t kMostItems = 10'000'000;             ///< values in a file
 constexpr std::size_t kMostBodies = 10'000'000;
-constexpr std::size_t kMostVertices = 10'000;  ///< of one polygonal shape
-constexpr std::size_t kMostParts = 1'000;      ///< discs of one composite
+constexpr std::size_t kMostVertices = 10'000;     ///< of one polygonal shape
+constexpr std::size_t kMostParts = 1'000;         ///< discs of one composite
+constexpr std::size_t kMostInShapes = 1'000'000;  ///< vertices and discs of all shapes together
 
 constexpr double kFarthest = 1e9;        ///< m, any coordinate
 constexpr double kShortest = 1e-9;       ///< m, any radius
+constexpr double kShortestEdge = 1e-12;  ///< m, of walls, polygons and domains: its square must be far from 0
 constexpr double kLeastArea = 1e-20;     ///< m², of any shape: its mass must be more than 0
 constexpr double kFastest = 1e9;         ///< m/s
 constexpr double kShortestStep = 1e-12;  ///< s

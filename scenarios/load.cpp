@@ -13,6 +13,7 @@
 #include "scenarios/place.h"
 #include "scenarios/print.h"
 #include "scenarios/scan.h"
+#include "sim/engine_box2d.h"
 
 namespace throng {
 
@@ -42,6 +43,24 @@ std::optional<toml::table> parse(const std::string& name, Loaded& loaded) {
   }
 }
 
+/// Where bodies pass through all, nothing keeps them in.
+void warn_of_idle_borders(const toml::table& root, const Scene& scene, Report& report) {
+  if (scene.contact != ContactModel::none) return;
+  if (scene.domain.kind == DomainKind::box)
+    report.warning(root["domain"]["box"].node()->source(), "domain.box",
+                   "holds nobody: contact.model is \"none\", and the box is only drawn");
+  if (!scene.walls.empty())
+    report.warning(root["walls"][0].node()->source(), "walls",
+                   "hold nobody: contact.model is \"none\", and they are only drawn");
+}
+
+/// What only the engine knows, said before anything runs.
+void check_engine(const toml::table& root, const Scene& scene, Report& report) {
+  if (scene.engine != Engine::box2d) return;
+  if (const std::string refusal = box2d_refusal(scene); !refusal.empty())
+    report.error(*root.get("engine"), "engine", "box2d: " + refusal);
+}
+
 void read_scene(const toml::table& root, Scene& scene, Report& report) {
   check(root, report);
   if (report.full()) return;  // the rest of the tree was not looked at
@@ -50,7 +69,10 @@ void read_scene(const toml::table& root, Scene& scene, Report& report) {
   const std::vector<ShapeDraw> draws = read_shapes(root, scene, report);
   read_walls(root, scene, report);
   const std::vector<Entry> entries = read_entries(root, scene, report);
-  if (report.errors() == 0) place_bodies(entries, draws, scene, report);
+  if (report.errors() > 0) return;
+  warn_of_idle_borders(root, scene, report);
+  place_bodies(entries, draws, scene, report);
+  if (report.errors() == 0) check_engine(root, scene, report);
 }
 
 /// All of the file, or nothing and the reason in `loaded`.

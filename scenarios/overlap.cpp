@@ -14,7 +14,10 @@ constexpr std::size_t kNamed = 10, kEnough = 1000;
 class Overlaps {
  public:
   Overlaps(const Scene& scene, double reach)
-      : scene_(scene), bodies_(scene.domain, reach, scene.bodies.size()), walls_(scene, reach) {}
+      : scene_(scene),
+        movable_(scene.domain, reach, scene.bodies.size()),
+        fixed_(scene.domain, reach, scene.bodies.size()),
+        walls_(scene, reach) {}
 
   bool full() const { return found_ >= kEnough; }
 
@@ -22,17 +25,19 @@ class Overlaps {
   void add(std::uint32_t row) {
     const Placed body{row, scene_.bodies.position[row]};
     const double radius = scene_.bodies.radius[row];
-    bodies_.visit_near(
-        body.position, radius, [&](std::uint32_t other, const Vec& position, double other_radius) {
-          if (!moves(row) && !moves(other)) return false;
-          const double depth = -distance(scene_, body, Placed{other, position});
-          if (depth > touching(std::min(radius, other_radius), body.position))
-            note("body " + std::to_string(other + 1) + " and body " + std::to_string(row + 1), depth);
-          return full();
-        });
-    bodies_.add(row, body.position, radius);
+    std::vector<Met> met;
+    compare(movable_, body, radius, met);
+    if (moves(row)) compare(fixed_, body, radius, met);  // what can't move is not asked about its like
+    std::sort(met.begin(), met.end(), [](const Met& a, const Met& b) { return a.other < b.other; });
+    for (const Met& one : met)
+      note(one.other, "body " + std::to_string(one.other + 1) + " and body " + std::to_string(row + 1),
+           one.depth);
+    (moves(row) ? movable_ : fixed_).add(row, body.position, radius);
     if (moves(row)) compare_with_walls(body, radius);
   }
+
+  /// The row that the first overlap names first.
+  std::uint32_t first() const { return first_; }
 
   std::string message() const {
     if (found_ == 0) return "";
@@ -41,7 +46,28 @@ class Overlaps {
   }
 
  private:
+  struct Met {
+    std::uint32_t other;
+    double depth;  ///< m
+  };
+
   bool moves(std::uint32_t row) const { return scene_.bodies.kind[row] == BodyKind::dynamic; }
+
+  /// Adds whom of the grid the body overlaps, each once with its deepest image.
+  void compare(const BodyGrid& grid, const Placed& body, double radius, std::vector<Met>& met) const {
+    grid.visit_near(
+        body.position, radius, [&](std::uint32_t other, const Vec& position, double other_radius) {
+          const double depth = -distance(scene_, body, Placed{other, position});
+          if (!(depth > touching(std::min(radius, other_radius), body.position))) return false;
+          const auto known =
+              std::find_if(met.begin(), met.end(), [&](const Met& one) { return one.other == other; });
+          if (known == met.end())
+            met.push_back({other, depth});
+          else
+            known->depth = std::max(known->depth, depth);
+          return found_ + met.size() >= kEnough;
+        });
+  }
 
   void compare_with_walls(const Placed& body, double radius) {
     std::vector<std::uint32_t> met;  // a piece of wall may be seen twice
@@ -50,19 +76,22 @@ class Overlaps {
       if (!(depth > touching(radius, body.position))) return false;
       if (std::find(met.begin(), met.end(), piece.wall) != met.end()) return false;
       met.push_back(piece.wall);
-      note("body " + std::to_string(body.row + 1) + " and walls[" + std::to_string(piece.wall) + "]", depth);
+      note(body.row,
+           "body " + std::to_string(body.row + 1) + " and walls[" + std::to_string(piece.wall) + "]", depth);
       return full();
     });
   }
 
-  void note(const std::string& pair, double depth) {
+  void note(std::uint32_t row, const std::string& pair, double depth) {
+    if (found_ == 0) first_ = row;
     if (++found_ <= kNamed) pairs_ += (pairs_.empty() ? "" : ", ") + pair + " by " + to_text(depth) + " m";
   }
 
   const Scene& scene_;
-  BodyGrid bodies_;
+  BodyGrid movable_, fixed_;
   WallGrid walls_;
   std::size_t found_ = 0;
+  std::uint32_t first_ = 0;
   std::string pairs_;
 };
 
@@ -75,9 +104,11 @@ void warn_of_overlaps(std::span<const Entry> entries, const Scene& scene, Report
     if (entry.place == Entry::Place::random) continue;
     for (std::uint32_t i = 0; i < entry.count && !overlaps.full(); ++i) overlaps.add(entry.first + i);
   }
-  if (const std::string message = overlaps.message(); !message.empty())
-    report.warning(scene.bodies.size() > 0 ? entries.front().node->source() : toml::source_region{}, "bodies",
-                   message);
+  const std::string message = overlaps.message();
+  if (message.empty()) return;
+  const auto holds_first = [&](const Entry& entry) { return overlaps.first() < entry.first + entry.count; };
+  const Entry& entry = *std::find_if(entries.begin(), entries.end(), holds_first);
+  report.warning(entry.node->source(), "bodies", message);
 }
 
 }  // namespace throng::scenarios

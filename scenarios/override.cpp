@@ -58,7 +58,7 @@ std::size_t find_equals(std::string_view text) {
   return std::string_view::npos;
 }
 
-/// A table with the value as "value".
+/// A table with the value as "value". Throws toml::parse_error where it is not even a text.
 toml::table parse_value(const std::string& value, const std::string& source) {
   const std::string text = "value = " + value;
   if (find_excess(text).line == 0) {
@@ -72,7 +72,7 @@ toml::table parse_value(const std::string& value, const std::string& source) {
   for (char c : value) {
     const auto byte = static_cast<unsigned char>(c);
     if (c == '"' || c == '\\') literal += '\\';
-    literal += byte < 0x20 || byte >= 0x7f ? '?' : c;
+    literal += byte < 0x20 || byte == 0x7f ? '?' : c;
   }
   return toml::parse(literal + "\"", source);
 }
@@ -98,7 +98,7 @@ class Applier {
   /// The node's own entry of this name or number; made where a table lacks it.
   toml::node* child(const std::string& part, toml::node& node) {
     if (toml::table* table = node.as_table()) {
-      if (!table->contains(part)) table->insert(part, toml::table{});
+      if (!table->contains(part)) put(parse_value("{}", source()), part, *table);
       return table->get(part);
     }
     if (toml::array* list = node.as_array()) return entry(part, *list);
@@ -117,10 +117,11 @@ class Applier {
   }
 
   void set(toml::node& node, const std::string& part) {
-    toml::table parsed = parse_value(value_, "--set " + text_);
-    toml::node& value = *parsed.get("value");
+    std::optional<toml::table> parsed = value_or_nothing();
+    if (!parsed) return fail(path_, "the value is no UTF-8");
+    toml::node& value = *parsed->get("value");
     if (toml::table* table = node.as_table()) {
-      value.visit([&](auto&& concrete) { table->insert_or_assign(part, std::move(concrete)); });
+      put(std::move(*parsed), part, *table);
     } else if (toml::array* list = node.as_array()) {
       toml::node* old = entry(part, *list);
       if (!old) return;
@@ -133,6 +134,21 @@ class Applier {
     } else {
       fail(path_, in_quotes(part) + " is asked of something that is neither a table nor a list");
     }
+  }
+
+  std::string source() const { return "--set " + text_; }
+
+  std::optional<toml::table> value_or_nothing() const {
+    try {
+      return parse_value(value_, source());
+    } catch (const toml::parse_error&) {
+      return std::nullopt;
+    }
+  }
+
+  /// Moves `parsed`.value to the table's entry of this name.
+  static void put(toml::table parsed, const std::string& part, toml::table& table) {
+    parsed.get("value")->visit([&](auto&& concrete) { table.insert_or_assign(part, std::move(concrete)); });
   }
 
   void fail(std::string path, std::string message) {

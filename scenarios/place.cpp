@@ -118,14 +118,26 @@ void check_within(const Entry& entry, const Scene& scene, Report& report) {
   report.error(*entry.node, path(entry, "place.random.within"), "must lie inside domain.box");
 }
 
-/// Nobody may meet his own image.
+/// Nobody may meet his own image, and who is looked for by distance must not be found twice: the broadphase
+/// looks as far as two reaches, each a radius and its skin of at most a quarter, and that must be at most
+/// half the period.
+double least_period(const Entry& entry, double radius, const Scene& scene) {
+  const bool sought = scene.contact != ContactModel::none && entry.kind != BodyKind::fixed;
+  return std::max((sought ? 4.0 * 1.25 : 2.0) * radius, 2.0 * radius + entry.gap);
+}
+
 void check_period(const Entry& entry, const Scene& scene, Report& report) {
   if (scene.domain.kind != DomainKind::periodic || entry.count == 0) return;
   const auto first = scene.bodies.radius.begin() + entry.first;
-  const double widest = 2.0 * *std::max_element(first, first + entry.count) + entry.gap;
-  if (widest <= (scene.domain.max - scene.domain.min).minCoeff()) return;
+  const double radius = *std::max_element(first, first + entry.count);
+  const double period = (scene.domain.max - scene.domain.min).minCoeff();
+  const double least = least_period(entry, radius, scene);
+  if (least <= period) return;
   report.error(*entry.node, path(entry, "shape"),
-               "a body " + to_text(widest) + " m across is wider than domain.periodic");
+               "a body " + to_text(2.0 * radius) + " m across" +
+                   (entry.gap > 0.0 ? " with its gap of " + to_text(entry.gap) + " m" : "") +
+                   " needs domain.periodic to be at least " + to_text(least) +
+                   " m wide and high, and it is " + to_text(period) + " m");
 }
 
 }  // namespace

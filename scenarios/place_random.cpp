@@ -10,9 +10,10 @@ namespace throng::scenarios {
 
 namespace {
 
-constexpr int kMostTries = 200'000;               ///< for one body
-constexpr std::int64_t kSpareTries = 20'000'000;  ///< for all bodies together, and
-constexpr std::int64_t kTriesEach = 300;          ///< this many more per body: an end within seconds
+constexpr int kMostTries = 200'000;                  ///< for one body
+constexpr std::int64_t kWorkOfTry = 16;              ///< in units of a few nanoseconds, and pairs of parts
+constexpr std::int64_t kMostWork = 1'000'000'000;    ///< for all bodies together, and
+constexpr std::int64_t kWorkEach = 10 * kWorkOfTry;  ///< this much more per body: an end within seconds
 
 /// Random sequential addition: each body goes to the first of its random places that is free. The large ones
 /// go first, which packs better and depends on no order in the file.
@@ -33,7 +34,7 @@ class Placer {
     std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
       return a.radius != b.radius ? a.radius > b.radius : a.row < b.row;
     });
-    tries_left_ = kSpareTries + kTriesEach * static_cast<std::int64_t>(rows.size());
+    work_left_ = kMostWork + kWorkEach * static_cast<std::int64_t>(rows.size());
     for (const Row& row : rows)
       if (!report_.bad(*row.entry->node)) place(row);
   }
@@ -78,11 +79,14 @@ class Placer {
     if (!(region_.sizes().minCoeff() >= 0.0))
       return fail(row, "is too large for `within`: " + to_text(2.0 * row.radius) + " m across");
     Random random(scene_.seed, 0, row.row + 1, Purpose::place);
-    for (int i = 0; i < kMostTries && tries_left_ > 0; ++i, --tries_left_) {
+    for (int i = 0; i < kMostTries && work_left_ > 0; ++i) {
       const double x = random.uniform(region_.min().x(), region_.max().x());
       const double y = random.uniform(region_.min().y(), region_.max().y());
       const Vec position = wrapped(scene_.domain, {x, y});
-      if (!is_free({row.row, position}, row)) continue;
+      std::int64_t work = kWorkOfTry;
+      const bool free = is_free({row.row, position}, row, work);
+      work_left_ -= work;
+      if (!free) continue;
       scene_.bodies.position[row.row] = position;
       bodies_.add(row.row, position, row.radius);
       ++placed_;
@@ -91,15 +95,15 @@ class Placer {
     fail(row, "found no free place");
   }
 
-  bool is_free(const Placed& body, const Row& row) const {
+  bool is_free(const Placed& body, const Row& row, std::int64_t& work) const {
     const double reach = row.radius + row.entry->gap, gap = row.entry->gap;
     const bool disc = scene_.shapes[row.entry->shape].kind == ShapeKind::disc;
     const auto hits_body = [&](std::uint32_t other, const Vec& position, double) {
       const bool discs = disc && scene_.shapes[scene_.bodies.shape[other]].kind == ShapeKind::disc;
-      return discs || distance(scene_, body, Placed{other, position}) < gap;
+      return discs || is_closer(scene_, body, Placed{other, position}, gap, work);
     };
     const auto hits_wall = [&](const WallGrid::Piece& piece) {
-      return disc || distance(scene_, body, piece) < gap;
+      return disc || is_closer(scene_, body, piece, gap, work);
     };
     return !bodies_.visit_near(body.position, reach, hits_body) &&
            !walls_.visit_near(body.position, reach, hits_wall);
@@ -122,7 +126,7 @@ class Placer {
   double reach_;
   BodyGrid bodies_;
   WallGrid walls_;
-  std::int64_t tries_left_ = 0;
+  std::int64_t work_left_ = 0;
   std::size_t placed_ = 0;
 };
 

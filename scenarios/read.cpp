@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "scenarios/read.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "scenarios/limits.h"
+
 namespace throng::scenarios {
 
 double number(const toml::node& node) {
@@ -36,6 +41,17 @@ Eigen::AlignedBox2d box(const toml::node& node) {
   return {point(*list.get(0)), point(*list.get(1))};
 }
 
+std::string too_short(std::span<const Vec> line, bool closed) {
+  for (std::size_t i = 0; i + (closed ? 0 : 1) < line.size(); ++i) {
+    const Vec edge = line[(i + 1) % line.size()] - line[i];
+    const double length = std::hypot(edge.x(), edge.y());  // a norm would square it to 0
+    if (length > 0.0 && length < kShortestEdge)
+      return "has points " + to_text(length) + " m apart; must be equal or at least " +
+             to_text(kShortestEdge) + " m apart";
+  }
+  return "";
+}
+
 const toml::node* good(const toml::table& table, std::string_view key, const Report& report) {
   const toml::node* node = table.get(key);
   return node && !report.bad(*node) ? node : nullptr;
@@ -43,9 +59,11 @@ const toml::node* good(const toml::table& table, std::string_view key, const Rep
 
 std::uint32_t material_row(const toml::table& table, const Scene& scene) {
   const std::string name = text(table, "material", "default");
-  for (std::size_t row = 0; row < scene.materials.size(); ++row)
-    if (scene.materials[row].name == name) return static_cast<std::uint32_t>(row);
-  return 0;
+  if (name == "default" || scene.materials.empty()) return 0;
+  const auto found =
+      std::lower_bound(scene.materials.begin() + 1, scene.materials.end(), name,
+                       [](const Material& material, const std::string& n) { return material.name < n; });
+  return found == scene.materials.end() ? 0 : static_cast<std::uint32_t>(found - scene.materials.begin());
 }
 
 }  // namespace throng::scenarios

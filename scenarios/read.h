@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -67,10 +68,14 @@ Vec point(const toml::node& node);
 std::vector<Vec> points(const toml::node& node);
 Eigen::AlignedBox2d box(const toml::node& node);
 
+/// What is wrong with the line where two neighbours are nearer than kShortestEdge without being equal: a
+/// sentence, "" where none are. O(n).
+std::string too_short(std::span<const Vec> line, bool closed);
+
 /// The table's entry of this key, unless it is absent or bad.
 const toml::node* good(const toml::table& table, std::string_view key, const Report& report);
 
-/// The material of this name in `table`.material; row 0 without one.
+/// The material of this name in `table`.material; row 0 without one. O(log n).
 std::uint32_t material_row(const toml::table& table, const Scene& scene);
 
 }  // namespace throng::scenarios

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
 #include "scenarios/limits.h"
 #include "scenarios/path.h"
 #include "scenarios/read.h"
@@ -33,9 +35,10 @@ class EntryReader {
  private:
   std::uint32_t shape_row() const {
     const std::string name = text(table_, "shape", "");
-    std::uint32_t row = 0;
-    while (row + 1 < scene_.shapes.size() && scene_.shapes[row].name != name) ++row;
-    return row;
+    const auto found =
+        std::lower_bound(scene_.shapes.begin(), scene_.shapes.end(), name,
+                         [](const Shape& shape, const std::string& n) { return shape.name < n; });
+    return static_cast<std::uint32_t>(found - scene_.shapes.begin());
   }
 
   void read_angle() {

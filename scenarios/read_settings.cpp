@@ -29,10 +29,12 @@ void read_domain(const toml::table& root, Scene& scene, Report& report) {
   const Eigen::AlignedBox2d bounds = box(value);
   scene.domain.kind = walls ? DomainKind::box : DomainKind::periodic;
   scene.domain.min = bounds.min(), scene.domain.max = bounds.max();
-  if ((bounds.max() - bounds.min()).minCoeff() > 0.0) return;
+  const double side = (bounds.max() - bounds.min()).minCoeff();
+  if (side >= kShortestEdge) return;
   report.mark_bad(*node);
   report.error(value, walls ? "domain.box" : "domain.periodic",
-               "must have its least x and y first, [[min x, min y], [max x, max y]]");
+               side > 0.0 ? "must be at least " + to_text(kShortestEdge) + " m wide and high"
+                          : "must have its least x and y first, [[min x, min y], [max x, max y]]");
 }
 
 void read_record(const toml::table& root, Scene& scene, const Report& report) {

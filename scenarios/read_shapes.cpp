@@ -43,6 +43,7 @@ class ShapeReader {
   void read_polygon(const toml::node& node, Shape& shape) {
     const Path path(path_, "polygon");
     const std::vector<Vec> given = points(node);
+    if (const std::string fault = too_short(given, true); !fault.empty()) return fail(node, path, fault);
     narrowphase::Cleaned cleaned = narrowphase::clean(given);
     for (const std::string& repair : cleaned.repairs) report_.warning(node.source(), path.text(), repair);
     if (!cleaned.refusal.empty()) return fail(node, path, cleaned.refusal);
@@ -73,9 +74,15 @@ class ShapeReader {
   bool take_mass(const narrowphase::MassProperties& mass, const toml::node& node, const Path& path,
                  Shape& shape) {
     shape.area = mass.area, shape.centre = mass.centroid, shape.gyration2 = mass.gyration2;
-    if (shape.area >= kLeastArea && shape.gyration2 >= kLeastArea) return true;
-    fail(node, path,
-         "must have an area of at least " + to_text(kLeastArea) + " m^2, and has " + to_text(shape.area));
+    if (!(shape.area >= kLeastArea))
+      fail(node, path,
+           "must have an area of at least " + to_text(kLeastArea) + " m^2, and has " + to_text(shape.area));
+    else if (!(shape.gyration2 >= kLeastArea))
+      fail(node, path,
+           "must have a squared radius of gyration of at least " + to_text(kLeastArea) + " m^2, and has " +
+               to_text(shape.gyration2));
+    else
+      return true;
     return false;
   }
 
@@ -88,6 +95,21 @@ class ShapeReader {
   Report& report_;
 };
 
+/// Counted before any geometry is done, whose cost grows faster. False, and reported, where it is too much.
+bool check_total(const toml::table& shapes, const Path& path, Report& report) {
+  std::size_t total = 0;
+  for (const auto& [name, entry] : shapes) {
+    if (report.bad(entry)) continue;
+    for (const char* key : {"polygon", "discs"})
+      if (const toml::node* list = entry.as_table()->get(key)) total += list->as_array()->size();
+    if (total <= kMostInShapes) continue;
+    report.error(entry, Path(path, name.str()).text(),
+                 "makes more than " + std::to_string(kMostInShapes) + " vertices and discs in all shapes");
+    return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::vector<ShapeDraw> read_shapes(const toml::table& root, Scene& scene, Report& report) {
@@ -95,6 +117,7 @@ std::vector<ShapeDraw> read_shapes(const toml::table& root, Scene& scene, Report
   const toml::node* node = root.get("shapes");
   if (!node || !node->is_table()) return draws;
   const Path root_path, shapes_path(root_path, "shapes");
+  if (!check_total(*node->as_table(), shapes_path, report)) return draws;
   for (const auto& [name, entry] : *node->as_table()) {
     Shape& shape = scene.shapes.emplace_back();
     shape.name = name.str();

@@ -23,6 +23,8 @@ void add_wall(Wall wall, const toml::node& node, const Path& path, Scene& scene,
     wall.points.pop_back();  // many people close their polygons by hand
   if (drop_repeats(wall))
     report.warning(node.source(), path.text(), "points that repeat the one before were dropped");
+  if (const std::string fault = too_short(wall.points, wall.closed); !fault.empty())
+    return report.error(node, path.text(), fault);
   if (wall.points.size() >= (wall.closed ? 3 : 2)) return scene.walls.push_back(std::move(wall));
   report.error(node, path.text(),
                std::string("must have at least ") + (wall.closed ? "3" : "2") + " different points");

@@ -106,4 +106,15 @@ std::string suggestion(std::string_view word, const std::vector<std::string>& kn
   return nearest ? ", did you mean " + in_quotes(*nearest) + "?" : "";
 }
 
+std::string nearest_or_all(std::string_view word, const std::vector<std::string>& known) {
+  constexpr std::size_t kMost = 300;
+  if (std::string nearest = suggestion(word, known); !nearest.empty() || known.empty()) return nearest;
+  std::string result = ", must be one of";
+  for (const std::string& name : known) {
+    if (result.size() > kMost) return result + ", ...";
+    result += (&name == &known.front() ? " " : ", ") + in_quotes(name);
+  }
+  return result;
+}
+
 }  // namespace throng::scenarios

@@ -58,4 +58,7 @@ std::string to_text(double x);
 /// near.
 std::string suggestion(std::string_view word, const std::vector<std::string>& known);
 
+/// The suggestion; where none is near ", must be one of ..." with as many of `known` as a line bears.
+std::string nearest_or_all(std::string_view word, const std::vector<std::string>& known);
+
 }  // namespace throng::scenarios

@@ -51,6 +51,8 @@ class Scanner {
       advance();
     }
     for (std::size_t i = 0; i < width; ++i) advance();
+    for (int i = 0; multiline && i < 2 && at_ < text_.size() && text_[at_] == quote; ++i)
+      advance();  // up to two quotes of its own may stand before the closing three
   }
 
   bool starts_with_three(char quote) const {

@@ -93,10 +93,11 @@ class WktReader {
       line.points.emplace_back(x, y);
     });
     if (!good()) return;
-    line.closed = line.points.size() >= 2 && line.points.front() == line.points.back();
+    const bool returns = line.points.size() >= 2 && line.points.front() == line.points.back();
+    line.closed = returns && (ring || line.points.size() > 3);  // out and back is an open line
     if (line.closed) line.points.pop_back();
     if (ring && !line.closed) return fail("a ring must end with its first point");
-    if (line.points.size() < (ring ? 3 : 2))
+    if (line.points.size() < (ring ? 3 : 2) || (!line.closed && returns && line.points.size() == 2))
       return fail(ring ? "a ring must have at least 3 different points"
                        : "a line must have at least 2 different points");
     result_.lines.push_back(std::move(line));
@@ -112,6 +113,8 @@ class WktReader {
       return 0.0;
     }
     at_ = static_cast<std::size_t>(end.ptr - text_.data());
+    if (at_ < text_.size() && !is_space(text_[at_]) && text_[at_] != ',' && text_[at_] != ')')
+      fail("must have a space, a , or a ) after a number");
     return x;
   }
 

@@ -31,10 +31,37 @@ b2BodyType to_b2(BodyKind kind) {
 }
 
 void refuse_unsupported(const Scene& scene) {
-  if (scene.domain.kind == DomainKind::periodic)
-    throw InputError("engine box2d: domain.periodic: Box2D has no periodic domains");
-  if (scene.contact == ContactModel::none)
-    throw InputError("engine box2d: contact.model = \"none\": Box2D always handles contacts");
+  if (const std::string refusal = box2d_refusal(scene); !refusal.empty())
+    throw InputError("engine box2d: " + refusal);
+}
+
+/// Calls visit(points) for each polygon that Box2D makes of the part: it has at most b2_maxPolygonVertices, a
+/// larger one is cut into a fan.
+template <class Visit>
+void for_each_polygon(const Convex& part, Visit visit) {
+  const auto n = static_cast<int>(part.vertices.size());
+  for (int first = 1; first + 1 < n; first += b2_maxPolygonVertices - 2) {
+    b2Vec2 points[b2_maxPolygonVertices];
+    int count = 0;
+    points[count++] = to_b2(part.vertices[0]);
+    for (int i = first; i < n && count < b2_maxPolygonVertices; ++i)
+      points[count++] = to_b2(part.vertices[static_cast<std::size_t>(i)]);
+    visit(std::span<const b2Vec2>(points, static_cast<std::size_t>(count)));
+  }
+}
+
+/// Box2D welds points nearer than half its slop and asserts where fewer than three are left.
+bool is_thin(std::span<const b2Vec2> points) {
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (b2Distance(points[i], points[(i + 1) % points.size()]) < b2_linearSlop) return true;
+  return false;
+}
+
+bool is_thin(const Shape& shape) {
+  bool thin = false;
+  for (const Convex& part : shape.parts)
+    for_each_polygon(part, [&](std::span<const b2Vec2> points) { thin = thin || is_thin(points); });
+  return thin;
 }
 
 class Box2dSimulation : public Simulation {
@@ -87,7 +114,7 @@ class Box2dSimulation : public Simulation {
     const Shape& shape = scene_.shapes[bodies.shape[row]];
     const Material& material = scene_.materials[bodies.material[row]];
     if (shape.kind == ShapeKind::disc) add_disc(*body, Vec(0.0, 0.0), bodies.radius[row], material);
-    for (const Convex& part : shape.parts) add_part(*body, part, shape, material);
+    for (const Convex& part : shape.parts) add_part(*body, part, material);
     set_mass(*body, row);
     return body;
   }
@@ -119,29 +146,13 @@ class Box2dSimulation : public Simulation {
     add_fixture(body, disc, material);
   }
 
-  /// Box2D's polygons have at most b2_maxPolygonVertices: a larger one is cut into a fan.
-  static void add_part(b2Body& body, const Convex& part, const Shape& shape, const Material& material) {
-    const auto n = static_cast<int>(part.vertices.size());
-    if (n == 1) return add_disc(body, part.vertices[0], part.radius, material);
-    for (int first = 1; first + 1 < n; first += b2_maxPolygonVertices - 2) {
-      b2Vec2 points[b2_maxPolygonVertices];
-      int count = 0;
-      points[count++] = to_b2(part.vertices[0]);
-      for (int i = first; i < n && count < b2_maxPolygonVertices; ++i)
-        points[count++] = to_b2(part.vertices[static_cast<std::size_t>(i)]);
-      refuse_thin({points, static_cast<std::size_t>(count)}, shape);
+  static void add_part(b2Body& body, const Convex& part, const Material& material) {
+    if (part.vertices.size() == 1) return add_disc(body, part.vertices[0], part.radius, material);
+    for_each_polygon(part, [&](std::span<const b2Vec2> points) {
       b2PolygonShape polygon;
-      polygon.Set(points, count);
+      polygon.Set(points.data(), static_cast<int>(points.size()));
       add_fixture(body, polygon, material);
-    }
-  }
-
-  /// Box2D welds points nearer than half its slop and asserts where fewer than three are left.
-  static void refuse_thin(std::span<const b2Vec2> points, const Shape& shape) {
-    const float nearest = b2_linearSlop;
-    for (std::size_t i = 0; i < points.size(); ++i)
-      if (b2Distance(points[i], points[(i + 1) % points.size()]) < nearest)
-        throw InputError("engine box2d: shapes." + shape.name + ": has an edge shorter than Box2D's 5 mm");
+    });
   }
 
   void add_walls() {
@@ -173,6 +184,17 @@ class Box2dSimulation : public Simulation {
 };
 
 }  // namespace
+
+std::string box2d_refusal(const Scene& scene) {
+  if (scene.domain.kind == DomainKind::periodic) return "domain.periodic: Box2D has no periodic domains";
+  if (scene.contact == ContactModel::none) return "contact.model = \"none\": Box2D always handles contacts";
+  std::vector<bool> used(scene.shapes.size());
+  for (std::uint32_t shape : scene.bodies.shape) used[shape] = true;
+  for (std::size_t i = 0; i < used.size(); ++i)
+    if (used[i] && is_thin(scene.shapes[i]))
+      return "shapes." + scene.shapes[i].name + ": has an edge shorter than Box2D's 5 mm";
+  return "";
+}
 
 std::unique_ptr<Simulation> box2d_simulation(const Scene& scene) {
   return std::make_unique<Box2dSimulation>(scene);

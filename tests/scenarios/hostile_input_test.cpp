@@ -2,6 +2,7 @@
 // What a fuzzer, a broken disk or a malicious neighbour would feed us: refused, in seconds, without a crash.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 
 #include "scenarios/grammar.h"
@@ -134,6 +135,41 @@ TEST(HostileInput, OfLongDottedKeysIsRefusedBeforeItIsParsed) {
        {repeated("a.", 1'000'000) + "a = 1", repeated("[", 1) + repeated("a . ", 1'000'000) + "a]",
         "x = {" + repeated("'a'.", 1'000'000) + "a = 1}", repeated("\"\".", 1'000'000) + "a = 1"})
     EXPECT_NE(faults(load_text(text)).find("a dotted key of more than 32 parts"), std::string::npos);
+}
+
+// TOML lets one or two more quotes stand before the closing three: taken for a new string, they hid what
+// followed from the scan, and the parser recursed until the stack was gone.
+TEST(HostileInput, IsSeenBehindStringsThatEndInQuotes) {
+  for (const char* string : {"'''a''''", "'''a'''''", "\"\"\"a\"\"\"\"", "\"\"\"a\"\"\"\"\""}) {
+    const Loaded loaded =
+        load_text(std::string("throng = 1\nx = [") + string + ", {" + repeated("a.", 500) + "a = 1}]");
+    EXPECT_NE(faults(loaded).find("a dotted key of more than 32 parts"), std::string::npos) << string;
+    EXPECT_EQ(faults(load_text(std::string("throng = 1\nname = ") + string)), "") << string;
+  }
+}
+
+TEST(HostileInput, OfManyNamesIsReadInSeconds) {
+  std::string text = "throng = 1\nshapes.a.disc.radius = 1\n", bodies;
+  for (int i = 0; i < 40'000; ++i) {
+    text.append("materials.m").append(std::to_string(i)).append(".density = 1\n");
+    bodies.append("[[bodies]]\nshape = 'a'\nkind = 'static'\nat = [0, 0]\nmaterial = 'm")
+        .append(std::to_string(39'999 - i))
+        .append("'\n");
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const Loaded loaded = load_text(text + bodies);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  EXPECT_EQ(faults(loaded), "");
+  EXPECT_LT(taken.count(), 20.0);
+}
+
+TEST(HostileInput, OfManyHugeShapesIsRefusedBeforeTheirGeometryIsDone) {
+  std::string part = "[0, 0, 1]", text = "throng = 1\n";
+  for (int i = 1; i < 1000; ++i) part.append(", [").append(std::to_string(i)).append("e-3, 0, 1]");
+  for (int i = 0; i < 1001; ++i)
+    text.append("shapes.s").append(std::to_string(i)).append(".discs = [").append(part).append("]\n");
+  EXPECT_NE(faults(load_text(text)).find("more than 1000000 vertices and discs in all shapes"),
+            std::string::npos);
 }
 
 TEST(HostileInput, OfManyKeysIsRefusedInSeconds) {

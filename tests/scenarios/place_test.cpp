@@ -44,7 +44,9 @@ double least_wall_distance(const Scene& scene) {
     for (const Wall& wall : scene.walls)
       for (std::size_t i = 0; i + (wall.closed ? 0 : 1) < wall.points.size(); ++i) {
         const WallGrid::Piece piece{wall.points[i], wall.points[(i + 1) % wall.points.size()], 0};
-        least = std::min(least, distance(scene, Placed{row, scene.bodies.position[row]}, piece));
+        const Vec middle = 0.5 * (piece.a + piece.b), &p = scene.bodies.position[row];
+        least = std::min(least, distance(scene, Placed{row, p}, piece));
+        least = std::min(least, distance(scene, Placed{row, nearest(scene.domain, middle, p)}, piece));
       }
   return least;
 }
@@ -81,6 +83,31 @@ place.lattice = { origin = [-18, -9.3], spacing = [2, 20.5], size = [18, 2] }
 polyline = [[-20, -8], [0, 0], [20, -3]]
 [[walls]]
 polygon = [[-3, 4], [3, 4], [0, 8]]
+)toml";
+
+const std::string kShapes = R"toml(throng = 1
+[shapes]
+disc.disc.radius.uniform = [0.1, 0.5]
+hook.polygon = [[0, 0], [1.5, 0], [1.5, 0.4], [0.4, 0.4], [0.4, 1.5], [0, 1.5]]
+trio.discs = [[0, 0, 0.3], [0.7, 0, 0.2], [0, 0.9, 0.25]]
+[[bodies]]
+shape = "disc"
+count = 150
+place.random = { within = [[0, 0], [30, 20]], gap = 0.05 }
+[[bodies]]
+shape = "hook"
+count = 120
+angle.uniform = [0, 6.3]
+place.random = { within = [[0, 0], [30, 20]], gap = 0.05 }
+[[bodies]]
+shape = "trio"
+count = 120
+angle.uniform = [0, 6.3]
+place.random = { within = [[0, 0], [30, 20]], gap = 0.05 }
+[[walls]]
+polyline = [[4, 3], [14, 9], [26, 5]]
+[[walls]]
+segment = [[29.9, 12], [29.9, 18]]
 )toml";
 
 std::string gas(int count, double side) {
@@ -138,6 +165,34 @@ TEST(Place, FillsAPeriodicDomainAcrossItsBorders) {
   EXPECT_LT(least_distance(loaded.scene), 0.05);
   EXPECT_GT(farthest_out(loaded.scene, {Vec(-5, -5), Vec(25, 15)}), 0.3) << "nobody stands across a border";
   EXPECT_LE(farthest_out(loaded.scene, {Vec(-5, -5), Vec(25, 15)}), 0.5);
+}
+
+// Two interlocking rings cost 22,500 pairs of discs a try: a budget that counted tries alone took
+// far too long to say so.
+TEST(Place, GivesUpInSecondsWhereEveryTryIsDear) {
+  std::string ring;
+  for (int i = 0; i < 150; ++i)
+    ring += (i > 0 ? ", [" : "[") + std::to_string(5 * std::cos(i * 0.0419)) + ", " +
+            std::to_string(5 * std::sin(i * 0.0419)) + ", 0.3]";
+  const auto start = std::chrono::steady_clock::now();
+  const Loaded loaded =
+      load_text("throng = 1\nshapes.a.discs = [" + ring +
+                "]\n[[bodies]]\nshape = 'a'\ncount = 2\nplace.random.within = [[0, 0], [12, 12]]\n");
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  EXPECT_NE(faults(loaded).find("found no free place"), std::string::npos) << faults(loaded);
+  EXPECT_LT(taken.count(), 30.0);
+}
+
+TEST(Place, KeepsTheGapBetweenShapesOfAllKinds) {
+  for (const char* domain : {"box", "periodic"}) {
+    const Loaded loaded = load_text(std::string("domain.") + domain + " = [[0, 0], [30, 20]]\n" + kShapes);
+    ASSERT_EQ(faults(loaded), "");
+    const Scene& scene = loaded.scene;
+    EXPECT_GE(least_distance(scene), 0.05 - 1e-12) << domain;
+    EXPECT_LT(least_distance(scene), 0.06) << "too thin to have tested anything";
+    EXPECT_GE(least_wall_distance(scene), 0.05 - 1e-12) << domain;
+    EXPECT_LT(least_wall_distance(scene), 0.2) << "too thin to have tested anything";
+  }
 }
 
 TEST(Place, IsUniformWhereThereIsRoom) {
@@ -198,6 +253,34 @@ TEST(Overlaps, AreNoMatterAmongWhatCannotMove) {
   EXPECT_NE(faults(load_text(pair, {"bodies[0].kind=dynamic"})), "");
   EXPECT_NE(faults(load_text(pair, {"bodies[1].kind=dynamic"})), "");
   EXPECT_EQ(faults(load_text(pair, {"bodies[1].kind=dynamic", "contact.model=none"})), "");
+}
+
+TEST(Overlaps, PointAtTheFirstEntryThatOverlaps) {
+  const std::string disc = "[[bodies]]\nshape = 'a'\nat = ";
+  const Loaded loaded = load_text("throng = 1\nshapes.a.disc.radius = 0.5\n" + disc + "[9, 0]\n" + disc +
+                                  "[0, 0]\n" + disc + "[0.5, 0]\n");
+  EXPECT_EQ(faults(loaded).rfind("s.toml:6:1: warning: bodies: 1 overlap at the start: body 2 and body 3", 0),
+            0u)
+      << faults(loaded);
+}
+
+TEST(Overlaps, NameAPairOnceHoweverManyOfItsImagesMeet) {
+  const Loaded loaded = load_text(
+      "throng = 1\ndomain.periodic = [[0, 0], [10, 10]]\nshapes.a.disc.radius = 0.5\n"
+      "shapes.b.discs = [[-4.5, 0, 0.4], [4.5, 0, 0.4]]\n[[bodies]]\nshape = 'a'\nat = [0, 5]\n"
+      "[[bodies]]\nshape = 'b'\nkind = 'static'\nat = [5, 5]\n");
+  EXPECT_NE(faults(loaded).find(" 1 overlap at the start: body 1 and body 2 by 0.4"), std::string::npos)
+      << faults(loaded);
+}
+
+TEST(Overlaps, OfWhatCannotMoveCostNothing) {
+  const auto start = std::chrono::steady_clock::now();
+  const Loaded loaded = load_text(
+      "throng = 1\nshapes.a.disc.radius = 0.5\n[[bodies]]\nshape = 'a'\nkind = 'static'\n"
+      "place.lattice = { origin = [0, 0], spacing = [0, 0], size = [1000, 200] }\n");
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  EXPECT_EQ(faults(loaded), "");
+  EXPECT_LT(taken.count(), 20.0);
 }
 
 TEST(Overlaps, AreSeenAcrossPeriodicBorders) {

@@ -69,6 +69,15 @@ TEST(Shapes, ThatAreClockwiseAreMendedWithAWarning) {
   EXPECT_DOUBLE_EQ(loaded.scene.shapes.at(0).area, 1.0);
 }
 
+TEST(Shapes, ThatAreTooSmallAreToldByWhat) {
+  EXPECT_NE(faults(load_shape("{ polygon = [[0, 0], [2e-10, 0], [2e-10, 2e-10], [0, 2e-10]] }"))
+                .find("must have a squared radius of gyration of at least 1e-20 m^2, and has 6.66"),
+            std::string::npos);
+  EXPECT_NE(faults(load_shape("{ polygon = [[0, 0], [2e-11, 0], [2e-11, 2e-11], [0, 2e-11]] }"))
+                .find("must have an area of at least 1e-20 m^2, and has "),
+            std::string::npos);
+}
+
 TEST(Shapes, WithVerticesTooManyAreMendedWithAWarning) {
   for (const char* points :
        {"[[0, 0], [0, 0], [1, 0], [1, 1], [0, 1]]", "[[0, 0], [0.5, 0], [1, 0], [1, 1], [0, 1]]"}) {

@@ -53,6 +53,31 @@ TEST(Report, NamesTheOverrideInsteadOfAPlace) {
             "number nan\n");
 }
 
+// A key's own place was the file's: "s.toml: error: foo", for a foo that no file held.
+TEST(Report, NamesTheOverrideThatBroughtAnUnknownKey) {
+  for (const char* override_ : {"foo=1", "domain.foo=1", "a.b.c=1", "areas.a=1", "materials.ice.foo=1"})
+    for (const std::string& text : {std::string("throng = 1\n"), kEverything}) {
+      const Loaded loaded = load_text(text, {override_});
+      EXPECT_EQ(faults(loaded).rfind(std::string("--set ") + override_ + ": error: ", 0), 0u)
+          << faults(loaded);
+    }
+}
+
+TEST(Report, TakesTheLettersOfAllAlphabetsFromOverrides) {
+  EXPECT_EQ(load_text(kEverything, {"name=M\u00fcller"}).scene.name, "M\u00fcller");
+  EXPECT_GT(load_text(kEverything, {"name=M\xff"}).errors(), 0);
+}
+
+TEST(Report, WarnsOfBordersThatHoldNobody) {
+  const Loaded loaded = load_text(
+      "throng = 1\ncontact.model = 'none'\ndomain.box = [[0, 0], [9, 9]]\n[[walls]]\nsegment = [[0, 0], [1, "
+      "0]]\n");
+  EXPECT_EQ(
+      faults(loaded),
+      "s.toml:3:14: warning: domain.box: holds nobody: contact.model is \"none\", and the box is only drawn\n"
+      "s.toml:4:1: warning: walls: hold nobody: contact.model is \"none\", and they are only drawn\n");
+}
+
 TEST(Report, RefusesOverridesThatLeadNowhere) {
   for (const char* bad :
        {"", "time.dt", "=1", "time..dt=1", ".time=1", "time.=1", "bodies[9].spin=1", "bodies[x].spin=1",

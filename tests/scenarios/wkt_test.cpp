@@ -23,6 +23,13 @@ TEST(Wkt, ClosesALineThatEndsWhereItBegan) {
   EXPECT_EQ(wkt.lines[0].points.size(), 3u);
 }
 
+TEST(Wkt, KeepsALineThatGoesOutAndBack) {
+  const Wkt wkt = read_wkt("LINESTRING (0 0, 1 0, 0 0)");
+  ASSERT_EQ(wkt.refusal, "");
+  EXPECT_FALSE(wkt.lines.at(0).closed);
+  EXPECT_EQ(wkt.lines[0].points, (std::vector<Vec>{{0, 0}, {1, 0}, {0, 0}}));
+}
+
 TEST(Wkt, ReadsEveryRingOfAPolygon) {
   const Wkt wkt = read_wkt("POLYGON ((0 0, 9 0, 9 9, 0 0), (5 2, 6 2, 6 3, 5 2))");
   ASSERT_EQ(wkt.refusal, "");
@@ -50,7 +57,8 @@ TEST(Wkt, RefusesOtherDimensionsAndTypes) {
   for (const char* text :
        {"", "POINT (0 0)", "LINESTRING Z (0 0 0, 1 1 1)", "LINESTRING (0 0 0, 1 1 1)", "LINESTRING EMPTY",
         "SRID=4326;LINESTRING (0 0, 1 1)", "POLYGON (0 0, 1 0, 1 1, 0 0)", "LINESTRING (0,0 1,1)",
-        "LINESTRING (inf 0, 1 1)", "LINESTRING (0 0)", "LINESTRING (0 0, 0 0)", "GEOMETRYCOLLECTION ()"})
+        "LINESTRING (inf 0, 1 1)", "LINESTRING (0 0, 1.5.5)", "LINESTRING (0 0, 1-5)", "LINESTRING (0 0)",
+        "LINESTRING (0 0, 0 0)", "GEOMETRYCOLLECTION ()"})
     EXPECT_NE(read_wkt(text).refusal, "") << text;
 }
 
