@@ -89,14 +89,20 @@ TEST_F(Pairs, BracketsTheDepthInACompositeOfDiscs) {
   EXPECT_EQ(ask_one(R"({"a":)" + disc + R"(,"b":)" + row + "}")["lower"], -2.5);
 }
 
-// To the left, out of the upright of the L and so out of all of it, whichever of the two is the L.
+// To the right the disc leaves the upright of the L soonest, but only to the left it surely leaves all of it.
 TEST_F(Pairs, FindsTheShortestSureWayOutAlongTheNormalsOfBoth) {
   const std::string bent = R"({"polygon":[[0,0],[9,0],[9,1],[1,1],[1,9],[0,9]]})";
-  const std::string disc = R"({"disc":{"at":[0.5,6],"radius":0.25}})";
+  const std::string disc = R"({"disc":{"at":[0.625,6],"radius":0.25}})";
   const json one = ask_one(R"({"a":)" + bent + R"(,"b":)" + disc + "}");
   const json other = ask_one(R"({"a":)" + disc + R"(,"b":)" + bent + "}");
   EXPECT_EQ(one["lower"], other["lower"]);
-  EXPECT_DOUBLE_EQ(one["lower"].get<double>(), -0.75);
+  EXPECT_EQ(one["upper"], -0.625);
+  EXPECT_DOUBLE_EQ(one["lower"].get<double>(), -0.875);
+}
+
+TEST_F(Pairs, FindsALargePartWhoseMiddleIsFarAway) {
+  const json answer = ask_one(R"({"a":)" + kDisc + R"(,"b":{"discs":[[4,0,1],[20,0,18.5]]}})");
+  EXPECT_EQ(answer["distance"], 0.5);
 }
 
 // Of a hundred discs the last is the nearest, as if the others were not there.
