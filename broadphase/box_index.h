@@ -44,12 +44,6 @@ class BoxIndex {
   template <class F>
   void for_each_near(const Box& box, F&& f) const;
 
-  /// The same in a periodic domain: calls `f(row, offset)` for every row and every `offset` of whole periods
-  /// such that the extent, moved by the offset, touches `box`. Ascending by offset (y, then x), then by row.
-  /// Expects the extents and the middle of the box in the period, and the box no wider than the period.
-  template <class F>
-  void for_each_near(const Box& box, const Period& period, F&& f) const;
-
   std::size_t size() const { return extents_.size(); }
   std::size_t entries() const { return rows_.size(); }
   double cell_size() const { return cell_size_; }  ///< m, as chosen
@@ -124,16 +118,6 @@ void BoxIndex::for_each_near(const Box& box, F&& f) const {
   std::uint32_t row;
   while (lists.pop(row))
     if (touches(extents_[row], box)) f(row);
-}
-
-template <class F>
-void BoxIndex::for_each_near(const Box& box, const Period& period, F&& f) const {
-  for (int y = -1; y <= 1; ++y) {
-    for (int x = -1; x <= 1; ++x) {
-      const Point offset(x * period.size.x(), y * period.size.y());
-      for_each_near(Box(box.min() - offset, box.max() - offset), [&](std::uint32_t row) { f(row, offset); });
-    }
-  }
 }
 
 }  // namespace throng::broadphase

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "broadphase/point_grid.h"
@@ -31,20 +30,5 @@ struct Near {
 /// log n). Allocates only to grow.
 void find_near(const PointGrid& grid, const Point& p, const Near& near, std::vector<Neighbour>& neighbours,
                std::optional<std::uint32_t> except = {});
-
-/// The neighbours of many, one list after the other.
-struct NeighbourLists {
-  std::vector<std::size_t> first;  ///< list i is all[first[i]] up to all[first[i + 1]]
-  std::vector<Neighbour> all;
-
-  std::span<const Neighbour> operator[](std::size_t i) const {
-    return std::span(all).subspan(first[i], first[i + 1] - first[i]);
-  }
-};
-
-/// Replaces `lists` by one list per point of the grid, in order of rows: what `find_near` finds for it,
-/// except itself. Expects `points` to be what the grid was built from. Allocates only to grow.
-void find_all_near(const PointGrid& grid, std::span<const Point> points, const Near& near,
-                   NeighbourLists& lists);
 
 }  // namespace throng::broadphase

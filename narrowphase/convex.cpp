@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "narrowphase/convex.h"
 
-#include <cmath>
 #include <utility>
 
+#include "narrowphase/relative.h"
 #include "narrowphase/trigonometry.h"
 
 namespace throng::narrowphase {
@@ -19,9 +19,8 @@ Convex convex(std::vector<Vec> vertices, double radius) {
   if (count < 2) return shape;
   shape.normals.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const Vec edge = shape.vertices[i + 1 == count ? 0 : i + 1] - shape.vertices[i];
-    const double length = std::sqrt(edge.x() * edge.x() + edge.y() * edge.y());
-    shape.normals.emplace_back(edge.y() / length, -edge.x() / length);
+    const Vec along = direction(shape.vertices[next(i, count)] - shape.vertices[i], {0.0, 1.0}).unit;
+    shape.normals.emplace_back(along.y(), -along.x());
   }
   return shape;
 }

@@ -13,6 +13,7 @@ namespace throng::narrowphase {
 namespace {
 
 constexpr double kLargest = 1e100;  // m; products of four lengths stay finite
+constexpr double kLeast = 1e-140;   // m; products of two keep all their digits, as `orientation` expects
 
 /// A vertex and its place in the polygon as given.
 struct Given {
@@ -24,14 +25,16 @@ std::string vertex_name(std::size_t index) {
   return "vertex " + std::to_string(index);
 }
 
-bool usable(double x) {
-  return std::abs(x) <= kLargest;
-}
-
 std::string name_faulty(std::span<const Vec> vertices) {
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    if (!usable(vertices[i].x()) || !usable(vertices[i].y()))
+  const auto too_large = [](double x) { return !(std::abs(x) <= kLargest); };
+  const auto too_small = [](double x) { return x != 0.0 && std::abs(x) < kLeast; };
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Vec& v = vertices[i];
+    if (too_large(v.x()) || too_large(v.y()))
       return vertex_name(i) + " is not finite or farther out than 1e100 m";
+    if (too_small(v.x()) || too_small(v.y()))
+      return vertex_name(i) + " has a coordinate that is not 0 but smaller than 1e-140 m";
+  }
   return {};
 }
 

@@ -18,9 +18,9 @@ struct Cleaned {
 };
 
 /// Welds equal neighbours (a first vertex repeated at the end is no repair) and vertices on the straight line
-/// between theirs, turns a clockwise polygon round. Refuses what is not finite or beyond 1e100 m, has fewer
-/// than three different vertices or no area, crosses, touches or folds back on itself; vertices are counted
-/// from 0 as given. O(n log n) as `find_crossing`.
+/// between theirs, turns a clockwise polygon round. Refuses what is not finite or beyond 1e100 m, has a
+/// coordinate below 1e-140 m that is not 0, has fewer than three different vertices or no area, crosses,
+/// touches or folds back on itself; vertices are counted from 0 as given. O(n log n) as `find_crossing`.
 Cleaned clean(std::span<const Vec> vertices);
 
 struct MassProperties {

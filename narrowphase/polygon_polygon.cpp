@@ -77,8 +77,9 @@ CoreSeparation closest(const Placed& p, CoreSeparation best) {
 /// then covers that end.
 Vec on_face(const Convex& polygon, const Face& face, const Vec& vertex) {
   const Vec& tail = polygon.vertices[face.edge];
-  const Vec along = polygon.vertices[next(face.edge, polygon.vertices.size())] - tail;
-  return tail + std::clamp(dot(vertex - tail, along) / dot(along, along), 0.0, 1.0) * along;
+  const Direction edge =
+      direction(polygon.vertices[next(face.edge, polygon.vertices.size())] - tail, {1.0, 0.0});
+  return tail + std::clamp(dot(vertex - tail, edge.unit), 0.0, edge.length) * edge.unit;
 }
 
 CoreSeparation face_of_a(const Placed& p, const Face& face) {

@@ -25,6 +25,8 @@ using narrowphase::Pose;
 using narrowphase::Separation;
 using narrowphase::Vec;
 
+constexpr std::size_t kLongestLine = std::size_t{16} << 20;  // bytes
+
 /// A disc that holds a part.
 struct Bound {
   Vec centre{0.0, 0.0};
@@ -115,16 +117,39 @@ Json answer(const PairQuery& q) {
   return result;
 }
 
+bool is_finite(const Json& value) {
+  if (value.is_structured()) return std::all_of(value.begin(), value.end(), is_finite);
+  return !value.is_number_float() || std::isfinite(value.get<double>());
+}
+
+/// JSON has no word for infinity or NaN, and an answer has no use for them.
+Json checked(Json result) {
+  if (!is_finite(result)) throw InputError("the answer is too large or too small for a double");
+  return result;
+}
+
 void print(const Json& line) {
   std::puts(line.dump(-1, ' ', false, Json::error_handler_t::replace).c_str());
+}
+
+/// Reads a line, of which no more is kept than proves it too long. False at the end.
+bool read_line(std::istream& in, std::string& line) {
+  constexpr auto kEnd = std::istream::traits_type::eof();
+  line.clear();
+  auto c = in.rdbuf()->sbumpc();
+  if (c == kEnd) return false;
+  for (; c != kEnd && c != '\n'; c = in.rdbuf()->sbumpc())
+    if (line.size() <= kLongestLine) line += static_cast<char>(c);
+  return true;
 }
 
 /// Answers all lines; true if none was faulty.
 bool answer_all(std::istream& in) {
   bool good = true;
   std::string line;
-  for (std::size_t number = 1; std::getline(in, line); ++number) try {
-      print(answer(read_pair(line)));
+  for (std::size_t number = 1; read_line(in, line); ++number) try {
+      if (line.size() > kLongestLine) throw InputError("longer than 16 MB");
+      print(checked(answer(read_pair(line))));
     } catch (const InputError& error) {
       print({{"line", number}, {"error", error.what()}});
       good = false;

@@ -24,8 +24,12 @@ using broadphase::Neighbour;
 using broadphase::Period;
 using broadphase::PointGrid;
 
+constexpr double kFarthest = 1e12;       // m, of a place that is asked about
+constexpr double kFarthestBody = 1e150;  // m; squared distances stay finite
+
 struct Options {
-  std::string source, point, format = "csv";
+  std::string source, format = "csv";
+  std::optional<std::string> point;
   std::optional<double> radius, at, fov;
   std::optional<std::int64_t> id, nearest;
   bool all = false, sight = false;
@@ -41,7 +45,7 @@ struct Crowd {
 void check(const Options& options) {
   if (options.fov) throw InputError("not supported yet: --fov");
   if (options.sight) throw InputError("not supported yet: --sight");
-  if (options.id.has_value() + !options.point.empty() + options.all != 1)
+  if (options.id.has_value() + options.point.has_value() + options.all != 1)
     throw InputError("query: give one of --id I, --point X,Y and --all");
   if (!options.radius && !options.nearest) throw InputError("query: give --radius R, --nearest K or both");
   if (options.radius && !(*options.radius >= 0.0))
@@ -61,6 +65,9 @@ Vec parse_point(const std::string& text) {
       throw InputError("query: --point must be two finite numbers X,Y in metres, not '" + text + "'");
     at = next + 1;
   }
+  if (p.cwiseAbs().maxCoeff() > kFarthest)
+    throw InputError("query: --point must be at most 1e12 m from the origin on either axis, not '" + text +
+                     "'");
   return p;
 }
 
@@ -119,9 +126,9 @@ Crowd crowd(const Options& options) {
   if (scene.domain.kind == DomainKind::periodic)
     crowd.period = {scene.domain.min, scene.domain.max - scene.domain.min};
   for (std::size_t row = 0; row < crowd.id.size(); ++row) {
-    if (!crowd.position[row].allFinite())
+    if (!crowd.position[row].allFinite() || crowd.position[row].cwiseAbs().maxCoeff() > kFarthestBody)
       throw InputError(options.source + ": body " + std::to_string(crowd.id[row]) +
-                       " has no finite position");
+                       " has no position within 1e150 m of the origin");
     if (crowd.period) crowd.position[row] = wrap(crowd.position[row], *crowd.period);
   }
   return crowd;
@@ -187,7 +194,7 @@ class Printer {
 
 void query(const Options& options) {
   check(options);
-  const Vec point = options.point.empty() ? Vec(0.0, 0.0) : parse_point(options.point);
+  const Vec point = options.point ? parse_point(*options.point) : Vec(0.0, 0.0);
   const Crowd crowd = tools::crowd(options);
   Near near;
   if (options.radius) near.radius = *options.radius;
@@ -199,7 +206,7 @@ void query(const Options& options) {
   grid.rebuild(crowd.position, cell_size(crowd, near), crowd.period ? &*crowd.period : nullptr);
   std::vector<Neighbour> neighbours;
   Printer printer(options.format, crowd);
-  if (!options.point.empty()) {
+  if (options.point) {
     find_near(grid, crowd.period ? wrap(point, *crowd.period) : point, near, neighbours);
     printer.print({}, neighbours);
   } else {
@@ -210,6 +217,29 @@ void query(const Options& options) {
     }
   }
   printer.finish();
+}
+
+/// CLI11 takes an empty value for an option that isn't there.
+CLI::Validator something() {
+  const auto check = [](std::string& text) {
+    return text.empty() ? std::string("a value is missing") : std::string();
+  };
+  return {check, ""};
+}
+
+/// Leaves a whole number in decimals as CLI11 reads it, which alone takes 010 for 8 and what is out of range
+/// for the largest there is.
+CLI::Validator whole_number() {
+  const auto check = [](std::string& text) -> std::string {
+    std::int64_t number = 0;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, number);
+    if (error == std::errc::result_out_of_range) return text + " is out of range";
+    if (error != std::errc() || stop != end) return "'" + text + "' is no whole number";
+    text = std::to_string(number);
+    return {};
+  };
+  return {check, ""};
 }
 
 }  // namespace
@@ -226,12 +256,16 @@ void add_query(CLI::App& app, int&) {
       "For --point the id is empty in csv and null in json.");
   command->add_option("SOURCE", options->source, "scenario, asked as it starts, or recording (.h5)")
       ->required();
-  command->add_option("--radius", options->radius, "how far away neighbours may be (m); inf without it");
-  command->add_option("--id", options->id, "neighbours of the body with this id, itself left out");
-  command->add_option("--point", options->point, "X,Y (m): neighbours of a place");
+  command->add_option("--radius", options->radius, "how far away neighbours may be (m); inf without it")
+      ->check(something());
+  command->add_option("--id", options->id, "neighbours of the body with this id, itself left out")
+      ->transform(whole_number());
+  command->add_option("--point", options->point, "X,Y (m): neighbours of a place")->check(something());
   command->add_flag("--all", options->all, "neighbours of every body, in order of id");
-  command->add_option("--at", options->at, "time (s); the nearest recorded frame, the last one without it");
-  command->add_option("--nearest", options->nearest, "at most so many, the nearest");
+  command->add_option("--at", options->at, "time (s); the nearest recorded frame, the last one without it")
+      ->check(something());
+  command->add_option("--nearest", options->nearest, "at most so many, the nearest")
+      ->transform(whole_number());
   command->add_option("--fov", options->fov, "not supported yet");
   command->add_flag("--sight", options->sight, "not supported yet");
   command->add_option("--format", options->format, "csv or json")->check(CLI::IsMember({"csv", "json"}));

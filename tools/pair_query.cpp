@@ -20,7 +20,9 @@ using narrowphase::Vec;
 
 constexpr int kDeepest = 8;                   // levels of nesting that any line needs, and some
 constexpr std::size_t kMostVertices = 20000;  // of a polygon: seconds, not minutes
+constexpr std::size_t kMostDiscs = 20000;     // of a composite, likewise
 constexpr double kLargest = 1e100;            // m
+constexpr double kLeast = 1e-140;             // m; squares of smaller lengths lose their digits
 
 [[noreturn]] void fail(const std::string& path, const std::string& what) {
   throw InputError(path + ": " + what);
@@ -89,9 +91,15 @@ std::string at(const std::string& path, std::size_t i) {
   return path + "[" + std::to_string(i) + "]";
 }
 
+double coordinate(const Json& value, const std::string& path) {
+  const double x = number(value, path);
+  if (x != 0.0 && std::abs(x) < kLeast) fail(path, "0 or a number of at least 1e-140 in size is expected");
+  return x;
+}
+
 Vec point(const Json& value, const std::string& path) {
   array(value, path, 2);
-  return {number(value[0], at(path, 0)), number(value[1], at(path, 1))};
+  return {coordinate(value[0], at(path, 0)), coordinate(value[1], at(path, 1))};
 }
 
 double optional_number(const Json& object, const std::string& path, const char* key) {
@@ -124,12 +132,14 @@ Convex read_disc(const Json& value, const std::string& path) {
 
 std::vector<Convex> read_discs(const Json& value, const std::string& path) {
   if (!value.is_array() || value.empty()) fail(path, "a list of [x, y, radius] is expected");
+  if (value.size() > kMostDiscs) fail(path, "at most " + std::to_string(kMostDiscs) + " discs are supported");
   std::vector<Convex> parts;
   for (std::size_t i = 0; i < value.size(); ++i) {
     const std::string here = at(path, i);
     array(value[i], here, 3);
-    parts.push_back(narrowphase::disc(length(value[i][2], at(here, 2)),
-                                      {number(value[i][0], at(here, 0)), number(value[i][1], at(here, 1))}));
+    parts.push_back(
+        narrowphase::disc(length(value[i][2], at(here, 2)),
+                          {coordinate(value[i][0], at(here, 0)), coordinate(value[i][1], at(here, 1))}));
   }
   return parts;
 }

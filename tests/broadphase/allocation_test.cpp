@@ -96,8 +96,11 @@ TEST(Allocation, HappensOnceForNeighbours) {
   const Points points = cloud(random, 1000, 30.0);
   PointGrid grid;
   grid.rebuild(points, 1.0);
-  NeighbourLists lists;
-  EXPECT_EQ(allocations_of([&] { find_all_near(grid, points, {3.0, 5}, lists); }), 0);
+  std::vector<Neighbour> neighbours;
+  EXPECT_EQ(allocations_of([&] {
+              for (const Point& p : points) find_near(grid, p, {3.0, 5}, neighbours);
+            }),
+            0);
 }
 
 TEST(Allocation, NeverHappensWhenABoxIndexAnswers) {

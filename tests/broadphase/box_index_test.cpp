@@ -195,17 +195,5 @@ TEST(BoxIndex, PutsALongDiagonalIntoFewCells) {
   EXPECT_LE(index.entries(), 180u);
 }
 
-TEST(BoxIndex, SeesAcrossTheSeam) {
-  const Period period{{0, 0}, {10, 10}};
-  const BoxIndex index = index_of({box_extent(9, 9, 10, 10), segment(0, 0.2, 0.2, 0)}, 1.0);
-  std::vector<std::pair<std::uint32_t, Point>> found;
-  const auto note = [&](std::uint32_t row, const Point& offset) { found.push_back({row, offset}); };
-  index.for_each_near(box(-0.5, -0.5, 0.5, 0.5), period, note);
-  EXPECT_THAT(found, ElementsAre(std::pair(0u, Point(-10, -10)), std::pair(1u, Point(0, 0))));
-  found.clear();
-  index.for_each_near(box(9.5, 4, 10.5, 10.05), period, note);
-  EXPECT_THAT(found, ElementsAre(std::pair(0u, Point(0, 0)), std::pair(1u, Point(10, 10))));
-}
-
 }  // namespace
 }  // namespace throng::broadphase

@@ -123,6 +123,24 @@ TEST(Separation, HoldsFromAtomsToGalaxies) {
   }
 }
 
+// The square of an edge of 1e-200 m is 0, and a length of 0 gave a normal of NaN.
+TEST(Separation, OfAnEdgeTooShortToBeSquaredIsANumber) {
+  for (double length : {5e-324, 1e-310, 1e-200, 1e-160}) {
+    const Convex tiny = segment({0, 0}, {length, 0});
+    EXPECT_EQ(tiny.normals[0], Vec(0, -1)) << length;
+    EXPECT_EQ(tiny.normals[1], Vec(0, 1)) << length;
+    const Separation above = separation(tiny, at(0, 0), disc(1), at(0, 3));
+    EXPECT_EQ(above.distance, 2.0) << length;
+    EXPECT_EQ(above.normal, Vec(0, 1)) << length;
+    const Separation crossed = separation(kSquare, at(0, 0), tiny, at(0.75, 0));
+    EXPECT_EQ(crossed.distance, -0.25) << length;
+    expect_point(crossed.point_a, 1, 0);
+    const Separation crossing = separation(tiny, at(0, 0), segment({0, -1}, {0, 1}), at(0, 0));
+    EXPECT_EQ(crossing.distance, 0.0) << length;
+    expect_point(crossing.point_a, 0, crossing.point_a.y());
+  }
+}
+
 TEST(Separation, IsTheExhaustiveOne) {
   Random random(kSeed);
   std::map<std::string, int> seen;

@@ -83,6 +83,16 @@ TEST(Clean, RefusesWhatIsNotANumber) {
     EXPECT_THAT(clean(Points{{0, 0}, {1, 0}, {1, x}}).refusal, HasSubstr("vertex 2")) << x;
 }
 
+// Products of smaller coordinates fall below the doubles, and with them the exact decisions: this sliver's
+// turn, half of 1e-340 m², came out as 0, so that a triangle of three corners had no area.
+TEST(Clean, RefusesCoordinatesWhoseProductsAreLost) {
+  for (double x : {1e-170, -1e-170, 9.9e-141, 5e-324})
+    EXPECT_THAT(clean(Points{{0, 0}, {1, 0}, {1, x}}).refusal, HasSubstr("vertex 2")) << x;
+  EXPECT_THAT(clean(Points{{0, 0}, {1e-170, 0}, {0, 1e-170}}).refusal, HasSubstr("vertex 1 "));
+  EXPECT_EQ(clean(Points{{0, 0}, {1e-140, 0}, {0, 1e-140}}).refusal, "");
+  EXPECT_EQ(clean(Points{{-0.0, 0}, {-1e-140, 1e-140}, {0, -1e-140}}).refusal, "");
+}
+
 TEST(FindCrossing, SeesWhatAllPairsOfEdgesSee) {
   Random random(77);
   int crossing = 0;

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
+// throng pairs, run as its users run it.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
+
+#include "tests/tools/program.h"
 
 namespace throng {
 namespace {
@@ -21,38 +22,33 @@ struct Answers {
   int exit_code;
 };
 
-/// What `throng pairs` says to a file with this text.
-Answers ask(const std::string& text) {
-  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  const std::string file = testing::TempDir() + "pairs_" + test->name() + ".jsonl";
-  std::ofstream(file) << text;
-  FILE* pipe = popen((std::string(THRONG_PROGRAM) + " pairs " + file).c_str(), "r");
-  std::string output;
-  for (int c; (c = std::fgetc(pipe)) != EOF;) output += static_cast<char>(c);
-  Answers answers{{}, WEXITSTATUS(pclose(pipe))};
-  std::filesystem::remove(file);
-  for (std::size_t at = 0; at < output.size();) {
-    const std::size_t end = output.find('\n', at);
-    answers.lines.push_back(json::parse(output.substr(at, end - at)));
-    at = end + 1;
+class Pairs : public Program {
+ protected:
+  static Answers answers_of(const Result& result) {
+    Answers answers{{}, result.exit_code};
+    std::istringstream lines(result.out);
+    for (std::string line; std::getline(lines, line);) answers.lines.push_back(json::parse(line));
+    return answers;
   }
-  return answers;
-}
 
-json ask_one(const std::string& line) {
-  return ask(line + "\n").lines.at(0);
-}
+  /// What `throng pairs` says to a file with this text.
+  Answers ask(const std::string& text) const {
+    return answers_of(throng("pairs " + write("pairs.jsonl", text)));
+  }
+
+  json ask_one(const std::string& line) const { return ask(line + "\n").lines.at(0); }
+};
 
 const std::string kDisc = R"({"disc":{"radius":1}})";
 const std::string kSquare = R"({"polygon":[[-1,-1],[1,-1],[1,1],[-1,1]]})";
 
-TEST(Pairs, AnswersADiscAndAPolygonWithAllTheirFigures) {
+TEST_F(Pairs, AnswersADiscAndAPolygonWithAllTheirFigures) {
   const json answer = ask_one(R"({"id":"x1","a":)" + kDisc + R"(,"b":{"polygon":[[2,-1],[3,0],[2,1]]}})");
   EXPECT_EQ(answer, json::parse(R"({"id":"x1","distance":1.0,"lower":1.0,"upper":1.0,"collide":false,
       "normal":[1.0,0.0],"point_a":[1.0,0.0],"point_b":[2.0,0.0]})"));
 }
 
-TEST(Pairs, GivesOverlappingConvexShapesAManifold) {
+TEST_F(Pairs, GivesOverlappingConvexShapesAManifold) {
   const json answer =
       ask_one(R"({"a":)" + kSquare + R"(,"b":{"polygon":[[-1,-1],[1,-1],[1,1],[-1,1]],"at":[1.5,0]}})");
   EXPECT_EQ(answer["distance"], -0.5);
@@ -61,20 +57,20 @@ TEST(Pairs, GivesOverlappingConvexShapesAManifold) {
   EXPECT_FALSE(answer.contains("id"));
 }
 
-TEST(Pairs, RotatesAboutTheLocalOriginThenTranslates) {
+TEST_F(Pairs, RotatesAboutTheLocalOriginThenTranslates) {
   const json answer = ask_one(
       R"({"a":)" + kDisc + R"(,"b":{"disc":{"at":[1,0],"radius":1},"at":[0,4],"angle":1.5707963267948966}})");
   EXPECT_NEAR(answer["distance"].get<double>(), 3.0, 1e-15);
 }
 
-TEST(Pairs, SeesIntoTheNotchOfANonConvexPolygon) {
+TEST_F(Pairs, SeesIntoTheNotchOfANonConvexPolygon) {
   const json answer = ask_one(
       R"({"a":{"polygon":[[0,0],[3,0],[3,1],[1,1],[1,3],[0,3]]},"b":{"disc":{"at":[2,2.25],"radius":0.5}}})");
   EXPECT_DOUBLE_EQ(answer["distance"].get<double>(), 0.5);
   EXPECT_EQ(answer["lower"], answer["upper"]);
 }
 
-TEST(Pairs, BracketsTheDepthOfNonConvexSolids) {
+TEST_F(Pairs, BracketsTheDepthOfNonConvexSolids) {
   const json answer = ask_one(
       R"({"a":{"polygon":[[0,0],[3,0],[3,1],[1,1],[1,3],[0,3]]},"b":{"disc":{"at":[0.5,0.5],"radius":0.25}}})");
   EXPECT_EQ(answer["collide"], true);
@@ -83,18 +79,61 @@ TEST(Pairs, BracketsTheDepthOfNonConvexSolids) {
   EXPECT_FALSE(answer.contains("manifold"));
 }
 
-TEST(Pairs, TakesASolidInsideAnotherForACollision) {
+// The middle disc alone is left after 1.5 m; along the x axis all three are after 2.5 m.
+TEST_F(Pairs, BracketsTheDepthInACompositeOfDiscs) {
+  const std::string row = R"({"discs":[[0,0,1],[-1,0,1],[1,0,1]]})", disc = R"({"disc":{"radius":0.5}})";
+  const json answer = ask_one(R"({"a":)" + row + R"(,"b":)" + disc + "}");
+  EXPECT_EQ(answer["distance"], -1.5);
+  EXPECT_EQ(answer["upper"], -1.5);
+  EXPECT_EQ(answer["lower"], -2.5);
+  EXPECT_EQ(ask_one(R"({"a":)" + disc + R"(,"b":)" + row + "}")["lower"], -2.5);
+}
+
+// To the right the disc leaves the upright of the L soonest, but only to the left it surely leaves all of it.
+TEST_F(Pairs, FindsTheShortestSureWayOutAlongTheNormalsOfBoth) {
+  const std::string bent = R"({"polygon":[[0,0],[9,0],[9,1],[1,1],[1,9],[0,9]]})";
+  const std::string disc = R"({"disc":{"at":[0.625,6],"radius":0.25}})";
+  const json one = ask_one(R"({"a":)" + bent + R"(,"b":)" + disc + "}");
+  const json other = ask_one(R"({"a":)" + disc + R"(,"b":)" + bent + "}");
+  EXPECT_EQ(one["lower"], other["lower"]);
+  EXPECT_EQ(one["upper"], -0.625);
+  EXPECT_DOUBLE_EQ(one["lower"].get<double>(), -0.875);
+}
+
+TEST_F(Pairs, FindsALargePartWhoseMiddleIsFarAway) {
+  const json answer = ask_one(R"({"a":)" + kDisc + R"(,"b":{"discs":[[4,0,1],[20,0,18.5]]}})");
+  EXPECT_EQ(answer["distance"], 0.5);
+}
+
+// Of a hundred discs the last is the nearest, as if the others were not there.
+TEST_F(Pairs, FindsTheNearestOfManyParts) {
+  std::string discs;
+  for (int i = 0; i < 100; ++i) discs += (i > 0 ? ",[" : "[") + std::to_string(200 - 2 * i) + ",0,0.5]";
+  const json answer = ask_one(R"({"a":)" + kDisc + R"(,"b":{"discs":[)" + discs + "]}}");
+  EXPECT_EQ(answer["distance"], 0.5);
+  EXPECT_EQ(answer["point_b"], json::parse("[1.5,0.0]"));
+}
+
+TEST_F(Pairs, TakesTouchingForACollision) {
+  const json answer =
+      ask_one(R"({"a":)" + kSquare + R"(,"b":{"disc":{"at":[2,0],"radius":1}},"epsilon":0.1})");
+  EXPECT_EQ(answer["distance"], 0.0);
+  EXPECT_EQ(answer["collide"], true);
+  EXPECT_EQ(answer["manifold"], json::parse(R"([{"point":[1.0,0.0],"separation":0.0}])"));
+}
+
+TEST_F(Pairs, TakesASolidInsideAnotherForACollision) {
   const json answer = ask_one(R"({"a":)" + kSquare + R"(,"b":{"disc":{"radius":0.01}}})");
   EXPECT_DOUBLE_EQ(answer["distance"].get<double>(), -1.01);
 }
 
-TEST(Pairs, RoundsSegmentsAndPolygons) {
+TEST_F(Pairs, RoundsSegmentsAndPolygons) {
   const json answer = ask_one(
       R"({"a":{"segment":[[0,0],[1,0]],"radius":0.25},"b":{"polygon":[[0,2],[1,2],[1,3]],"radius":0.5}})");
   EXPECT_EQ(answer["distance"], 1.25);
 }
 
-TEST(Pairs, AnswersTheOtherLinesAroundFaultyOnes) {
+TEST_F(Pairs, AnswersTheOtherLinesAroundFaultyOnes) {
   const std::string good = R"({"id":1,"a":)" + kDisc + R"(,"b":)" + kDisc + "}\n";
   const Answers answers = ask(good + "nonsense\n\n" + good);
   EXPECT_EQ(answers.exit_code, 2);
@@ -106,7 +145,7 @@ TEST(Pairs, AnswersTheOtherLinesAroundFaultyOnes) {
   EXPECT_EQ(ask(good).exit_code, 0);
 }
 
-TEST(Pairs, RefusesABadLineAndSaysWhy) {
+TEST_F(Pairs, RefusesABadLineAndSaysWhy) {
   const std::pair<std::string, std::string> cases[] = {
       {R"({"a":{"disc":{"radius":1}},"a":{"disc":{"radius":1}}})", "twice"},
       {R"({"a":)" + kDisc + R"(,"b":)" + kDisc + R"(,"c":1})", "unknown key \"c\""},
@@ -121,6 +160,15 @@ TEST(Pairs, RefusesABadLineAndSaysWhy) {
       {R"({"a":)" + kDisc + R"(,"b":{"discs":[]}})", "b.discs"},
       {R"({"a":)" + kDisc + R"(,"b":{"disc":{"radius":1},"velocity":[1,0]}})", "not supported yet: motion"},
       {R"({"a":)" + kDisc + R"(,"b":)" + kDisc + R"(,"until":1})", "not supported yet: motion"},
+      {R"({"a":)" + kDisc + R"(,"b":{"disc":{"radius":1},"spin":1}})", "not supported yet: motion"},
+      {R"({"a":)" + kDisc + R"(,"b":{"disc":{"radius":1},"radius":1}})", "b.radius: only"},
+      {R"({"a":)" + kDisc + R"(,"b":{"disc":{"radius":1},"discs":[[0,0,1]]}})", "b: one of"},
+      {R"({"a":)" + kDisc + R"(,"b":{"segment":[[0,0],[1,0]],"radius":-1}})",
+       "b.radius: must not be negative"},
+      {R"({"a":)" + kDisc + R"(,"b":{"discs":[[0,0,-1]]}})", "b.discs[0][2]"},
+      {R"({"a":)" + kDisc + R"(,"b":{"disc":{}}})", "radius is missing"},
+      {R"({"a":)" + kDisc + R"(,"b":{"disc":{"radius":1e101}}})", "up to 1e100"},
+      {R"({"a":)" + kDisc + R"(,"b":)" + kDisc + R"(,"epsilon":-1})", "epsilon"},
       {R"([1,2])", "object"},
       {R"({"id":[1],"a":)" + kDisc + R"(,"b":)" + kDisc + "}", "id"},
       {"{\"\xff\":1}", "not JSON"},
@@ -133,19 +181,121 @@ TEST(Pairs, RefusesABadLineAndSaysWhy) {
   }
 }
 
-TEST(Pairs, SurvivesATowerOfBrackets) {
+TEST_F(Pairs, SurvivesATowerOfBrackets) {
   EXPECT_THAT(ask_one(std::string(1000000, '['))["error"].get<std::string>(), HasSubstr("deep"));
 }
 
-TEST(Pairs, SaysWhatItMendedInAPolygon) {
+TEST_F(Pairs, SaysWhatItMendedInAPolygon) {
   const json answer = ask_one(R"({"a":)" + kDisc + R"(,"b":{"polygon":[[3,0],[3,1],[4,1],[4,0],[4,0]]}})");
   EXPECT_EQ(answer["distance"], 2.0);
   EXPECT_EQ(answer["repairs"].size(), 2u);
 }
 
-TEST(Pairs, EndsWithTwoWhereThereIsNoFile) {
-  const std::string command = std::string(THRONG_PROGRAM) + " pairs /nowhere/at/all 2>/dev/null";
-  EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 2);
+TEST_F(Pairs, EndsWithTwoWhereThereIsNoFile) {
+  for (const std::string& file : {path("absent"), path("")}) {
+    const Result result = throng("pairs " + file);
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_THAT(result.err, HasSubstr("can't be read"));
+  }
+}
+
+TEST_F(Pairs, ReadsStandardInputWhereTheFileIsAHyphen) {
+  write("in", R"({"id":7,"a":)" + kDisc + R"(,"b":)" + kDisc + "}");
+  const Result result = throng("pairs - <" + path("in"));
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.out, HasSubstr("{\"id\":7,\"distance\":-2.0,"));
+}
+
+// A segment of 1e-200 m against a disc: "distance": null, and exit code 0.
+TEST_F(Pairs, RefusesACoordinateTooSmallToBeSquared) {
+  const Answers answers =
+      ask(R"({"a":{"segment":[[0,0],[1e-200,0]]},"b":{"disc":{"at":[0,3],"radius":1}}})" + std::string("\n"));
+  EXPECT_EQ(answers.exit_code, 2);
+  EXPECT_EQ(answers.lines.at(0)["line"], 1);
+  EXPECT_THAT(answers.lines.at(0)["error"].get<std::string>(), HasSubstr("a.segment[1][0]"));
+  for (const char* disc : {R"({"disc":{"at":[0,1e-141],"radius":1}})", R"({"discs":[[-1e-300,0,1]]})",
+                           R"({"disc":{"radius":1},"at":[0,5e-324]})"}) {
+    const json answer = ask_one(R"({"a":)" + kDisc + R"(,"b":)" + disc + "}");
+    EXPECT_THAT(answer.value("error", ""), HasSubstr("1e-140")) << disc;
+  }
+}
+
+bool holds_null(const json& value) {
+  if (!value.is_structured()) return value.is_null();
+  return std::any_of(value.begin(), value.end(), holds_null);
+}
+
+/// Shapes of about a size, by their JSON.
+std::vector<std::string> shapes_of_size(const std::string& x) {
+  return {R"({"disc":{"at":[)" + x + ",0],\"radius\":" + x + "}}",
+          R"({"disc":{"radius":)" + x + R"(},"at":[0,)" + x + R"(],"angle":)" + x + "}",
+          R"({"discs":[[)" + x + ",0," + x + "],[0,-" + x + ",0]]}",
+          R"({"segment":[[0,0],[)" + x + R"(,0]],"angle":)" + x + "}",
+          R"({"segment":[[)" + x + ",-" + x + "],[0," + x + R"(]],"radius":)" + x + "}",
+          R"({"polygon":[[0,0],[)" + x + ",0],[0," + x + R"(]],"radius":)" + x + "}",
+          R"({"polygon":[[0,0],[)" + x + ",0],[" + x + "," + x + "],[0," + x + "],[0,0]]}",
+          R"({"polygon":[[0,0],[2e0,0],[2e0,1],[1,1],[1,2],[0,2]],"at":[-)" + x + "," + x + "]}"};
+}
+
+TEST_F(Pairs, AnswersInNumbersOrRefusesWhateverTheSizes) {
+  std::vector<std::string> shapes;
+  for (const char* size : {"1e-320", "1e-200", "1e-141", "1e-140", "1e-60", "1", "1e60", "1e100", "1e101"})
+    for (const std::string& shape : shapes_of_size(size)) shapes.push_back(shape);
+  std::string text;
+  for (const std::string& a : shapes)
+    for (const std::string& b : shapes) text += R"({"a":)" + a + R"(,"b":)" + b + "}\n";
+  const Answers answers = ask(text);
+  ASSERT_EQ(answers.lines.size(), shapes.size() * shapes.size());
+  std::size_t refused = 0;
+  for (std::size_t i = 0; i < answers.lines.size(); ++i) {
+    const json& answer = answers.lines[i];
+    refused += answer.contains("error");
+    EXPECT_FALSE(holds_null(answer)) << shapes[i / shapes.size()] << " " << shapes[i % shapes.size()];
+    if (answer.contains("error")) continue;
+    EXPECT_NEAR(std::hypot(answer["normal"][0].get<double>(), answer["normal"][1].get<double>()), 1.0, 1e-15);
+    EXPECT_LE(answer["lower"], answer["upper"]);
+  }
+  EXPECT_GT(refused, answers.lines.size() / 3);
+  EXPECT_LT(refused, answers.lines.size() * 3 / 4);
+}
+
+TEST_F(Pairs, RefusesMoreVerticesThanItAnswersInSeconds) {
+  std::string vertices = "[0,0]";
+  for (int i = 0; i < 20000; ++i) vertices += ",[0,0]";
+  const json answer = ask_one(R"({"a":)" + kDisc + R"(,"b":{"polygon":[)" + vertices + "]}}");
+  EXPECT_THAT(answer.value("error", ""), HasSubstr("b.polygon: at most 20000"));
+}
+
+TEST_F(Pairs, RefusesMoreDiscsThanItAnswersInSeconds) {
+  std::string discs;
+  for (int i = 0; i < 20000; ++i) discs += "[" + std::to_string(i) + ",0,1],";
+  const auto line = [&](const std::string& last) {
+    return R"({"a":)" + kDisc + R"(,"b":{"discs":[)" + discs + last + "]}}";
+  };
+  EXPECT_THAT(ask_one(line("[0,5,1]")).value("error", ""), HasSubstr("b.discs: at most 20000"));
+  discs.erase(discs.size() - std::string("[19999,0,1],").size());
+  EXPECT_EQ(ask_one(line("[0,0.5,1]"))["distance"], -2.0);
+}
+
+// The limit on memory, which sanitizers can't live with, proves that a line of any length is not held.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+const std::string kLittleMemory;
+#else
+const std::string kLittleMemory = "ulimit -v 300000; ";
+#endif
+
+TEST_F(Pairs, RefusesALineOfAnyLengthAndGoesOn) {
+  const std::string good = R"({"a":)" + kDisc + R"(,"b":)" + kDisc + "}";
+  const std::string rest = write("rest", "\n" + good + "\n" + std::string(17 << 20, '['));
+  const Answers answers =
+      answers_of(throng("pairs -", kLittleMemory + "(head -c 400000000 /dev/zero; cat " + rest + ") | "));
+  EXPECT_EQ(answers.exit_code, 2);
+  ASSERT_EQ(answers.lines.size(), 3u);
+  EXPECT_THAT(answers.lines[0].value("error", ""), HasSubstr("longer than 16 MB"));
+  EXPECT_EQ(answers.lines[1].value("distance", 0.0), -2.0);
+  EXPECT_EQ(answers.lines[2]["line"], 3);
+  EXPECT_EQ(ask(std::string((16 << 20) - good.size(), ' ') + good).exit_code, 0);
 }
 
 }  // namespace

@@ -1,58 +1,26 @@
 // SPDX-License-Identifier: MIT
 // throng query, run as its users run it.
 #include <gmock/gmock.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <array>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "tests/tools/program.h"
+
+namespace throng {
 namespace {
 
 using nlohmann::json;
 using testing::HasSubstr;
 
-struct Result {
-  int exit_code;
-  std::string out, err;
-};
-
-class Query : public testing::Test {
+class Query : public Program {
  protected:
-  Query() : folder_(std::filesystem::temp_directory_path() / ("throng_query_" + std::to_string(getpid()))) {
-    std::filesystem::create_directories(folder_);
-  }
-  ~Query() override { std::filesystem::remove_all(folder_); }
-
-  std::string file(const std::string& name, const std::string& text) const {
-    const std::string path = folder_ / name;
-    std::ofstream(path, std::ios::binary) << text;
-    return path;
-  }
-
-  static std::string read(const std::string& path) {
-    std::ifstream in(path);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-
-  Result throng(const std::string& arguments) const {
-    const std::string out = folder_ / "out", err = folder_ / "err";
-    const int status = std::system((THRONG_PROGRAM " " + arguments + " >" + out + " 2>" + err).c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(out), read(err)};
-  }
-
   void expect_refused(const std::string& arguments, const std::string& why) const {
     const Result result = throng("query " + arguments);
     EXPECT_EQ(result.exit_code, 2) << arguments;
     EXPECT_THAT(result.err, HasSubstr(why)) << arguments;
     EXPECT_EQ(result.out, "") << arguments;
   }
-
-  std::filesystem::path folder_;
 };
 
 // 1 and 2 are 5 apart, 2 and 3 are 1 apart, 4 is 10 from 1 in the plane, and 2 away round a period of 12.
@@ -78,39 +46,44 @@ const std::string kPlane = kHead + kBodies;
 const std::string kTorus = kHead + "domain = { periodic = [[0, 0], [12, 12]] }\n" + kBodies;
 
 TEST_F(Query, AnswersForOneBody) {
-  const Result result = throng("query " + file("s.toml", kPlane) + " --radius 6 --id 2");
+  const Result result = throng("query " + write("s.toml", kPlane) + " --radius 6 --id 2");
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(result.out, "id,neighbour,distance\n2,3,1\n2,1,5\n");
 }
 
 TEST_F(Query, AnswersForAPlace) {
-  const Result result = throng("query " + file("s.toml", kPlane) + " --radius 5 --point -2.5,0.5");
+  const Result result = throng("query " + write("s.toml", kPlane) + " --radius 5 --point -2.5,0.5");
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(result.out, "id,neighbour,distance\n,1,3\n");
 }
 
 TEST_F(Query, AnswersForAllInOrderOfId) {
-  const Result result = throng("query " + file("s.toml", kPlane) + " --radius 5 --all");
+  const Result result = throng("query " + write("s.toml", kPlane) + " --radius 5 --all");
   EXPECT_EQ(result.out, "id,neighbour,distance\n1,2,5\n2,3,1\n2,1,5\n3,2,1\n");
 }
 
 TEST_F(Query, AnswersWithTheNearest) {
-  const std::string scene = file("s.toml", kPlane);
+  const std::string scene = write("s.toml", kPlane);
   EXPECT_EQ(throng("query " + scene + " --nearest 1 --id 1").out, "id,neighbour,distance\n1,2,5\n");
   EXPECT_EQ(throng("query " + scene + " --radius inf --nearest 9 --id 4").out,
             throng("query " + scene + " --radius inf --id 4").out);
   EXPECT_EQ(throng("query " + scene + " --radius 1 --nearest 3 --id 4").out, "id,neighbour,distance\n");
 }
 
+TEST_F(Query, AnswersForAPlaceAsFarAwayAsItTakes) {
+  EXPECT_EQ(throng("query " + write("s.toml", kPlane) + " --nearest 1 --point=-1e12,0").out,
+            "id,neighbour,distance\n,1,1000000000000.5\n");
+}
+
 TEST_F(Query, TakesTheNearestImage) {
-  const std::string scene = file("s.toml", kTorus);
+  const std::string scene = write("s.toml", kTorus);
   EXPECT_EQ(throng("query " + scene + " --radius 3 --id 4").out, "id,neighbour,distance\n4,1,2\n");
   EXPECT_EQ(throng("query " + scene + " --radius 3 --point 11.5,12.5").out,
             "id,neighbour,distance\n,1,1\n,4,1\n");
 }
 
 TEST_F(Query, AnswersInJson) {
-  const std::string scene = file("s.toml", kPlane);
+  const std::string scene = write("s.toml", kPlane);
   EXPECT_EQ(json::parse(throng("query " + scene + " --radius 5 --all --format json").out), json::parse(R"([
     {"id": 1, "neighbours": [{"id": 2, "distance": 5.0}]},
     {"id": 2, "neighbours": [{"id": 3, "distance": 1.0}, {"id": 1, "distance": 5.0}]},
@@ -121,20 +94,23 @@ TEST_F(Query, AnswersInJson) {
 }
 
 TEST_F(Query, AnswersForAFrameOfARecording) {
-  const std::string recording = folder_ / "r.h5";
-  const Result run = throng("run " + file("s.toml", kTorus) + " -o " + recording);
+  const std::string recording = path("r.h5");
+  const Result run = throng("run " + write("s.toml", kTorus) + " -o " + recording);
   ASSERT_EQ(run.exit_code, 0) << run.err;
   // Body 1 moves from x = 0.5 at 1 m/s: at time 1 it is 3 from body 4, round the seam.
   const std::string ask = "query " + recording + " --radius 3.5 --id 4";
   EXPECT_EQ(throng(ask + " --at 0").out, "id,neighbour,distance\n4,1,2\n");
   EXPECT_EQ(throng(ask + " --at 0.5").out, "id,neighbour,distance\n4,1,2.5\n");
+  EXPECT_EQ(throng(ask + " --at 0.6").out, "id,neighbour,distance\n4,1,2.5\n");  // of the nearest frame
   EXPECT_EQ(throng(ask).out, "id,neighbour,distance\n4,1,3\n");
+  EXPECT_EQ(throng("query " + write("unnamed", read(recording)) + " --radius 3.5 --id 4").out,
+            "id,neighbour,distance\n4,1,3\n");
   expect_refused(recording + " --radius 1 --id 4 --at 1.5", "outside the recording");
   expect_refused(recording + " --radius 1 --id 4 --at -1", "outside the recording");
 }
 
 TEST_F(Query, RefusesWhatMakesNoSense) {
-  const std::string scene = file("s.toml", kPlane);
+  const std::string scene = write("s.toml", kPlane);
   expect_refused(scene + " --radius -1 --id 1", "--radius must be 0 or more");
   expect_refused(scene + " --radius nan --id 1", "--radius must be 0 or more");
   expect_refused(scene + " --radius 1 --nearest 0 --id 1", "--nearest must be 1 or more");
@@ -145,6 +121,17 @@ TEST_F(Query, RefusesWhatMakesNoSense) {
   expect_refused(scene + " --id 1", "give --radius");
   for (const char* point : {"1", "1,", "1,2,3", "nan,0", "1,inf", "x,y", "1;2"})
     expect_refused(scene + " --radius 1 --point '" + point + "'", "--point must be two finite numbers");
+  for (const char* point : {"1e200,0", "0,-1.1e12"})
+    expect_refused(scene + " --nearest 1 --point=" + point, "--point must be at most 1e12 m from the origin");
+  expect_refused(scene + " --radius 1 --point ''", "--point: a value is missing");
+  for (const char* option : {"--point", "--radius", "--at"})
+    expect_refused(scene + " --nearest 1 --id 1 " + option + " ''",
+                   option + std::string(": a value is missing"));
+  for (const char* option : {"--nearest", "--id"})
+    for (const char* number : {"99999999999999999999", "-99999999999999999999", "1.5", "1x"})
+      expect_refused(scene + " --radius 1 --all " + option + "=" + number, option + std::string(": "));
+  expect_refused(scene + " --nearest 99999999999999999999 --id 1", "out of range");
+  expect_refused(scene + " --radius 1 --id 010", "no body has the id 10");
   expect_refused(scene + " --radius 1 --id 1 --at 2", "record a run");
   expect_refused(scene + " --radius 1 --id 1 --at nan", "--at must be a finite time");
   expect_refused(scene + " --radius 1 --id 1 --fov 90", "not supported yet: --fov");
@@ -153,11 +140,12 @@ TEST_F(Query, RefusesWhatMakesNoSense) {
 }
 
 TEST_F(Query, RefusesFilesThatAreNone) {
-  expect_refused(std::string(folder_ / "absent.toml") + " --radius 1 --all", "absent.toml");
-  expect_refused(std::string(folder_ / "absent.h5") + " --radius 1 --all", "absent.h5");
-  expect_refused(file("lie.h5", "not HDF5") + " --radius 1 --all", "lie.h5");
-  expect_refused(file("empty.toml", "") + " --radius 1 --all", "empty.toml");
-  expect_refused(file("cut.h5", "\x89HDF\r\n\x1a\n") + " --radius 1 --all", "cut.h5");
+  expect_refused(path("absent.toml") + " --radius 1 --all", "absent.toml");
+  expect_refused(path("absent.h5") + " --radius 1 --all", "absent.h5");
+  expect_refused(write("lie.h5", "not HDF5") + " --radius 1 --all", "lie.h5");
+  expect_refused(write("empty.toml", "") + " --radius 1 --all", "empty.toml");
+  expect_refused(write("cut.h5", "\x89HDF\r\n\x1a\n") + " --radius 1 --all", "cut.h5");
 }
 
 }  // namespace
+}  // namespace throng
