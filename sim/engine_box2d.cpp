@@ -50,8 +50,13 @@ void for_each_polygon(const Convex& part, Visit visit) {
   }
 }
 
-/// Box2D welds points nearer than half its slop and asserts where fewer than three are left.
+/// Box2D welds points nearer than half its slop, and asserts where fewer than three or hardly any area are
+/// left.
 bool is_thin(std::span<const b2Vec2> points) {
+  float doubled_area = 0.0f;
+  for (std::size_t i = 2; i < points.size(); ++i)
+    doubled_area += b2Cross(points[i - 1] - points[0], points[i] - points[0]);
+  if (doubled_area < 2.0f * b2_linearSlop * b2_linearSlop) return true;
   for (std::size_t i = 0; i < points.size(); ++i)
     if (b2Distance(points[i], points[(i + 1) % points.size()]) < b2_linearSlop) return true;
   return false;
@@ -87,6 +92,7 @@ class Box2dSimulation : public Simulation {
       state_.velocity[row] = from_b2(body.GetLinearVelocity());
       state_.spin[row] = body.GetAngularVelocity();
       check_body(state_, row);
+      check_speed(row);
     }
   }
 
@@ -102,6 +108,16 @@ class Box2dSimulation : public Simulation {
   std::vector<std::pair<std::string, double>> stage_times() const override { return {{"box2d", solve_}}; }
 
  private:
+  /// Box2D silently slows down what is faster than its limits.
+  void check_speed(std::size_t row) const {
+    const double way = state_.velocity[row].norm() * scene_.time.dt;
+    const double turn = std::abs(state_.spin[row]) * scene_.time.dt;
+    if (way < 0.999 * b2_maxTranslation && turn < 0.999 * b2_maxRotation) return;
+    throw SimulationError(
+        "step " + std::to_string(state_.step) + ": body " + std::to_string(state_.id[row]) +
+        " is faster than Box2D lets bodies be (2 m and a quarter turn a step): take a shorter dt");
+  }
+
   b2Body* add_body(std::size_t row) {
     const Bodies& bodies = scene_.bodies;
     b2BodyDef definition;

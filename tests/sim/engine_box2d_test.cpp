@@ -76,6 +76,14 @@ TEST(Box2dEngine, CutsPolygonsOfManyCorners) {
   EXPECT_NEAR(run->state().position[0].y(), 0.99, 0.03);
 }
 
+TEST(Box2dEngine, EndsTheRunWhereItWouldSlowABodyDown) {
+  const Scene scene = scene_from(
+      "engine = \"box2d\"\ntime = { dt = 0.01, until = 1 }\n[shapes]\nball = { disc = { radius = 0.5 } }\n"
+      "[[bodies]]\nshape = \"ball\"\nat = [0, 2]\nvelocity = [1000, 0]\n");
+  const auto run = simulation(scene);
+  EXPECT_THROW(run->step(), SimulationError);
+}
+
 class BothEngines : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(BothEngines, RunTheSceneWithoutLosingABody) {
