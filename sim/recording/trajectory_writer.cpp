@@ -64,14 +64,6 @@ std::array<bool, kFields> recorded_fields(const Record& record) {
   return {record.position, record.angle, record.velocity, record.spin};
 }
 
-double frame_bytes(const Scene& scene) {
-  const auto fields = recorded_fields(scene.record);
-  double numbers = 0;
-  for (int f = 0; f < kFields; ++f) numbers += fields[f] ? kComponents[f] : 0;
-  const double overhead = 4 * 8 + 4 * 64;  // the rows, and the index entries of the chunks
-  return numbers * (scene.record.single ? 4 : 8) * static_cast<double>(scene.bodies.size()) + overhead;
-}
-
 TrajectoryWriter::TrajectoryWriter(const std::string& path, const Scene& scene, const Provenance& provenance)
     : dt_(scene.time.dt),
       bodies_(scene.bodies.size()),
