@@ -105,7 +105,7 @@ void add_info(CLI::App& app, int& exit_code) {
   command->callback([options, &exit_code] {
     const Json description = describe(Recording(options->file));
     if (options->json)
-      std::puts(description.dump(2).c_str());
+      std::puts(description.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
     else
       print(description);
     exit_code = 0;

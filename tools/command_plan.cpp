@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 // throng plan: the stages that a scene runs and those that it skips, each with its reason.
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "sim/plan.h"
+#include "sim/recording/recorder.h"
 #include "tools/commands.h"
 #include "tools/scenario.h"
 
@@ -19,12 +22,9 @@ std::int64_t frames(const Scene& scene) {
   return scene.time.steps() / scene.record.every + 1;
 }
 
-/// Bytes of one frame as recorded: what the fields take, and the frame's own row.
-std::int64_t frame_bytes(const Scene& scene) {
-  const Record& record = scene.record;
-  const auto n = static_cast<std::int64_t>(scene.bodies.size());
-  const std::int64_t position = record.position ? (record.single ? 8 : 16) : 0;
-  return n * (position + (record.angle ? 8 : 0) + (record.velocity ? 16 : 0) + (record.spin ? 8 : 0)) + 48;
+/// What these frames take in the file.
+double output_bytes(const Scene& scene) {
+  return static_cast<double>(frames(scene)) * frame_bytes(scene);
 }
 
 std::size_t count(const Scene& scene, BodyKind kind) {
@@ -49,7 +49,7 @@ Json to_json(const Scene& scene, const Plan& plan) {
           {"substeps", scene.time.substeps},
           {"stages", stages},
           {"frames", frames(scene)},
-          {"output_bytes", frames(scene) * frame_bytes(scene)}};
+          {"output_bytes", std::llround(std::min(output_bytes(scene), 9e18))}};
 }
 
 std::string size_text(double bytes) {
@@ -74,7 +74,7 @@ void print(const Scene& scene, const Plan& plan) {
     std::printf("  %-7s %-14s %s\n", stage.runs ? "runs" : "skipped", stage.name.c_str(),
                 stage.reason.c_str());
   std::printf("\nrecorded in full: %lld frames, about %s\n", static_cast<long long>(frames(scene)),
-              size_text(static_cast<double>(frames(scene) * frame_bytes(scene))).c_str());
+              size_text(output_bytes(scene)).c_str());
 }
 
 struct Options {
@@ -98,7 +98,7 @@ void add_plan(CLI::App& app, int&) {
     const Loaded loaded = load_or_throw(options->scene, options->set);
     const Plan plan = plan_for(loaded.scene);
     if (options->json)
-      std::puts(to_json(loaded.scene, plan).dump(2).c_str());
+      std::puts(to_json(loaded.scene, plan).dump(2, ' ', false, Json::error_handler_t::replace).c_str());
     else
       print(loaded.scene, plan);
   });

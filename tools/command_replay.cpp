@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // throng replay: plays, checks or draws a recording.
 #include <cinttypes>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -21,14 +22,20 @@ constexpr std::size_t kLines = 20;  // of the table
 struct Options {
   std::string file, png, html, video;
   std::optional<double> at, speed;
-  int width = 1600, threads = 1;
+  std::optional<int> width, threads;
   bool verify = false;
 };
 
 void refuse_what_is_to_come(const Options& options) {
   if (!options.video.empty()) throw InputError("not supported yet: --video");
   if (options.speed) throw InputError("not supported yet: --speed");
+}
+
+/// An option that would do nothing is a mistake.
+void refuse_what_does_nothing(const Options& options) {
   if (options.at && options.png.empty()) throw InputError("--at says which frame --png draws: give both");
+  if (options.width && options.png.empty()) throw InputError("--width is that of --png's picture: give both");
+  if (options.threads && !options.verify) throw InputError("--threads are for --verify: give both");
 }
 
 double mean_speed(const Frame& frame) {
@@ -52,14 +59,27 @@ void print_table(const Recording& recording) {
   }
 }
 
-void draw(const Recording& recording, const Options& options) {
+/// The frame that the picture shows. Refuses times that are not the recording's.
+std::size_t frame_to_draw(const Recording& recording, const Options& options) {
   if (recording.frames() == 0) throw InputError(options.file + " holds no frames to draw");
-  const std::size_t i = options.at ? recording.index_at(*options.at) : recording.frames() - 1;
-  draw_png(recording.geometry(), recording.frame(i), options.png, options.width);
+  if (!options.at) return recording.frames() - 1;
+  const double first = recording.times().front(), last = recording.times().back(),
+               slack = 1e-9 * std::abs(last);
+  if (*options.at >= first - slack && *options.at <= last + slack) return recording.index_at(*options.at);
+  char text[160];
+  std::snprintf(text, sizeof text, ": --at %g is outside the recording, which goes from %g s to %g s",
+                *options.at, first, last);
+  throw InputError(options.file + text);
+}
+
+void draw(const Recording& recording, const Options& options) {
+  const Frame frame = recording.frame(frame_to_draw(recording, options));
+  draw_png(recording.geometry(), frame, options.png, options.width.value_or(1600));
 }
 
 int replay(const Options& options) {
   refuse_what_is_to_come(options);
+  refuse_what_does_nothing(options);
   const Recording recording(options.file);
   if (!recording.complete())
     std::fprintf(stderr, "throng: %s is %s\n", options.file.c_str(),
@@ -67,7 +87,7 @@ int replay(const Options& options) {
                                      : "of a run that did not end: these are the frames it committed");
   if (!options.png.empty()) draw(recording, options);
   if (!options.html.empty()) write_replay_page(recording, options.html);
-  if (options.verify) return verify(recording, options.file, options.threads);
+  if (options.verify) return verify(recording, options.file, options.threads.value_or(1));
   if (options.png.empty() && options.html.empty()) print_table(recording);
   return 0;
 }
@@ -81,10 +101,12 @@ void add_replay(CLI::App& app, int& exit_code) {
   command->add_option("FILE", options->file, "recording (.h5, or the .h5.part of a run)")->required();
   command->add_flag("--verify", options->verify,
                     "runs the scenario again and compares every frame, bit for bit");
-  command->add_option("--threads", options->threads, "threads for --verify")->check(CLI::Range(1, 256));
+  command->add_option("--threads", options->threads, "threads for --verify; 1 without it")
+      ->check(CLI::Range(1, 256));
   command->add_option("--png", options->png, "picture to write, of the frame nearest to --at");
   command->add_option("--at", options->at, "time of the picture (s); the last frame without it");
-  command->add_option("--width", options->width, "of the picture, in pixels")->check(CLI::Range(200, 8000));
+  command->add_option("--width", options->width, "of the picture, in pixels; 1600 without it")
+      ->check(CLI::Range(200, 8000));
   command->add_option("--html", options->html,
                       "replay page to write: one file that any browser opens, without network");
   command->add_option("--video", options->video, "not supported yet");

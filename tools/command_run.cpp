@@ -22,6 +22,8 @@ namespace throng::tools {
 
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 struct Options {
   std::string scene, output, progress = "auto", command_line;
   std::vector<std::string> overrides;
@@ -55,50 +57,69 @@ RunTimes advance(Simulation& simulation, const Scene& scene, std::optional<Recor
   return times;
 }
 
+/// One word for a shell, whatever the text holds.
+std::string quoted(const std::string& text) {
+  const bool plain = text.find_first_not_of(
+                         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                         "_-./=,:+@%") == std::string::npos;
+  if (plain && !text.empty()) return text;
+  std::string word = "'";
+  for (char c : text) c == '\'' ? word += "'\\''" : word += c;
+  return word + "'";
+}
+
 /// What to type to see the same failure again.
 std::string reproduction(const Options& options) {
-  std::string text = "throng run " + options.scene;
-  for (const std::string& o : options.overrides) text += " --set '" + o + "'";
+  std::string text = "throng run " + quoted(options.scene);
+  for (const std::string& o : options.overrides) text += " --set " + quoted(o);
   return text + " --threads " + std::to_string(options.threads);
 }
 
-void report_stop(const Options& options, const Scene& scene, const State& state) {
+void report_stop(const std::optional<Recorder>& recorder, const Scene& scene, const State& state) {
   std::fprintf(stderr, "throng: stopped by a signal after step %lld of %lld",
                static_cast<long long>(state.step), static_cast<long long>(scene.time.steps()));
-  if (!options.output.empty())
-    std::fprintf(stderr, "; %s.part holds the frames so far, closed and readable", options.output.c_str());
+  if (recorder)
+    std::fprintf(stderr, "; %s holds the frames so far, closed and readable", recorder->part().c_str());
   std::fputc('\n', stderr);
+}
+
+void print(const Json& summary) {
+  std::puts(summary.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+}
+
+/// All that a run does but run. Returns the exit code.
+int rehearse(const Options& options, const Loaded& loaded, const Provenance& provenance) {
+  const auto simulation = throng::simulation(loaded.scene, options.threads);
+  if (!options.output.empty())
+    Recorder::expect_writable(options.output, loaded.scene, provenance, options.force);
+  print(summary(loaded.scene, *simulation, RunTimes(), ""));
+  return 0;
 }
 
 int run(const Options& options) {
   const Loaded loaded = load_or_throw(options.scene, options.overrides);
   const Scene& scene = loaded.scene;
+  const Provenance provenance{loaded.text, loaded.resolved, options.command_line, options.threads};
+  if (options.dry_run) return rehearse(options, loaded, provenance);
+
   const auto simulation = throng::simulation(scene, options.threads);
+  stop_on_signals();
   std::optional<Recorder> recorder;
-  if (!options.output.empty() && !options.dry_run)
-    recorder.emplace(options.output, scene,
-                     Provenance{loaded.text, loaded.resolved, options.command_line, options.threads},
-                     options.force);
-  Progress progress(options.dry_run ? Progress::Style::none : Progress::style(options.progress),
-                    scene.time.steps(), scene.time.dt);
+  if (!options.output.empty()) recorder.emplace(options.output, scene, provenance, options.force);
+  Progress progress(Progress::style(options.progress), scene.time.steps(), scene.time.dt);
   RunTimes times;
-  if (!options.dry_run) {
-    stop_on_signals();
-    try {
-      times = advance(*simulation, scene, recorder, progress);
-    } catch (const SimulationError& error) {
-      throw SimulationError(std::string(error.what()) + "; to reproduce: " + reproduction(options));
-    }
-    progress.finish(simulation->state().step);
-    if (stop_requested) {
-      recorder.reset();
-      report_stop(options, scene, simulation->state());
-    } else if (recorder) {
-      recorder->finish();
-    }
+  try {
+    times = advance(*simulation, scene, recorder, progress);
+  } catch (const SimulationError& error) {
+    throw SimulationError(std::string(error.what()) + "; to reproduce: " + reproduction(options));
   }
-  std::puts(summary(scene, *simulation, times, options.dry_run ? "" : options.output).dump(2).c_str());
-  return stop_requested ? 130 : 0;
+  progress.finish(simulation->state().step);
+  const bool stopped = stop_requested;
+  if (recorder) stopped ? recorder->stop() : recorder->finish();
+  if (stopped) report_stop(recorder, scene, simulation->state());
+  const std::string output = !recorder ? "" : stopped ? recorder->part() : recorder->path();
+  print(summary(scene, *simulation, times, output));
+  return stopped ? 130 : 0;
 }
 
 /// An option that is short for a field of the scenario.

@@ -13,6 +13,7 @@
 #include "tools/framing.h"
 #include "tools/palette.h"
 #include "tools/picture_bodies.h"
+#include "tools/replace_file.h"
 
 namespace throng::tools {
 
@@ -187,10 +188,11 @@ void draw_png(const Scene& scene, const Frame& frame, const std::string& output,
   draw_scene(cairo.get(), page, shown, scene, frame, top);
   draw_title(cairo.get(), page, scene, frame);
   draw_legend(cairo.get(), page, frame, top);
-  const cairo_status_t status = cairo_surface_write_to_png(surface.get(), output.c_str());
-  if (status == CAIRO_STATUS_SUCCESS) return;
-  std::remove(output.c_str());
-  throw InputError("cannot write " + output + ": " + cairo_status_to_string(status));
+  replace_file(output, [&](const std::string& name) {
+    const cairo_status_t status = cairo_surface_write_to_png(surface.get(), name.c_str());
+    if (status != CAIRO_STATUS_SUCCESS)
+      throw InputError("cannot write " + output + ": " + cairo_status_to_string(status));
+  });
 }
 
 }  // namespace throng::tools

@@ -14,6 +14,7 @@
 #include "tools/base64.h"
 #include "tools/framing.h"
 #include "tools/palette.h"
+#include "tools/replace_file.h"
 
 namespace throng::tools {
 
@@ -165,7 +166,7 @@ Json describe(const Recording& recording, const Selection& selection) {
 
 /// JSON that may stand in a script element: no text can end it.
 std::string embeddable(const Json& json) {
-  std::string text = json.dump(), safe;
+  std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace), safe;
   for (char c : text) c == '<' ? safe += "\\u003c" : safe += c;
   return safe;
 }
@@ -199,13 +200,12 @@ void write_replay_page(const Recording& recording, const std::string& output) {
   for (const char* const* piece = kReplayHtml; *piece; ++piece) page += *piece;
   const std::string scene = embeddable(describe(recording, selection)),
                     frames = encode_frames(recording, selection);
-  std::ofstream out(output, std::ios::binary);
-  if (!out) throw InputError("cannot write " + output + ": " + std::strerror(errno));
-  write_filled(out, page, scene, frames);
-  out.close();
-  if (out) return;
-  std::remove(output.c_str());
-  throw InputError("cannot write " + output + ": " + std::strerror(errno));
+  replace_file(output, [&](const std::string& name) {
+    std::ofstream out(name, std::ios::binary);
+    write_filled(out, page, scene, frames);
+    out.close();
+    if (!out) throw InputError("cannot write " + output + ": " + std::strerror(errno));
+  });
 }
 
 }  // namespace throng::tools

@@ -1,11 +1,26 @@
 // SPDX-License-Identifier: MIT
 // The program: reads the command line, runs one command, turns what went wrong into a sentence and an exit
 // code.
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 
 #include "sim/input_error.h"
 #include "tools/commands.h"
+
+namespace {
+
+/// Answers that did not arrive (the disk is full) are a failure like any other.
+int with_answers_written(int exit_code) {
+  errno = 0;
+  if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return exit_code;
+  std::fprintf(stderr, "throng: cannot write to the standard output: %s\n",
+               errno != 0 ? std::strerror(errno) : "an earlier write failed");
+  return exit_code == 0 ? 1 : exit_code;
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   using namespace throng::tools;
@@ -29,7 +44,7 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+    return with_answers_written(app.exit(error) == 0 ? 0 : 2);
   } catch (const throng::InputError& error) {
     std::fprintf(stderr, "throng: %s\n", error.what());
     return 2;
@@ -37,5 +52,5 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "throng: %s\n", error.what());
     return 1;
   }
-  return exit_code;
+  return with_answers_written(exit_code);
 }

@@ -65,6 +65,12 @@ Loaded load_embedded(const Recording& recording, const std::string& file) {
     throw InputError(file + " is inconsistent: its scenario makes " +
                      std::to_string(loaded.scene.bodies.size()) + " bodies, its frames hold " +
                      std::to_string(recording.bodies()));
+  if (!same_bits(loaded.scene.time.dt, recording.geometry().time.dt))
+    throw InputError(file + " is inconsistent: its scenario has other steps than its frames");
+  const std::int64_t steps = loaded.scene.time.steps();
+  if (recording.frames() > 0 && recording.steps().back() > steps)
+    throw InputError(file + " is inconsistent: its scenario ends with step " + std::to_string(steps) +
+                     ", its frames with step " + std::to_string(recording.steps().back()));
   return loaded;
 }
 

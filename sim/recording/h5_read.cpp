@@ -6,6 +6,8 @@
 #include <limits>
 #include <string_view>
 
+#include "sim/recording/utf8.h"
+
 namespace throng::recording::h5 {
 
 namespace {
@@ -96,27 +98,10 @@ void read_block(const Dataset& dataset, hid_t type, const std::vector<hsize_t>& 
   check(H5Dread(dataset.set, type, to, from, H5P_DEFAULT, out), "cannot read");
 }
 
-bool continues(unsigned char c) {
-  return (c & 0xC0) == 0x80;
-}
-
-/// The length of the UTF-8 character at the start of `text`, 0 where there is none (RFC 3629).
-std::size_t character(std::string_view text) {
-  const auto at = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0; };
-  const unsigned char a = at(0), b = at(1);
-  if (a < 0x80) return 1;
-  if (a >= 0xC2 && a <= 0xDF) return continues(b) ? 2 : 0;
-  if (!continues(b) || !continues(at(2))) return 0;
-  if (a >= 0xE0 && a <= 0xEF) return (a == 0xE0 && b < 0xA0) || (a == 0xED && b > 0x9F) ? 0 : 3;
-  if (a >= 0xF0 && a <= 0xF4 && continues(at(3)))
-    return (a == 0xF0 && b < 0x90) || (a == 0xF4 && b > 0x8F) ? 0 : 4;
-  return 0;
-}
-
 std::string checked_text(std::string text, const char* name) {
   while (!text.empty() && text.back() == '\0') text.pop_back();
   for (std::string_view rest = text; !rest.empty();) {
-    const std::size_t length = character(rest);
+    const std::size_t length = utf8_character(rest);
     if (length == 0 || rest[0] == '\0') reject(name, "is no UTF-8 text");
     rest.remove_prefix(length);
   }

@@ -41,6 +41,17 @@ void check_target(const std::string& path, bool force) {
   if (!force) refuse(path, "it exists already; --force overwrites it");
 }
 
+/// What stands at `part` may be written over.
+void check_part(const std::string& path, const std::string& part, const struct stat& found, bool force) {
+  if (!S_ISREG(found.st_mode)) refuse(path, part + " is no regular file");
+  if (found.st_size > 0 && !force)
+    refuse(path, part + " is left from a run that did not end, and may hold frames; --force overwrites it");
+}
+
+[[noreturn]] void refuse_locked(const std::string& path, const std::string& part) {
+  refuse(path, "another run is writing it (" + part + " is locked)");
+}
+
 /// A lock on the whole file that belongs to the open file, not to the process: HDF5 opens and closes the same
 /// file.
 struct flock whole_file() {
@@ -97,28 +108,27 @@ void OutputFile::open_part() {
 void OutputFile::lock_part() {
   struct flock lock = whole_file();
   if (fcntl(fd_, F_OFD_SETLK, &lock) != 0 && (errno == EAGAIN || errno == EACCES))
-    refuse(path_, "another run is writing it (" + part_ + " is locked)");
+    refuse_locked(path_, part_);
   struct stat found;
-  if (fstat(fd_, &found) != 0 || !S_ISREG(found.st_mode)) refuse(path_, part_ + " is no regular file");
+  if (fstat(fd_, &found) != 0) refuse(path_, part_ + ": " + std::strerror(errno));
   if (!same_file(fd_, part_)) refuse(path_, "another run has just finished it");
-  if (found.st_size > 0 && !force_)
-    refuse(path_, part_ + " is left from a run that did not end, and may hold frames; --force overwrites it");
+  check_part(path_, part_, found, force_);
 }
 
-double OutputFile::free_bytes() const {
+double free_bytes(const std::string& path) {
   struct statvfs system;
-  if (statvfs(folder_of(path_).c_str(), &system) != 0) return std::numeric_limits<double>::max();
+  if (statvfs(folder_of(path).c_str(), &system) != 0) return std::numeric_limits<double>::max();
   return static_cast<double>(system.f_bavail) * static_cast<double>(system.f_frsize);
 }
 
-void OutputFile::expect_room(double bytes) const {
-  const double have = free_bytes();
+void expect_room(const std::string& path, double bytes) {
+  const double have = free_bytes(path);
   if (bytes + kReserve <= have) return;
   char text[160];
   std::snprintf(text, sizeof text,
                 "the recording needs about %.3g MB and %s has %.3g MB left; record fewer frames",
-                (bytes + kReserve) / 1e6, folder_of(path_).c_str(), have / 1e6);
-  refuse(path_, text);
+                (bytes + kReserve) / 1e6, folder_of(path).c_str(), have / 1e6);
+  refuse(path, text);
 }
 
 void OutputFile::sync() const {
@@ -132,6 +142,19 @@ void OutputFile::publish() {
   if (status != 0 && errno == EINVAL) status = rename(part_.c_str(), path_.c_str());
   if (status != 0) fail(path_);
   sync_folder(path_);
+}
+
+void expect_writable(const std::string& path, bool force) {
+  check_target(path, force);
+  const std::string part = path + ".part";
+  struct stat found;
+  if (lstat(part.c_str(), &found) == 0) {
+    if (is_being_written(part)) refuse_locked(path, part);
+    check_part(path, part, found, force);
+    if (access(part.c_str(), R_OK | W_OK) != 0) refuse(path, part + ": " + std::strerror(errno));
+  } else if (access(folder_of(path).c_str(), W_OK | X_OK) != 0) {
+    refuse(path, part + ": " + std::strerror(errno));
+  }
 }
 
 bool is_being_written(const std::string& part) {

@@ -21,12 +21,6 @@ class OutputFile {
   const std::string& path() const { return path_; }  ///< the final name
   const std::string& part() const { return part_; }  ///< where to write
 
-  /// Throws InputError where the file system has less than `bytes` and a reserve left.
-  void expect_room(double bytes) const;
-
-  /// Bytes that the file system has left for this user; the largest number where it doesn't tell.
-  double free_bytes() const;
-
   /// From now on the part stays, whatever happens.
   void keep() { keep_ = true; }
 
@@ -45,6 +39,15 @@ class OutputFile {
   bool force_, keep_ = false;
   int fd_ = -1;
 };
+
+/// Throws the InputError that an OutputFile would throw, as far as that can be told without making a file.
+void expect_writable(const std::string& path, bool force);
+
+/// Throws InputError where the file system of `path` has less than `bytes` and a reserve left.
+void expect_room(const std::string& path, double bytes);
+
+/// Bytes that the file system of `path` has left for this user; the largest number where it doesn't tell.
+double free_bytes(const std::string& path);
 
 /// True while a run holds the lock of this part.
 bool is_being_written(const std::string& part);

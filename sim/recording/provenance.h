@@ -9,7 +9,7 @@ namespace throng {
 struct Provenance {
   std::string scenario;      ///< the scenario's text as given
   std::string resolved;      ///< the same with every override applied; loads to the scene
-  std::string command_line;  ///< as typed
+  std::string command_line;  ///< as typed; bytes that are no UTF-8 become U+FFFD in the file
   int threads = 1;
 };
 

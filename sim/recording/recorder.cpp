@@ -40,6 +40,14 @@ void block_signals() {
 
 }  // namespace
 
+double frame_bytes(const Scene& scene) {
+  const auto fields = recorded_fields(scene.record);
+  double numbers = 0;
+  for (int f = 0; f < kFields; ++f) numbers += fields[f] ? kComponents[f] : 0;
+  const double overhead = 4 * 8 + 4 * 64;  // the rows, and the index entries of the chunks
+  return numbers * (scene.record.single ? 4 : 8) * static_cast<double>(scene.bodies.size()) + overhead;
+}
+
 struct Recorder::Impl {
   Impl(const std::string& path, const Scene& scene, const Provenance& provenance, bool force);
   ~Impl();
@@ -64,7 +72,7 @@ struct Recorder::Impl {
 
 Recorder::Impl::Impl(const std::string& path, const Scene& scene, const Provenance& provenance, bool force)
     : output(path, force), bytes_per_frame(frame_bytes(scene)), queue(initial_state(scene)) {
-  output.expect_room(expected_bytes(scene, provenance));
+  expect_room(path, expected_bytes(scene, provenance));
   std::promise<void> promise;
   std::future<void> ready = promise.get_future();
   writer_thread =
@@ -135,7 +143,7 @@ void Recorder::Impl::commit_when_due(TrajectoryWriter& writer) {
     output.sync();
     last_sync = now;
   }
-  const double room = output.free_bytes();
+  const double room = free_bytes(output.path());
   const double needed = uncommitted + kEnoughRoom;
   uncommitted = 0;
   if (room >= needed) return;
@@ -159,6 +167,12 @@ Recorder::Recorder(const std::string& path, const Scene& scene, const Provenance
 
 Recorder::~Recorder() = default;
 
+void Recorder::expect_writable(const std::string& path, const Scene& scene, const Provenance& provenance,
+                               bool force) {
+  recording::expect_writable(path, force);
+  expect_room(path, expected_bytes(scene, provenance));
+}
+
 void Recorder::record(const State& state) {
   impl_->queue.push(state);
   ++impl_->frames;
@@ -166,6 +180,10 @@ void Recorder::record(const State& state) {
 
 void Recorder::finish() {
   impl_->complete = true;
+  stop();
+}
+
+void Recorder::stop() {
   impl_->queue.close();
   if (impl_->writer_thread.joinable()) impl_->writer_thread.join();
   impl_->queue.check();
@@ -173,6 +191,9 @@ void Recorder::finish() {
 
 const std::string& Recorder::path() const {
   return impl_->output.path();
+}
+const std::string& Recorder::part() const {
+  return impl_->output.part();
 }
 std::size_t Recorder::frames() const {
   return impl_->frames;

@@ -10,6 +10,9 @@
 
 namespace throng {
 
+/// What one frame of the scene takes in the file, in bytes.
+double frame_bytes(const Scene& scene);
+
 /// Writes a run's trajectory to HDF5 (recording/layout.h) without holding up the loop: `record` copies the
 /// state into a queue, and one thread of the recorder's own does the rest, all of HDF5 included.
 ///
@@ -27,7 +30,12 @@ class Recorder {
   /// std::runtime_error where making the file fails all the same.
   Recorder(const std::string& path, const Scene& scene, const Provenance& provenance, bool force = false);
 
-  /// Without `finish`: closes OUT.part, which stays readable, or removes it where no frame was committed.
+  /// Throws the InputError that a Recorder of these arguments would throw, as far as that can be told without
+  /// making anything.
+  static void expect_writable(const std::string& path, const Scene& scene, const Provenance& provenance,
+                              bool force = false);
+
+  /// Without `finish`: does what `stop` does, but can't tell of errors.
   ~Recorder();
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
@@ -41,7 +49,13 @@ class Recorder {
   /// was interrupted but is worth keeping. Throws std::runtime_error as `record` does.
   void finish();
 
+  /// Writes what is queued and closes OUT.part, which stays readable as that of a run that did not end, or is
+  /// removed where no frame was committed. Call it instead of `finish`. Throws std::runtime_error as `record`
+  /// does.
+  void stop();
+
   const std::string& path() const;  ///< of the complete file
+  const std::string& part() const;  ///< of the file until then
   std::size_t frames() const;       ///< recorded so far
 
  private:

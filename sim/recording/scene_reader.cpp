@@ -96,9 +96,12 @@ void read_outlines(const h5::File& file, hid_t group, std::vector<Shape>& shapes
     for (std::size_t p = part_offset[s]; p < part_offset[s + 1]; ++p) {
       narrowphase::Convex part{
           {vertices.begin() + vertex_offset[p], vertices.begin() + vertex_offset[p + 1]}, {}, radius[p]};
+      if (part.vertices.empty()) reject("part of a shape has no vertices");
       add_normals(part);
       shapes[s].parts.push_back(std::move(part));
     }
+    if ((shapes[s].kind == ShapeKind::disc) != shapes[s].parts.empty())
+      reject("a disc has parts, or another shape has none");
   }
 }
 
@@ -147,9 +150,11 @@ std::vector<Wall> read_walls(const h5::File& file, hid_t throng, const Scene& sc
   const auto offset = read_offsets(file, group, "offset", closed.size(), points.size());
   expect_below(material, scene.materials.size(), "material");
   std::vector<Wall> walls;
-  for (std::size_t w = 0; w < closed.size(); ++w)
+  for (std::size_t w = 0; w < closed.size(); ++w) {
+    if (offset[w + 1] - offset[w] < 2) reject("wall has fewer than two points");
     walls.push_back(
         {{points.begin() + offset[w], points.begin() + offset[w + 1]}, closed[w] != 0, material[w]});
+  }
   return walls;
 }
 

@@ -11,6 +11,7 @@
 #include "sim/recording/frame_hash.h"
 #include "sim/recording/h5_write.h"
 #include "sim/recording/scene_writer.h"
+#include "sim/recording/utf8.h"
 
 namespace throng::recording {
 
@@ -33,7 +34,7 @@ void write_h5md(hid_t file) {
   h5::write_attribute(group, "version", std::span<const std::int32_t>(version));
   const h5::Handle author = h5::create_group(group, "author");
   const char* user = std::getenv("USER");
-  h5::write_attribute(author, "name", std::string_view(user ? user : "unknown"));
+  h5::write_attribute(author, "name", std::string_view(as_utf8(user ? user : "unknown")));
   const h5::Handle creator = h5::create_group(group, "creator");
   h5::write_attribute(creator, "name", std::string_view("throng"));
   h5::write_attribute(creator, "version", std::string_view(version_text()));
@@ -63,14 +64,6 @@ std::array<bool, kFields> recorded_fields(const Record& record) {
   return {record.position, record.angle, record.velocity, record.spin};
 }
 
-double frame_bytes(const Scene& scene) {
-  const auto fields = recorded_fields(scene.record);
-  double numbers = 0;
-  for (int f = 0; f < kFields; ++f) numbers += fields[f] ? kComponents[f] : 0;
-  const double overhead = 4 * 8 + 4 * 64;  // the rows, and the index entries of the chunks
-  return numbers * (scene.record.single ? 4 : 8) * static_cast<double>(scene.bodies.size()) + overhead;
-}
-
 TrajectoryWriter::TrajectoryWriter(const std::string& path, const Scene& scene, const Provenance& provenance)
     : dt_(scene.time.dt),
       bodies_(scene.bodies.size()),
@@ -96,6 +89,7 @@ void TrajectoryWriter::create_all(const Scene& scene, const Provenance& provenan
 void TrajectoryWriter::create_parameters(const Scene& scene, const Provenance& provenance) {
   constexpr const char* engines[] = {"native", "box2d"};
   const h5::Handle group = h5::create_group(file_, "parameters");
+  const std::string command_line = as_utf8(provenance.command_line);
   h5::write_attribute(group, "dt", scene.time.dt);
   h5::write_attribute(group, "until", scene.time.until);
   h5::write_attribute(group, "substeps", std::int64_t{scene.time.substeps});
@@ -109,10 +103,10 @@ void TrajectoryWriter::create_parameters(const Scene& scene, const Provenance& p
   h5::write_attribute(group, "flags", std::string_view(flags_text()));
   h5::write_attribute(group, "scenario_hash", text_hash(provenance.scenario));
   h5::write_attribute(group, "resolved_hash", text_hash(provenance.resolved));
-  h5::write_attribute(group, "command_line_hash", text_hash(provenance.command_line));
+  h5::write_attribute(group, "command_line_hash", text_hash(command_line));
   h5::write_text(group, "scenario", provenance.scenario);
   h5::write_text(group, "resolved", provenance.resolved);
-  h5::write_text(group, "command_line", provenance.command_line);
+  h5::write_text(group, "command_line", command_line);
 }
 
 void TrajectoryWriter::create_throng(const Scene& scene) {

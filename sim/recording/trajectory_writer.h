@@ -13,9 +13,6 @@ namespace throng::recording {
 /// Which fields the scene records, in the order of layout.h.
 std::array<bool, kFields> recorded_fields(const Record& record);
 
-/// What one frame takes in the file, in bytes.
-double frame_bytes(const Scene& scene);
-
 /// Writes one trajectory file, from one thread. All functions throw h5::Error; after that, `abandon` is the
 /// only call allowed, and the frames committed before stay readable.
 class TrajectoryWriter {

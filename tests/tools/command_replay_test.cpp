@@ -61,6 +61,15 @@ struct Replay : testing::Test {
     ASSERT_EQ(answer.code, 0) << answer.text;
   }
 
+  /// Puts the scenario of one recording into another one, with its hash.
+  void give_scenario(const std::string& from, const std::string& to) const {
+    const Answer answer = shell(
+        "/usr/bin/python3 -c \"import h5py; a = h5py.File('" + from + "'); b = h5py.File('" + to +
+        "', 'r+'); b['parameters'].attrs.modify('resolved_hash', a['parameters'].attrs['resolved_hash']);"
+        "b.__delitem__('parameters/resolved'); a.copy('parameters/resolved', b['parameters'])\"");
+    ASSERT_EQ(answer.code, 0) << answer.text;
+  }
+
   std::string content(const std::string& name) const {
     std::ifstream file(folder / name);
     return {std::istreambuf_iterator<char>(file), {}};
@@ -75,6 +84,9 @@ TEST_F(Replay, InfoTellsWhatTheFileHolds) {
   EXPECT_THAT(answer.text, HasSubstr("status        complete"));
   EXPECT_THAT(answer.text, HasSubstr("frames        21"));
   EXPECT_THAT(answer.text, HasSubstr("bodies        3"));
+  EXPECT_THAT(answer.text, HasSubstr("last_time     0.2"));
+  EXPECT_THAT(answer.text, HasSubstr("fields        position angle velocity\n"));
+  EXPECT_THAT(answer.text, HasSubstr("domain        box 0.0 0.0 4.0 3.0\n"));
   EXPECT_THAT(throng("info a.h5 --json").text, HasSubstr("\"command_line\": \"throng run three.toml"));
 }
 
@@ -100,23 +112,91 @@ TEST_F(Replay, CallsADamagedFileUnusable) {
 TEST_F(Replay, NamesTheFirstStepAndBodyThatDiverge) {
   const Answer other = throng("run three.toml -o other.h5 --progress none --set gravity=[0.0,-9.8]");
   ASSERT_EQ(other.code, 0) << other.text;
-  const std::string swap =
-      "import h5py; a = h5py.File('a.h5'); b = h5py.File('other.h5', 'r+');"
-      "[b['parameters'].attrs.modify(n, a['parameters'].attrs[n]) for n in ('resolved_hash',)];"
-      "b.__delitem__('parameters/resolved'); a.copy('parameters/resolved', b['parameters'])";
-  const Answer swapped = shell("/usr/bin/python3 -c \"" + swap + "\"");
-  ASSERT_EQ(swapped.code, 0) << swapped.text;
+  give_scenario("a.h5", "other.h5");
   const Answer answer = throng("replay other.h5 --verify");
   EXPECT_EQ(answer.code, 1);
   EXPECT_THAT(answer.text, HasSubstr("diverged: at step 1 "));
   EXPECT_THAT(answer.text, HasSubstr("position y of body 1 was recorded as"));
 }
 
-TEST_F(Replay, DrawsAPicture) {
-  const Answer answer = throng("replay a.h5 --png a.png --at 0.1 --width 400");
-  EXPECT_EQ(answer.code, 0) << answer.text;
+/// It happened: a step of 9e15 in a crafted file ran for ever.
+TEST_F(Replay, RefusesFramesBeyondTheEndOfTheirScenario) {
+  ASSERT_EQ(throng("run three.toml -o b.h5 --progress none --until 0.1").code, 0);
+  give_scenario("b.h5", "a.h5");
+  const Answer answer = throng("replay a.h5 --verify");
+  EXPECT_EQ(answer.code, 2);
+  EXPECT_THAT(answer.text, HasSubstr("its scenario ends with step 10, its frames with step 20"));
+}
+
+TEST_F(Replay, RefusesAScenarioWithOtherSteps) {
+  ASSERT_EQ(throng("run three.toml -o b.h5 --progress none --dt 0.005").code, 0);
+  give_scenario("b.h5", "a.h5");
+  const Answer answer = throng("replay a.h5 --verify");
+  EXPECT_EQ(answer.code, 2);
+  EXPECT_THAT(answer.text, HasSubstr("other steps"));
+}
+
+TEST_F(Replay, RefusesTimesOutsideTheRecording) {
+  for (const std::string at : {"1e9", "0.21", "-0.01", "nan", "inf"}) {
+    const Answer answer = throng("replay a.h5 --png a.png --at=" + at);
+    EXPECT_EQ(answer.code, 2) << at;
+    EXPECT_THAT(answer.text, HasSubstr("--at " + at + " is outside the recording")) << at;
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.png")) << at;
+  }
+  for (const std::string at : {"0", "0.2", "0.1234"})
+    EXPECT_EQ(throng("replay a.h5 --png a.png --at=" + at).code, 0) << at;
+}
+
+TEST_F(Replay, RefusesOptionsThatWouldDoNothing) {
+  for (const std::string options : {"--at 0.1", "--width 300", "--threads 2", "--width 300 --html a.html",
+                                    "--verify --at 0.1", "--png a.png --threads 2"}) {
+    const Answer answer = throng("replay a.h5 " + options);
+    EXPECT_EQ(answer.code, 2) << options;
+    EXPECT_THAT(answer.text, HasSubstr("give both")) << options;
+  }
+  EXPECT_EQ(throng("replay a.h5 --verify --threads 2").code, 0);
+}
+
+/// It happened: a picture that could not be written took an empty folder of that name away.
+TEST_F(Replay, LeavesWhatStoodThereWhereItCannotWrite) {
+  std::filesystem::create_directory(folder / "empty");
+  for (const std::string option : {"--png", "--html"}) {
+    const Answer answer = throng("replay a.h5 " + option + " empty");
+    EXPECT_EQ(answer.code, 2);
+    EXPECT_THAT(answer.text, HasSubstr("cannot write empty: it is a folder"));
+    EXPECT_TRUE(std::filesystem::is_directory(folder / "empty"));
+    const Answer full =
+        shell("echo precious >old; trap '' XFSZ; ulimit -f 2; " THRONG_PROGRAM " replay a.h5 " + option +
+              " old >/dev/null");
+    EXPECT_EQ(full.code, 2) << full.text;
+    EXPECT_EQ(content("old"), "precious\n") << option;
+  }
+  std::size_t entries = 0;  // nothing half-written stays
+  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder)) ++entries;
+  EXPECT_EQ(entries, 4u);
+}
+
+TEST_F(Replay, ReplacesAnOlderPictureAndWritesToAPipe) {
+  std::ofstream(folder / "a.png") << "old";
+  EXPECT_EQ(throng("replay a.h5 --png a.png --width 300").code, 0);
   EXPECT_THAT(content("a.png"), testing::StartsWith("\x89PNG"));
-  EXPECT_GT(content("a.png").size(), 3000u);
+  EXPECT_THAT(throng("replay a.h5 --html /dev/stdout | cat").text, testing::StartsWith("<!doctype html>"));
+}
+
+TEST_F(Replay, DrawsThePictureOfTheFrameThatIsAskedFor) {
+  const auto picture = [&](const std::string& options) {
+    const Answer answer = throng("replay a.h5 --png a.png " + options);
+    EXPECT_EQ(answer.code, 0) << answer.text;
+    return content("a.png");
+  };
+  const std::string middle = picture("--at 0.1 --width 400"), last = picture("--width 400");
+  EXPECT_THAT(middle, testing::StartsWith("\x89PNG"));
+  EXPECT_GT(middle.size(), 3000u);
+  EXPECT_EQ(middle.substr(16, 4), std::string("\0\0\x01\x90", 4));  // 400 pixels wide
+  EXPECT_NE(middle, last);
+  EXPECT_EQ(picture("--at 0.2 --width 400"), last);
+  EXPECT_EQ(picture("--at 0.104 --width 400"), middle);
+  EXPECT_EQ(picture("").substr(16, 4), std::string("\0\0\x06\x40", 4));  // 1600
 }
 
 TEST_F(Replay, RefusesAPictureThatCannotBeWritten) {
@@ -143,6 +223,8 @@ TEST_F(Replay, ListsTheFramesWithoutOptions) {
   EXPECT_EQ(answer.code, 0);
   EXPECT_EQ(std::count(answer.text.begin(), answer.text.end(), '\n'),
             21);  // a heading and twenty of the frames
+  EXPECT_THAT(answer.text, testing::ContainsRegex("\n +0 +0 +0 +1\\.118 +[0-9a-f]{16}\n"));
+  EXPECT_THAT(answer.text, testing::ContainsRegex("\n +20 +20 +0\\.2 +[0-9.]+ +[0-9a-f]{16}\n$"));
 }
 
 TEST_F(Replay, SaysWhatIsNotSupportedYet) {

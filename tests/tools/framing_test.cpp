@@ -49,6 +49,52 @@ TEST(Framing, ShowsAllOfABoxThatIsFull) {
   EXPECT_GE(shown.max.y(), 22);
 }
 
+TEST(Framing, ShowsTheWallsWhereTheCrowdIsAndNotThoseFarAway) {
+  Scene scene = discs(400);
+  scene.walls = {{{{-5, 0}, {-5, 30}}, false, 0}, {{{1000, 0}, {1000, 30}}, false, 0}};
+  const Extent shown = framing(scene, square(20));
+  EXPECT_LE(shown.min.x(), -5);
+  EXPECT_GE(shown.max.y(), 30);
+  EXPECT_LT(shown.size().maxCoeff(), 34);
+}
+
+TEST(Framing, ShowsAllOfAPeriodicDomain) {
+  Scene scene = discs(400);
+  scene.domain = {DomainKind::periodic, {0, 0}, {200, 100}};
+  const Extent shown = framing(scene, square(20));
+  EXPECT_LE(shown.min.x(), 0);
+  EXPECT_GE(shown.max.x(), 200);
+  EXPECT_GE(shown.max.y(), 100);
+  EXPECT_LT(shown.size().maxCoeff(), 210);
+}
+
+TEST(Framing, ShowsTheDomainOrTheWallsWhereNobodyIs) {
+  Scene scene;
+  scene.walls = {{{{-5, 0}, {7, 3}}, false, 0}};
+  const Extent walls = framing(scene, {});
+  EXPECT_LE(walls.min.x(), -5);
+  EXPECT_GE(walls.max.x(), 7);
+  EXPECT_LT(walls.size().maxCoeff(), 13);
+  scene.domain = {DomainKind::box, {-100, -100}, {100, 100}};
+  EXPECT_LE(framing(scene, {}).min.x(), -100);
+}
+
+TEST(Framing, ShowsTheDomainWhereAllHaveLeftIt) {
+  Scene scene = discs(400);
+  scene.domain = {DomainKind::box, {100, 100}, {130, 130}};
+  const Extent shown = framing(scene, square(20));
+  EXPECT_LE(shown.min.x(), 100);
+  EXPECT_GE(shown.max.x(), 130);
+}
+
+TEST(Framing, GivesALineSomeHeight) {
+  std::vector<Vec> line;
+  for (int i = 0; i < 400; ++i) line.push_back({i, 7});
+  const Extent shown = framing(discs(400), line);
+  EXPECT_GT(shown.size().y(), 50);
+  EXPECT_NEAR((shown.min.y() + shown.max.y()) / 2, 7, 1e-9);
+}
+
 TEST(Framing, IsNeverEmpty) {
   Scene none;
   EXPECT_GT(framing(none, {}).size().minCoeff(), 0);

@@ -29,6 +29,17 @@ shape = "ball"
 at = [0.3, 4]
 )";
 
+const char* const kRunaway = R"(throng = 1
+name = "runaway"
+gravity = [0, 1e8]
+time = { dt = 1, until = 1000, substeps = 1 }
+[shapes]
+ball = { disc = { radius = 0.5 } }
+[[bodies]]
+shape = "ball"
+at = [0, 2]
+)";
+
 class RunCommand : public Program {};
 class PlanCommand : public Program {};
 
@@ -108,17 +119,27 @@ TEST_F(RunCommand, DryRunWritesNothing) {
   EXPECT_FALSE(std::filesystem::exists(path("a.h5")));
 }
 
+/// A rehearsal must find what would stop the run hours later, and must leave no trace.
+TEST_F(RunCommand, DryRunChecksTheOutputWithoutMakingIt) {
+  const std::string dry = "run --dry-run " + write("a.toml", kScene) + " -o ";
+  EXPECT_EQ(throng(dry + path("no/such/a.h5")).exit_code, 2);
+  const Result exists = throng(dry + write("a.h5", "precious"));
+  EXPECT_EQ(exists.exit_code, 2);
+  EXPECT_THAT(exists.err, HasSubstr("--force"));
+  EXPECT_EQ(throng(dry + path("a.h5") + " --force").exit_code, 0);
+  const Result full = throng(dry + path("b.h5") + " --until 1e12");
+  EXPECT_EQ(full.exit_code, 2);
+  EXPECT_THAT(full.err, HasSubstr("MB left"));
+  write("c.h5.part", "frames of an earlier run");
+  EXPECT_EQ(throng(dry + path("c.h5")).exit_code, 2);
+  EXPECT_EQ(read(path("a.h5")), "precious");
+  EXPECT_EQ(read(path("c.h5.part")), "frames of an earlier run");
+  EXPECT_FALSE(std::filesystem::exists(path("a.h5.part")));
+  EXPECT_FALSE(std::filesystem::exists(path("b.h5.part")));
+}
+
 TEST_F(RunCommand, ARunThatBreaksDownNamesStepAndBodyAndKeepsItsFrames) {
-  const std::string scene = write("a.toml", R"(throng = 1
-name = "runaway"
-gravity = [0, 1e8]
-time = { dt = 1, until = 1000, substeps = 1 }
-[shapes]
-ball = { disc = { radius = 0.5 } }
-[[bodies]]
-shape = "ball"
-at = [0, 2]
-)");
+  const std::string scene = write("a.toml", kRunaway);
   const Result result = throng("run " + scene + " -o " + path("a.h5"));
   EXPECT_EQ(result.exit_code, 1) << result.err;
   EXPECT_THAT(result.err,
@@ -129,13 +150,47 @@ at = [0, 2]
   EXPECT_EQ(json::parse(info.out)["frames"], 141);
 }
 
-TEST_F(RunCommand, AStoppedRunClosesItsFile) {
-  const std::string command = "timeout -s INT 1 ";
-  const Result result = throng("run " + write("a.toml", kScene) + " --until 1e6 -o " + path("a.h5"), command);
-  EXPECT_EQ(result.exit_code, 124) << "timeout says so when it had to stop the program";
-  EXPECT_THAT(result.err, HasSubstr("stopped by a signal"));
-  EXPECT_EQ(throng("replay --verify " + path("a.h5.part") + " >/dev/null; true").exit_code, 0);
-  EXPECT_EQ(throng("info " + path("a.h5.part")).exit_code, 0);
+TEST_F(RunCommand, AStoppedRunClosesItsFileAndNamesIt) {
+  const std::string run = "run " + write("a.toml", kScene) + " --until 1e6 --every 1000 -o ";
+  for (const std::string signal : {"INT", "TERM"}) {
+    const std::string part = path(signal + ".h5.part");
+    const Result result =
+        throng(run + path(signal + ".h5"), "timeout --preserve-status -s " + signal + " 2 ");
+    ASSERT_EQ(result.exit_code, 130) << signal << result.err;
+    EXPECT_THAT(result.err, HasSubstr("stopped by a signal"));
+    EXPECT_THAT(result.err, HasSubstr(part + " holds the frames so far, closed and readable"));
+    const json summary = json::parse(result.out);
+    EXPECT_EQ(summary["output"], part);
+    EXPECT_FALSE(std::filesystem::exists(path(signal + ".h5")));
+    EXPECT_EQ(json::parse(throng("info --json " + part).out)["frames"],
+              summary["steps"].get<int>() / 1000 + 1);
+    const Result verified = throng("replay --verify " + part);
+    EXPECT_EQ(verified.exit_code, 0) << verified.out << verified.err;
+  }
+}
+
+/// The sentence is there to be pasted into a shell.
+TEST_F(RunCommand, TheCommandThatReproducesAFailureIsOneThatAShellUnderstands) {
+  const std::string scene = write("it's a scene.toml", kRunaway);
+  const Result result = throng("run \"" + scene + "\" --set 'name=\"it'\\''s\"'");
+  EXPECT_EQ(result.exit_code, 1) << result.err;
+  const std::size_t at = result.err.find("throng run ");
+  ASSERT_NE(at, std::string::npos) << result.err;
+  const std::size_t end = result.err.find('\n', at);
+  const Result again = throng(result.err.substr(at + 7, end - at - 7));
+  EXPECT_EQ(again.exit_code, 1);
+  EXPECT_EQ(again.err, result.err);
+}
+
+/// File names are bytes: a run of a Latin-1 name once made a recording that nobody could read.
+TEST_F(RunCommand, TakesFileNamesThatAreNoUtf8) {
+  const std::string scene = write("caf\xe9.toml", kScene);
+  const Result result = throng("run --until 0.1 " + scene + " -o " + path("caf\xe9.h5"), "USER=Ren\xe9 ");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(json::parse(result.out)["output"].get<std::string>(), HasSubstr("caf\xEF\xBF\xBD.h5"));
+  const Result info = throng("info --json " + path("caf\xe9.h5"));
+  EXPECT_EQ(info.exit_code, 0) << info.err;
+  EXPECT_THAT(json::parse(info.out)["command_line"].get<std::string>(), HasSubstr("caf\xEF\xBF\xBD.toml"));
 }
 
 TEST_F(RunCommand, RefusesABadScenarioWithAllItsFaults) {
@@ -163,6 +218,47 @@ TEST_F(PlanCommand, SaysWhichStagesRunAndWhy) {
   EXPECT_EQ(plan["bodies"], 2);
   EXPECT_EQ(plan["stages"].size(), 10u);
   EXPECT_GT(plan["output_bytes"], 0);
+}
+
+/// A guess of its own once forgot that single precision holds for all fields.
+TEST_F(PlanCommand, ForetellsTheSizeOfTheRecording) {
+  const std::string scene = write("a.toml", R"(throng = 1
+name = "many"
+time = { dt = 0.01, until = 0.5 }
+[shapes]
+ball = { disc = { radius = 0.4 } }
+[[bodies]]
+shape = "ball"
+place = { lattice = { origin = [0, 0], spacing = [1, 1], size = [20, 20] } }
+)");
+  for (const std::string precision : {"double", "single"}) {
+    const std::string options = " --set 'record={precision=\"" + precision +
+                                "\",fields=[\"position\",\"angle\",\"velocity\",\"spin\"]}'";
+    const std::string file = path(precision + ".h5");
+    const Result planned = throng("plan --json " + scene + options);
+    ASSERT_EQ(planned.exit_code, 0) << planned.err;
+    ASSERT_EQ(throng("run " + scene + options + " -o " + file).exit_code, 0);
+    const auto size = static_cast<double>(std::filesystem::file_size(file));
+    EXPECT_NEAR(json::parse(planned.out)["output_bytes"].get<double>(), size, 0.2 * size) << precision;
+  }
+}
+
+class AnyCommand : public Program {};
+
+/// It happened: results were lost on a full disk, and the exit code said that all was well.
+TEST_F(AnyCommand, FailsWhereItsAnswerCannotBeWritten) {
+  const std::string scene = write("a.toml", kScene), recording = path("a.h5"),
+                    pair =
+                        write("a.jsonl", R"({"a": {"disc": {"radius": 1}}, "b": {"disc": {"radius": 1}}})");
+  ASSERT_EQ(throng("run " + scene + " -o " + recording).exit_code, 0);
+  for (const std::string& command :
+       {"run " + scene, "plan " + scene, "info " + recording, "replay " + recording,
+        "query " + scene + " --point 0,0 --nearest 1", "pairs " + pair, std::string("--help")}) {
+    const std::string line = THRONG_PROGRAM " " + command + " >/dev/full 2>" + path("err");
+    EXPECT_EQ(WEXITSTATUS(std::system(line.c_str())), 1) << command;
+    EXPECT_THAT(read(path("err")), HasSubstr("cannot write to the standard output: No space left"))
+        << command;
+  }
 }
 
 }  // namespace

@@ -110,6 +110,31 @@ def offset_beyond(file):
     file["throng/walls/offset"][1] = 10**9
 
 
+def wall_without_points(file):
+    # one wall of no points: nothing of it can be drawn
+    walls = "throng/walls/"
+    replace(file, walls + "points", data=np.zeros((0, 2)))
+    replace(file, walls + "offset", data=np.zeros(2, dtype="<u8"))
+    replace(file, walls + "closed", data=np.zeros(1, dtype="<u1"))
+    replace(file, walls + "material", data=np.zeros(1, dtype="<u4"))
+
+
+def wall_of_one_point(file):
+    file["throng/walls/offset"][1] = 1
+
+
+def part_without_vertices(file):
+    file["throng/shapes/vertex_offset"][1] = 0
+
+
+def disc_with_parts(file):
+    file["throng/shapes/part_offset"][1] = 1
+
+
+def polygon_without_parts(file):
+    file["throng/shapes/part_offset"][2] = 0
+
+
 def cycle(file):
     del file["throng/bodies"]
     file["throng/bodies"] = file["throng"]
@@ -154,6 +179,7 @@ def foreign(file):
 FAULTS = (external_storage, external_link, soft_link, virtual_dataset, huge_dimensions, bomb, wrong_type, wrong_rank,
           wrong_size, not_finite, not_finite_position, altered_position, altered_state_hash, altered_scenario,
           time_going_back, time_off_the_steps, frame_missing, value_missing, index_beyond, kind_unknown, offset_beyond,
+          wall_without_points, wall_of_one_point, part_without_vertices, disc_with_parts, polygon_without_parts,
           cycle, deflated, foreign_filter, scale_offset, variable_text, no_utf8, dataset_for_a_group, group_missing,
           newer, foreign)
 

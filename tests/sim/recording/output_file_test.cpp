@@ -33,6 +33,42 @@ std::string content(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+/// The refusal of a question that makes nothing, which must be that of the attempt.
+std::string foretold(const std::string& path, bool force = false) {
+  try {
+    expect_writable(path, force);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(OutputFile, ForetellsItsRefusalsAndMakesNothing) {
+  const Folder folder;
+  EXPECT_EQ(foretold(folder / "new.h5"), "accepted");
+  EXPECT_EQ(entries(folder), 0u);
+  std::ofstream(folder / "a.h5") << "precious";
+  std::ofstream(folder / "left.h5.part") << "frames";
+  std::ofstream(folder / "empty.h5.part");
+  std::filesystem::create_directory(folder / "folder.h5.part");
+  std::filesystem::create_symlink(folder / "a.h5", folder / "link.h5");
+  const OutputFile held(folder / "held.h5", false);
+  const std::size_t refused[] = {7, 5};
+  for (bool force : {false, true}) {
+    std::size_t refusals = 0;
+    for (const char* name :
+         {"no/such/a.h5", "a.h5/a.h5", "a.h5", "left.h5", "folder.h5", "link.h5", "held.h5"}) {
+      const std::size_t before = entries(folder);
+      const std::string expected = foretold(folder / name, force);
+      refusals += expected != "accepted";
+      EXPECT_EQ(entries(folder), before) << name;
+      EXPECT_EQ(refusal(folder / name, force) == "accepted", expected == "accepted") << name;
+    }
+    EXPECT_EQ(refusals, refused[force]);
+  }
+  EXPECT_EQ(foretold(folder / "empty.h5"), "accepted");
+}
+
 TEST(OutputFile, RefusesAFolderThatDoesNotExist) {
   const Folder folder;
   EXPECT_THAT(refusal(folder / "no/such/a.h5"), HasSubstr("no/such does not exist"));
@@ -89,8 +125,8 @@ TEST(OutputFile, RefusesTwoRunsOfTheSameNameAndLeavesTheFirstInPeace) {
 TEST(OutputFile, RefusesWhatTheDiskCannotHold) {
   const Folder folder;
   const OutputFile output(folder / "a.h5", false);
-  EXPECT_NO_THROW(output.expect_room(1000));
-  EXPECT_THROW(output.expect_room(1e18), InputError);
+  EXPECT_NO_THROW(expect_room(output.path(), 1000));
+  EXPECT_THROW(expect_room(output.path(), 1e18), InputError);
 }
 
 TEST(OutputFile, LeavesNothingWhereNothingWasKept) {

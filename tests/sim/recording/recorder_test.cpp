@@ -49,6 +49,30 @@ TEST(Recorder, LeavesAReadablePartWhereTheRunDidNotFinish) {
   EXPECT_EQ(recording.frame(6).position, state_at(scene, 6).position);
 }
 
+TEST(Recorder, StopsWithAReadablePart) {
+  const Folder folder;
+  const Scene scene = mixed_scene(5);
+  Recorder recorder(folder / "a.h5", scene, provenance());
+  for (int i = 0; i < 3; ++i) recorder.record(state_at(scene, i));
+  recorder.stop();
+  EXPECT_EQ(recorder.part(), folder / "a.h5.part");
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.h5"));
+  EXPECT_EQ(Recording(recorder.part()).frames(), 3u);
+}
+
+/// A stopped run once said "closed and readable" of frames that were never written.
+TEST(Recorder, StoppingTellsWhatWentWrong) {
+  const Folder folder;
+  const Scene scene = mixed_scene(5);
+  Recorder recorder(folder / "a.h5", scene, provenance());
+  recorder.record(state_at(scene, 0));
+  State bad = state_at(scene, 1);
+  bad.velocity[3].y() = std::numeric_limits<double>::quiet_NaN();
+  recorder.record(bad);
+  EXPECT_THROW(recorder.stop(), std::runtime_error);
+  EXPECT_EQ(Recording(recorder.part()).frames(), 1u);
+}
+
 TEST(Recorder, LeavesNothingWhereNoFrameCame) {
   const Folder folder;
   { Recorder recorder(folder / "a.h5", mixed_scene(5), provenance()); }
