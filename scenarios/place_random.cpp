@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kMostTries = 200'000;                  ///< for one body
 constexpr std::int64_t kWorkOfTry = 16;              ///< in units of a few nanoseconds, and pairs of parts
-constexpr std::int64_t kMostWork = 1'000'000'000;    ///< for all bodies together, and
+constexpr std::int64_t kMostWork = 200'000'000;      ///< for all bodies together, and
 constexpr std::int64_t kWorkEach = 10 * kWorkOfTry;  ///< this much more per body: an end within seconds
 
 /// Random sequential addition: each body goes to the first of its random places that is free. The large ones

@@ -74,7 +74,7 @@ struct Time {
 struct Record {
   int every = 1;  ///< steps from frame to frame
   bool position = true, angle = true, velocity = true, spin = false;
-  bool single = false;  ///< positions as float32
+  bool single = false;  ///< all recorded fields as float32
 };
 
 struct Scene {

@@ -131,6 +131,10 @@ void expect_room(const std::string& path, double bytes) {
   refuse(path, text);
 }
 
+void OutputFile::start_sync() const {
+  sync_file_range(fd_, 0, 0, SYNC_FILE_RANGE_WRITE);
+}
+
 void OutputFile::sync() const {
   if (fdatasync(fd_) != 0) fail(part_);
 }

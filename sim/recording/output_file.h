@@ -27,6 +27,10 @@ class OutputFile {
   /// Hands the data to the disk. Throws std::runtime_error.
   void sync() const;
 
+  /// Lets the disk begin to write what came so far, without waiting: the last sync then has little left to
+  /// do.
+  void start_sync() const;
+
   /// Syncs, gives the part its final name and syncs the folder. Expects the part to be complete and closed.
   /// Throws std::runtime_error; the part then stays.
   void publish();

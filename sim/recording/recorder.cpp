@@ -21,7 +21,7 @@ using namespace recording;
 namespace {
 
 constexpr auto kCommitEach = std::chrono::seconds(1), kSyncEach = std::chrono::seconds(10);
-constexpr double kCommitBytes = 64e6;
+constexpr double kCommitBytes = 16e6;
 constexpr double kEnoughRoom = 4e6;  // bytes: below it, stop while the file can still be closed in order
 
 double expected_bytes(const Scene& scene, const Provenance& provenance) {
@@ -138,6 +138,7 @@ void Recorder::Impl::commit_when_due(TrajectoryWriter& writer) {
   if (now - last_commit < kCommitEach && uncommitted < kCommitBytes) return;
   writer.commit();
   output.keep();
+  output.start_sync();
   last_commit = now;
   if (now - last_sync >= kSyncEach) {
     output.sync();

@@ -17,7 +17,7 @@ double frame_bytes(const Scene& scene);
 /// state into a queue, and one thread of the recorder's own does the rest, all of HDF5 included.
 ///
 /// The file grows as OUT.part and takes its final name in `finish`: a file with the final name is complete. A
-/// frame counts, for readers that follow the run and after a crash, once it is committed: each second or 64
+/// frame counts, for readers that follow the run and after a crash, once it is committed: each second or 16
 /// MB.
 ///
 /// A failed write (disk full, a limit, a broken disk) ends the recording with an exception and never with a

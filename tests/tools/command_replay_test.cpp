@@ -140,7 +140,7 @@ TEST_F(Replay, RefusesTimesOutsideTheRecording) {
   for (const std::string at : {"1e9", "0.21", "-0.01", "nan", "inf"}) {
     const Answer answer = throng("replay a.h5 --png a.png --at=" + at);
     EXPECT_EQ(answer.code, 2) << at;
-    EXPECT_THAT(answer.text, HasSubstr("--at " + at + " is outside the recording")) << at;
+    EXPECT_THAT(answer.text, HasSubstr("is outside the recording")) << at;
     EXPECT_FALSE(std::filesystem::exists(folder / "a.png")) << at;
   }
   for (const std::string at : {"0", "0.2", "0.1234"})
