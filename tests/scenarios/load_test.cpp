@@ -138,7 +138,7 @@ TEST(Load, TakesLineEndsOfOtherSystemsAndAByteOrderMark) {
 TEST(Load, AppliesOverrides) {
   const Loaded loaded = load_text(
       kEverything, {"time.dt=0.005", "bodies.0.velocity=[3, 4]", "bodies[1].count=2", "engine=box2d",
-                    "name=\"quoted\"", "materials.\"ice\".friction=0.5", "contact.model = none"});
+                    "name=\"quoted\"", "materials.\"ice\".friction=0.5", "contact.model = impulse"});
   ASSERT_EQ(faults(loaded), "");
   EXPECT_EQ(loaded.scene.time.dt, 0.005);
   EXPECT_EQ(loaded.scene.bodies.velocity[0], Vec(3.0, 4.0));
@@ -146,7 +146,8 @@ TEST(Load, AppliesOverrides) {
   EXPECT_EQ(loaded.scene.engine, Engine::box2d);
   EXPECT_EQ(loaded.scene.name, "quoted");
   EXPECT_EQ(loaded.scene.materials[1].friction, 0.5);
-  EXPECT_EQ(loaded.scene.contact, ContactModel::none);
+  EXPECT_EQ(loaded.scene.contact, ContactModel::impulse);
+  EXPECT_EQ(load_text(kEverything, {"contact.model = none"}).scene.contact, ContactModel::none);
 }
 
 TEST(Load, MakesTablesForAnOverride) {
