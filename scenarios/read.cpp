@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "scenarios/read.h"
+#include "narrowphase/relative.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +45,7 @@ Eigen::AlignedBox2d box(const toml::node& node) {
 std::string too_short(std::span<const Vec> line, bool closed) {
   for (std::size_t i = 0; i + (closed ? 0 : 1) < line.size(); ++i) {
     const Vec edge = line[(i + 1) % line.size()] - line[i];
-    const double length = std::hypot(edge.x(), edge.y());  // a norm would square it to 0
+    const double length = narrowphase::direction(edge, edge).length;  // a norm would square it to 0
     if (length > 0.0 && length < kShortestEdge)
       return "has points " + to_text(length) + " m apart; must be equal or at least " +
              to_text(kShortestEdge) + " m apart";

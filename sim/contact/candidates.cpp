@@ -101,9 +101,12 @@ bool Candidates::widen(const State& state, std::span<const SolverBody> bodies) {
   for (std::size_t i = 0; i < colliders_.size(); ++i) {
     if (!colliders_.movable[i]) continue;
     const std::uint32_t body = colliders_.body[i];
-    double way = (bodies[body].position - state.position[body]).norm();
-    if (!colliders_.centre.empty()) way += std::abs(bodies[body].turn) * colliders_.centre[i].norm();
-    if (!(way > margin_[i] * (1.0 + 1e-9))) continue;
+    const Vec moved = bodies[body].position - state.position[body];
+    const double turned =
+        colliders_.centre.empty() ? 0.0 : std::abs(bodies[body].turn) * colliders_.centre[i].norm();
+    const double looked = margin_[i] * (1.0 + 1e-9) - turned;
+    if (looked >= 0.0 && moved.squaredNorm() <= looked * looked) continue;
+    const double way = moved.norm() + turned;
     if (widened_.empty()) widened_.resize(bodies.size(), 0.0);
     widened_[body] = std::max(widened_[body], 1.5 * way);
     farther = true;

@@ -92,15 +92,16 @@ void ContactFinder::find(const Candidates& candidates, const State& state, std::
   sort_out(candidates, state, bodies, contacts);
   contacts.points.clear(), contacts.point_key.clear(), contacts.point_feature.clear();
   if (touches_.empty()) return;
-  pose_.resize(state.position.size());
   manifolds_.resize(touches_.size());
-  workers.for_ranges(pose_.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      pose_[i] =
-          plan_.polygons ? narrowphase::pose(state.position[i], state.angle[i]) : Pose{state.position[i]};
-  });
+  if (plan_.polygons) {
+    pose_.resize(state.position.size());
+    workers.for_ranges(pose_.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        pose_[i] = narrowphase::pose(state.position[i], state.angle[i]);
+    });
+  }
   workers.for_ranges(touches_.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) manifolds_[i] = manifold(candidates, touches_[i]);
+    for (std::size_t i = begin; i < end; ++i) manifolds_[i] = manifold(candidates, state, touches_[i]);
   });
   add_points(candidates, state, bodies, contacts);
 }
@@ -126,7 +127,12 @@ void ContactFinder::sort_out(const Candidates& candidates, const State& state,
     touches_.push_back({pair, true, candidates.obstacle_shift(pair.a)});
 }
 
-Manifold ContactFinder::manifold(const Candidates& candidates, const Touch& touch) const {
+/// A disc looks the same from all sides: where there is nothing else, nobody has turned.
+Pose ContactFinder::pose(const State& state, std::uint32_t body) const {
+  return plan_.polygons ? pose_[body] : Pose{state.position[body]};
+}
+
+Manifold ContactFinder::manifold(const Candidates& candidates, const State& state, const Touch& touch) const {
   const Colliders& colliders = candidates.colliders();
   const auto [row_a, row_b] = touch.pair;
   // A disc about its body's centre has no shape of its own: it borrows one.
@@ -137,9 +143,9 @@ Manifold ContactFinder::manifold(const Candidates& candidates, const Touch& touc
     return disc;
   };
   const Convex& a = shape(row_a, disc_a);
-  const Pose& pose_a = pose_[colliders.body[row_a]];
+  const Pose pose_a = pose(state, colliders.body[row_a]);
   if (!touch.obstacle) {
-    Pose pose_b = pose_[colliders.body[row_b]];
+    Pose pose_b = pose(state, colliders.body[row_b]);
     pose_b.position += touch.shift;
     return narrowphase::manifold(a, pose_a, shape(row_b, disc_b), pose_b, candidates.reach(touch.pair));
   }

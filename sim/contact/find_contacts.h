@@ -42,7 +42,8 @@ class ContactFinder {
 
   void sort_out(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
                 Contacts& contacts);
-  narrowphase::Manifold manifold(const Candidates& candidates, const Touch& touch) const;
+  narrowphase::Pose pose(const State& state, std::uint32_t body) const;
+  narrowphase::Manifold manifold(const Candidates& candidates, const State& state, const Touch& touch) const;
   void add_points(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
                   Contacts& contacts) const;
   PointContact point_contact(const Colliders& colliders, const Obstacles& obstacles, const Touch& touch,
@@ -50,7 +51,7 @@ class ContactFinder {
 
   const Scene& scene_;
   const Plan& plan_;
-  std::vector<narrowphase::Pose> pose_;  // of each body; only where manifolds are
+  std::vector<narrowphase::Pose> pose_;  // of each body; only where some are no discs
   std::vector<Touch> touches_;
   std::vector<narrowphase::Manifold> manifolds_;  // of each touch
 };
