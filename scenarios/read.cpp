@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "narrowphase/relative.h"
 #include "scenarios/limits.h"
 
 namespace throng::scenarios {
