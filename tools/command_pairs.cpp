@@ -169,7 +169,7 @@ bool answer_file(const std::string& file) {
 void add_pairs(CLI::App& app, int& exit_code) {
   auto file = std::make_shared<std::string>();
   CLI::App* command =
-      app.add_subcommand("pairs", "answers exact narrowphase questions: JSON Lines in, JSON Lines out");
+      app.add_subcommand("pairs", "Answers exact narrowphase questions: JSON Lines in, JSON Lines out");
   command->add_option("FILE", *file, "a JSON object a line with shapes a and b; - reads standard input")
       ->required();
   command->footer(

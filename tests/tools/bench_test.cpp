@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// throng bench, as far as its rows go: times are for people.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/tools/program.h"
+
+namespace throng {
+namespace {
+
+class BenchCommand : public Program {};
+
+TEST_F(BenchCommand, WritesTheRowsOfTheContractForEveryEngineOfACase) {
+  const Result result = throng("bench step --only cradle --blocks 1 --json " + path("rows.json"));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto rows = nlohmann::json::parse(read(path("rows.json")));
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0]["engine"], "native");
+  EXPECT_EQ(rows[1]["engine"], "box2d");
+  for (const auto& row : rows) {
+    for (const char* key : {"bench", "case", "engine", "threads", "ms", "ms_min", "work", "check", "error"})
+      EXPECT_TRUE(row.contains(key)) << key;
+    EXPECT_EQ(row["check"], rows[0]["check"]);
+    EXPECT_GT(row["ms_min"], 0.0);
+  }
+}
+
+TEST_F(BenchCommand, RefusesABenchmarkThatDoesNotExist) {
+  const Result result = throng("bench nonsense");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, ::testing::HasSubstr("nonsense"));
+}
+
+}  // namespace
+}  // namespace throng
