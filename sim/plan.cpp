@@ -40,11 +40,11 @@ std::vector<Stage> stages(const Scene& scene, const Plan& plan) {
   const std::size_t moving = count(scene, BodyKind::dynamic) + count(scene, BodyKind::kinematic);
   const bool off = scene.contact == ContactModel::none;
   const std::string no_contact = "contact.model is none";
+  const std::string bodies = std::to_string(moving) + (moving == 1 ? " moving body" : " moving bodies");
   const std::string substeps = counted(static_cast<std::size_t>(scene.time.substeps), "substep");
   return {
       {"find_pairs", plan.pairs,
-       plan.pairs ? counted(moving, "moving body").append(" may meet")
-                  : (off ? no_contact : "no two bodies of which one is dynamic")},
+       plan.pairs ? bodies + " may meet" : (off ? no_contact : "no two bodies of which one is dynamic")},
       {"find_contacts", plan.contacts(),
        plan.contacts() ? (plan.polygons ? "discs and manifolds of convex parts" : "discs only: no manifolds")
                        : (off ? no_contact : "nothing to touch")},
@@ -55,8 +55,7 @@ std::vector<Stage> stages(const Scene& scene, const Plan& plan) {
        plan.box ? "the domain's four walls"
        : off    ? no_contact
                 : "the domain is no box"},
-      {"integrate", moving > 0,
-       moving > 0 ? counted(moving, "moving body") + ", " + substeps : "nothing moves"},
+      {"integrate", moving > 0, moving > 0 ? bodies + ", " + substeps : "nothing moves"},
       {"gravity", plan.gravity, plan.gravity ? "bodies fall" : "gravity is zero, or nothing is dynamic"},
       {"collide", plan.restitution, plan.restitution ? "some surface bounces" : "no surface bounces"},
       {"solve", plan.contacts(),

@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
-#include <regex>
 
 #include "tests/tools/program.h"
 
@@ -53,7 +52,9 @@ TEST_F(RunCommand, PrintsOneObjectWithTheKeysOfTheContract) {
     EXPECT_TRUE(summary.contains(key)) << key;
   EXPECT_EQ(summary["steps"], 100);
   EXPECT_EQ(summary["output"], nullptr);
-  EXPECT_TRUE(std::regex_match(summary["hash"].get<std::string>(), std::regex("[0-9a-f]{16}")));
+  const std::string hash = summary["hash"];
+  EXPECT_EQ(hash.size(), 16u);
+  EXPECT_EQ(hash.find_first_not_of("0123456789abcdef"), std::string::npos) << hash;
 }
 
 TEST_F(RunCommand, HashesTheSameWithAndWithoutRecordingAndForAnyNumberOfThreads) {
