@@ -33,11 +33,12 @@ struct Options {
 
 volatile std::sig_atomic_t stop_requested = 0;
 
-/// The first signal ends the run in good order, the second at once.
+/// A signal ends the run in good order, and so does one that comes again: `timeout` and batch systems send
+/// theirs to the process and to its group.
 void stop_on_signals() {
   struct sigaction action = {};
   action.sa_handler = [](int) { stop_requested = 1; };
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  action.sa_flags = SA_RESTART;
   for (int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
 }
 

@@ -17,6 +17,11 @@ struct Options {
   bool schema = false;
 };
 
+/// "1 wall", "2 walls".
+std::string counted(std::int64_t n, const std::string& noun) {
+  return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
+}
+
 int validate(const Options& options) {
   if (options.schema) {
     std::fputs(scenarios::schema().c_str(), stdout);
@@ -27,9 +32,13 @@ int validate(const Options& options) {
   std::fputs(to_string(loaded.diagnostics, options.file).c_str(), stderr);
   if (loaded.errors() > 0) return 2;
   const Scene& scene = loaded.scene;
-  std::printf("%s: ok, %zu bodies, %zu shapes, %zu materials, %zu walls, %lld steps\n", options.file.c_str(),
-              scene.bodies.size(), scene.shapes.size(), scene.materials.size(), scene.walls.size(),
-              static_cast<long long>(scene.time.steps()));
+  const auto size = [](const auto& list) { return static_cast<std::int64_t>(list.size()); };
+  const std::string bodies =
+      scene.bodies.size() == 1 ? "1 body" : std::to_string(scene.bodies.size()) + " bodies";
+  std::printf("%s: ok, %s, %s, %s, %s, %s\n", options.file.c_str(), bodies.c_str(),
+              counted(size(scene.shapes), "shape").c_str(),
+              counted(size(scene.materials), "material").c_str(), counted(size(scene.walls), "wall").c_str(),
+              counted(scene.time.steps(), "step").c_str());
   return 0;
 }
 

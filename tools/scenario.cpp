@@ -2,6 +2,7 @@
 #include "tools/scenario.h"
 
 #include <cstdio>
+#include <filesystem>
 
 #include "sim/input_error.h"
 
@@ -12,6 +13,7 @@ Loaded load_or_throw(const std::string& file, const std::vector<std::string>& ov
   std::fputs(to_string(loaded.diagnostics, file).c_str(), stderr);
   if (const int n = loaded.errors(); n > 0)
     throw InputError(file + ": " + std::to_string(n) + (n == 1 ? " error" : " errors"));
+  if (loaded.scene.name.empty()) loaded.scene.name = std::filesystem::path(file).stem().string();
   return loaded;
 }
 

@@ -9,6 +9,7 @@
 namespace throng::tools {
 
 /// Reads a scenario, prints its warnings and errors to stderr, and throws InputError where there are errors.
+/// A scene without a name takes the file's.
 Loaded load_or_throw(const std::string& file, const std::vector<std::string>& overrides = {});
 
 }  // namespace throng::tools

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The program: reads the command line, runs one command, turns what went wrong into a sentence and an exit
 // code.
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <exception>
 
+#include "scenarios/report.h"
 #include "sim/input_error.h"
 #include "tools/commands.h"
 
@@ -20,6 +22,26 @@ int with_answers_written(int exit_code) {
   return exit_code == 0 ? 1 : exit_code;
 }
 
+/// What to say where the first word is no command, else nothing.
+std::string unknown_command(const CLI::App& app, const std::string& word) {
+  std::vector<std::string> known;
+  for (const CLI::App* command : app.get_subcommands({})) known.push_back(command->get_name());
+  if (word.starts_with("-") || std::ranges::find(known, word) != known.end()) return "";
+  return "there is no command '" + word + "'" + throng::scenarios::nearest_or_all(word, known);
+}
+
+/// What is wrong with the command line, and whose help says more.
+std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
+  const auto given = app.get_subcommands();
+  const std::string command = given.empty() ? "throng" : "throng " + given.front()->get_name();
+  return std::string(error.what()) + "; see " + command + " --help";
+}
+
+int fail(const std::string& message, int exit_code) {
+  std::fprintf(stderr, "throng: %s\n", message.c_str());
+  return exit_code;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -28,7 +50,6 @@ int main(int argc, char** argv) {
       "throng simulates crowds and particles in the plane: a scenario file in, an HDF5 trajectory out.\n"
       "Exit codes: 0 done, 1 the simulation failed, 2 bad input, 130 stopped by a signal."};
   app.set_version_flag("--version", THRONG_VERSION);
-  app.require_subcommand(1);
   int exit_code = 0;
   std::string command_line = "throng";
   for (int i = 1; i < argc; ++i) command_line += std::string(" ") + argv[i];
@@ -41,16 +62,19 @@ int main(int argc, char** argv) {
   add_pairs(app, exit_code);
   add_bench(app, exit_code);
 
+  if (const std::string message = unknown_command(app, argc > 1 ? argv[1] : "-"); !message.empty())
+    return fail(message, 2);
   try {
     app.parse(argc, argv);
+  } catch (const CLI::Success& answer) {  // --help, --version
+    return with_answers_written(app.exit(answer));
   } catch (const CLI::ParseError& error) {
-    return with_answers_written(app.exit(error) == 0 ? 0 : 2);
+    return fail(complaint(app, error), 2);
   } catch (const throng::InputError& error) {
-    std::fprintf(stderr, "throng: %s\n", error.what());
-    return 2;
+    return fail(error.what(), 2);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "throng: %s\n", error.what());
-    return 1;
+    return fail(error.what(), 1);
   }
+  if (app.get_subcommands().empty()) return fail("a command is missing\n\n" + app.help(), 2);
   return with_answers_written(exit_code);
 }

@@ -57,6 +57,14 @@ TEST_F(RunCommand, PrintsOneObjectWithTheKeysOfTheContract) {
   EXPECT_EQ(hash.find_first_not_of("0123456789abcdef"), std::string::npos) << hash;
 }
 
+TEST_F(RunCommand, NamesASceneWithoutANameAfterItsFile) {
+  std::string text = kScene;
+  text.erase(text.find("name"), text.find("gravity") - text.find("name"));
+  const Result result = throng("run --until 0 " + write("dropped ball.toml", text).insert(0, "'") + "'");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(json::parse(result.out)["scenario"], "dropped ball");
+}
+
 TEST_F(RunCommand, HashesTheSameWithAndWithoutRecordingAndForAnyNumberOfThreads) {
   const std::string scene = write("a.toml", kScene);
   const auto hash = [&](const std::string& options) {
@@ -168,6 +176,19 @@ TEST_F(RunCommand, AStoppedRunClosesItsFileAndNamesIt) {
     const Result verified = throng("replay --verify " + part);
     EXPECT_EQ(verified.exit_code, 0) << verified.out << verified.err;
   }
+}
+
+/// `timeout` and batch systems send a signal to the process and to its group: a run that took the second for
+/// impatience died with its file open, now and then.
+TEST_F(RunCommand, ASignalThatComesTwiceStopsItOnce) {
+  const std::string script = write("twice.sh",
+                                   "\"$@\" & run=$!; sleep 1; kill -TERM $run; kill -TERM $run; sleep 0.02; "
+                                   "kill -TERM $run; wait $run");
+  const Result result =
+      throng("run " + write("a.toml", kScene) + " --until 1e6 --every 1000 -o " + path("a.h5"),
+             "sh " + script + " ");
+  EXPECT_EQ(result.exit_code, 130) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("a.h5.part holds the frames so far, closed and readable"));
 }
 
 /// The sentence is there to be pasted into a shell.

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// What throng says to a command line that it doesn't understand.
+#include <gmock/gmock.h>
+
+#include "tests/tools/program.h"
+
+namespace throng {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+class CommandLine : public Program {
+ protected:
+  void expect_refused(const std::string& arguments, const ::testing::Matcher<std::string>& message) const {
+    const Result result = throng(arguments);
+    EXPECT_EQ(result.exit_code, 2) << arguments;
+    EXPECT_THAT(result.err, message) << arguments;
+    EXPECT_EQ(result.out, "") << arguments;
+  }
+};
+
+TEST_F(CommandLine, WithoutACommandListsThem) {
+  for (const std::string arguments : {"", "--"})
+    expect_refused(arguments,
+                   AllOf(HasSubstr("a command is missing"), HasSubstr("validate"), HasSubstr("replay")));
+}
+
+TEST_F(CommandLine, SuggestsTheCommandThatWasMeant) {
+  expect_refused("rn x.toml", HasSubstr("there is no command 'rn', did you mean \"run\"?"));
+  expect_refused("fly", AllOf(HasSubstr("there is no command 'fly'"), HasSubstr("validate")));
+}
+
+TEST_F(CommandLine, SaysWhatIsWrongAndWhoseHelpSaysMore) {
+  expect_refused("run", AllOf(HasSubstr("throng: SCENE is required"), HasSubstr("throng run --help")));
+  expect_refused("run a.toml b.toml", AllOf(HasSubstr("b.toml"), HasSubstr("throng run --help")));
+  expect_refused("run a.toml --threads 0", AllOf(HasSubstr("--threads"), HasSubstr("throng run --help")));
+  expect_refused("--fly", AllOf(HasSubstr("--fly"), HasSubstr("throng --help")));
+}
+
+TEST_F(CommandLine, AnswersForHelpAndVersionOnTheStandardOutput) {
+  for (const std::string arguments : {"--help", "run --help", "--version"}) {
+    const Result result = throng(arguments);
+    EXPECT_EQ(result.exit_code, 0) << arguments;
+    EXPECT_NE(result.out, "") << arguments;
+    EXPECT_EQ(result.err, "") << arguments;
+  }
+}
+
+}  // namespace
+}  // namespace throng
