@@ -5,12 +5,14 @@
 #include <limits>
 #include <span>
 
-#include "narrowphase/distance.h"
+#include "narrowphase/nearest_parts.h"
 
 namespace throng::scenarios {
 
 namespace {
 
+using narrowphase::Bound;
+using narrowphase::bound;
 using narrowphase::Convex;
 using narrowphase::Pose;
 
@@ -30,30 +32,6 @@ class Parts {
   const Shape& shape_;
   Convex disc_;
 };
-
-double distance(std::span<const Convex> a, const Pose& pose_a, std::span<const Convex> b,
-                const Pose& pose_b) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Convex& part_a : a)
-    for (const Convex& part_b : b)
-      least = std::min(least, narrowphase::separation(part_a, pose_a, part_b, pose_b).distance);
-  return least;
-}
-
-/// A disc round a part.
-struct Bound {
-  Vec centre;     ///< m
-  double radius;  ///< m
-};
-
-Bound bound(const Convex& part, const Pose& pose) {
-  Vec middle(0.0, 0.0);
-  for (const Vec& vertex : part.vertices) middle += vertex;
-  middle /= static_cast<double>(part.vertices.size());
-  double radius = 0.0;
-  for (const Vec& vertex : part.vertices) radius = std::max(radius, (vertex - middle).norm());
-  return {pose * middle, radius + part.radius};
-}
 
 /// False only where rounding can't make them come closer than `gap`.
 bool may_be_closer(const Bound& a, const Bound& b, double gap) {
@@ -92,15 +70,18 @@ double distance(const Scene& scene, const Placed& a, const Placed& b) {
   if (is_disc(scene, a.row) && is_disc(scene, b.row))
     return (b.position - a.position).norm() - (bodies.radius[a.row] + bodies.radius[b.row]);
   const Parts parts_a(scene, a.row), parts_b(scene, b.row);
-  return distance(parts_a.all(), narrowphase::pose(a.position, bodies.angle[a.row]), parts_b.all(),
-                  narrowphase::pose(b.position, bodies.angle[b.row]));
+  return narrowphase::separation(parts_a.all(), narrowphase::pose(a.position, bodies.angle[a.row]),
+                                 parts_b.all(), narrowphase::pose(b.position, bodies.angle[b.row]))
+      .distance;
 }
 
 double distance(const Scene& scene, const Placed& body, const WallGrid::Piece& piece) {
   if (is_disc(scene, body.row)) return distance(piece, body.position) - scene.bodies.radius[body.row];
   const Convex wall = narrowphase::segment(piece.a, piece.b);
-  return distance(Parts(scene, body.row).all(),
-                  narrowphase::pose(body.position, scene.bodies.angle[body.row]), {&wall, 1}, Pose{});
+  return narrowphase::separation(Parts(scene, body.row).all(),
+                                 narrowphase::pose(body.position, scene.bodies.angle[body.row]), {&wall, 1},
+                                 Pose{})
+      .distance;
 }
 
 bool is_closer(const Scene& scene, const Placed& a, const Placed& b, double gap, std::int64_t& work) {

@@ -126,7 +126,9 @@ bool Checker::check_number(const toml::node& node, const Type& type, const Path&
 }
 
 bool Checker::check_text(const toml::node& node, const Type& type, const Path& path) {
-  return node.as_string()->get().size() <= type.most || wrong(node, type, path);
+  const std::string& text = node.as_string()->get();
+  if (text.find('\0') != std::string::npos) return fail(node, path, "holds U+0000, which no text here may");
+  return text.size() <= type.most || wrong(node, type, path);
 }
 
 bool Checker::check_choice(const toml::node& node, const Type& type, const Path& path) {
@@ -177,8 +179,11 @@ bool Checker::check_list(const toml::node& node, const Type& type, const Path& p
 
 bool Checker::check_named(const toml::node& node, const Type& type, const Path& path) {
   bool good = true;
-  for (const auto& [name, entry] : *node.as_table())
+  for (const auto& [name, entry] : *node.as_table()) {
+    if (name.str().find('\0') != std::string_view::npos)
+      good = fail(entry, Path(path, name.str()), "has U+0000 in its name, which no name here may");
     good = check(entry, type.parts[0], Path(path, name.str())) && good;
+  }
   return good;
 }
 

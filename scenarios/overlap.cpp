@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cstdio>
 
 #include "scenarios/body_distance.h"
 #include "scenarios/body_grid.h"
@@ -10,6 +11,13 @@ namespace throng::scenarios {
 namespace {
 
 constexpr std::size_t kNamed = 10, kEnough = 1000;
+constexpr std::int64_t kMostWork = 1'000'000'000;  // a few seconds
+
+std::string three_digits(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", x);
+  return text;
+}
 
 class Overlaps {
  public:
@@ -19,7 +27,8 @@ class Overlaps {
         fixed_(scene.domain, reach, scene.bodies.size()),
         walls_(scene, reach) {}
 
-  bool full() const { return found_ >= kEnough; }
+  bool full() const { return found_ >= kEnough || tired(); }
+  bool tired() const { return work_ > kMostWork; }
 
   /// Compares the body with all that were added before, and with the walls.
   void add(std::uint32_t row) {
@@ -40,7 +49,7 @@ class Overlaps {
   std::uint32_t first() const { return first_; }
 
   std::string message() const {
-    if (found_ == 0) return "";
+    if (found_ == 0) return tired() ? "were too many to look for all overlaps at the start" : "";
     return (full() ? "at least " : "") + std::to_string(found_) + (found_ == 1 ? " overlap" : " overlaps") +
            " at the start: " + pairs_ + (found_ > kNamed ? ", ..." : "");
   }
@@ -54,26 +63,28 @@ class Overlaps {
   bool moves(std::uint32_t row) const { return scene_.bodies.kind[row] == BodyKind::dynamic; }
 
   /// Adds whom of the grid the body overlaps, each once with its deepest image.
-  void compare(const BodyGrid& grid, const Placed& body, double radius, std::vector<Met>& met) const {
+  void compare(const BodyGrid& grid, const Placed& body, double radius, std::vector<Met>& met) {
     grid.visit_near(
         body.position, radius, [&](std::uint32_t other, const Vec& position, double other_radius) {
-          const double depth = -distance(scene_, body, Placed{other, position});
-          if (!(depth > touching(std::min(radius, other_radius), body.position))) return false;
+          const Placed placed{other, position};
+          const double least = touching(std::min(radius, other_radius), body.position);
+          if (!is_closer(scene_, body, placed, -least, work_)) return full();
+          const double depth = -distance(scene_, body, placed);
           const auto known =
               std::find_if(met.begin(), met.end(), [&](const Met& one) { return one.other == other; });
           if (known == met.end())
             met.push_back({other, depth});
           else
             known->depth = std::max(known->depth, depth);
-          return found_ + met.size() >= kEnough;
+          return found_ + met.size() >= kEnough || tired();
         });
   }
 
   void compare_with_walls(const Placed& body, double radius) {
     std::vector<std::uint32_t> met;  // a piece of wall may be seen twice
     walls_.visit_near(body.position, radius, [&](const WallGrid::Piece& piece) {
+      if (!is_closer(scene_, body, piece, -touching(radius, body.position), work_)) return full();
       const double depth = -distance(scene_, body, piece);
-      if (!(depth > touching(radius, body.position))) return false;
       if (std::find(met.begin(), met.end(), piece.wall) != met.end()) return false;
       met.push_back(piece.wall);
       note(body.row,
@@ -84,7 +95,8 @@ class Overlaps {
 
   void note(std::uint32_t row, const std::string& pair, double depth) {
     if (found_ == 0) first_ = row;
-    if (++found_ <= kNamed) pairs_ += (pairs_.empty() ? "" : ", ") + pair + " by " + to_text(depth) + " m";
+    if (++found_ <= kNamed)
+      pairs_ += (pairs_.empty() ? "" : ", ") + pair + " by " + three_digits(depth) + " m";
   }
 
   const Scene& scene_;
@@ -92,6 +104,7 @@ class Overlaps {
   WallGrid walls_;
   std::size_t found_ = 0;
   std::uint32_t first_ = 0;
+  std::int64_t work_ = 0;  // so far, in units of a few nanoseconds
   std::string pairs_;
 };
 

@@ -6,6 +6,7 @@
 
 #include "scenarios/body_distance.h"
 #include "scenarios/random.h"
+#include "sim/periodic.h"
 
 namespace throng::scenarios {
 
@@ -75,13 +76,6 @@ void place_on_lattice(const Entry& entry, Scene& scene) {
   }
 }
 
-/// x moved by whole periods into [low, high).
-double wrap(double x, double low, double high) {
-  const double length = high - low;
-  const double wrapped = x - length * std::floor((x - low) / length);
-  return wrapped >= low && wrapped < high ? wrapped : low;
-}
-
 std::string path(const Entry& entry, const std::string& key) {
   return "bodies[" + std::to_string(entry.index) + "]." + key;
 }
@@ -121,9 +115,8 @@ void check_within(const Entry& entry, const Scene& scene, Report& report) {
 /// Nobody may meet his own image, and who is looked for by distance must not be found twice: the broadphase
 /// looks as far as two reaches, each a radius and its skin of at most a quarter, and that must be at most
 /// half the period.
-double least_period(const Entry& entry, double radius, const Scene& scene) {
-  const bool sought = scene.contact != ContactModel::none && entry.kind != BodyKind::fixed;
-  return std::max((sought ? 4.0 * 1.25 : 2.0) * radius, 2.0 * radius + entry.gap);
+double least_period(const Entry& entry, double radius) {
+  return std::max((entry.kind != BodyKind::fixed ? 4.0 * 1.25 : 2.0) * radius, 2.0 * radius + entry.gap);
 }
 
 void check_period(const Entry& entry, const Scene& scene, Report& report) {
@@ -131,7 +124,7 @@ void check_period(const Entry& entry, const Scene& scene, Report& report) {
   const auto first = scene.bodies.radius.begin() + entry.first;
   const double radius = *std::max_element(first, first + entry.count);
   const double period = (scene.domain.max - scene.domain.min).minCoeff();
-  const double least = least_period(entry, radius, scene);
+  const double least = least_period(entry, radius);
   if (least <= period) return;
   report.error(*entry.node, path(entry, "shape"),
                "a body " + to_text(2.0 * radius) + " m across" +
@@ -143,8 +136,7 @@ void check_period(const Entry& entry, const Scene& scene, Report& report) {
 }  // namespace
 
 Vec wrapped(const Domain& domain, const Vec& p) {
-  if (domain.kind != DomainKind::periodic) return p;
-  return {wrap(p.x(), domain.min.x(), domain.max.x()), wrap(p.y(), domain.min.y(), domain.max.y())};
+  return domain.kind == DomainKind::periodic ? throng::wrapped(p, domain) : p;
 }
 
 void place_bodies(std::span<const Entry> entries, std::span<const ShapeDraw> draws, Scene& scene,

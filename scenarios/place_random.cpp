@@ -34,6 +34,7 @@ class Placer {
     std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
       return a.radius != b.radius ? a.radius > b.radius : a.row < b.row;
     });
+    wanted_ = rows.size();
     work_left_ = kMostWork + kWorkEach * static_cast<std::int64_t>(rows.size());
     for (const Row& row : rows)
       if (!report_.bad(*row.entry->node)) place(row);
@@ -113,11 +114,12 @@ class Placer {
     const toml::table& random =
         *row.entry->node->as_table()->get("place")->as_table()->get("random")->as_table();
     report_.mark_bad(*row.entry->node);
-    report_.error(*random.get("within"), "bodies[" + std::to_string(row.entry->index) + "].place.random",
-                  "body " + std::to_string(row.row + 1) + " " + why + ", after " + std::to_string(placed_) +
-                      " bodies were placed at random; there must be room for all " +
-                      std::to_string(row.entry->count) +
-                      " of this entry: a larger `within`, or fewer or smaller bodies");
+    report_.error(
+        *random.get("within"), "bodies[" + std::to_string(row.entry->index) + "].place.random",
+        "body " + std::to_string(row.row + 1) + " " + why + ", after " + std::to_string(placed_) +
+            " of the " + std::to_string(wanted_) +
+            " bodies to be placed at random, the largest first: take a larger `within`, or fewer or "
+            "smaller bodies");
   }
 
   std::span<const Entry> entries_;
@@ -127,7 +129,7 @@ class Placer {
   BodyGrid bodies_;
   WallGrid walls_;
   std::int64_t work_left_ = 0;
-  std::size_t placed_ = 0;
+  std::size_t placed_ = 0, wanted_ = 0;
 };
 
 }  // namespace

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "scenarios/read.h"
-#include "narrowphase/relative.h"
 
 #include <algorithm>
 #include <cmath>

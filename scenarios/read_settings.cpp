@@ -6,6 +6,15 @@ namespace throng::scenarios {
 
 namespace {
 
+/// A run is made of whole steps.
+void warn_of_longer_end(const toml::table& table, const Time& time, Report& report) {
+  const double end = static_cast<double>(time.steps()) * time.dt;
+  if (!table.contains("until") || std::abs(end - time.until) <= 1e-6 * time.dt) return;
+  report.warning(table.get("until")->source(), "time.until",
+                 to_text(time.until) + " s is no whole number of steps: the run ends after " +
+                     std::to_string(time.steps()) + " of them");
+}
+
 void read_time(const toml::table& root, Scene& scene, Report& report) {
   const toml::node* node = good(root, "time", report);
   if (!node) return;
@@ -14,7 +23,7 @@ void read_time(const toml::table& root, Scene& scene, Report& report) {
   time.dt = number(table, "dt", time.dt);
   time.until = number(table, "until", time.until);
   time.substeps = static_cast<int>(number(table, "substeps", time.substeps));
-  if (time.until / time.dt <= kMostSteps) return;
+  if (time.until / time.dt <= kMostSteps) return warn_of_longer_end(table, time, report);
   const char* key = table.contains("until") ? "until" : "dt";
   report.error(
       *table.get(key), std::string("time.") + key,

@@ -35,7 +35,7 @@ class Report {
   int errors() const { return errors_; }
   bool full() const { return errors_ >= kMostErrors; }
 
-  /// All of it in the order of the text, what has no place in it last; overrides come first.
+  /// All of it in the order of the text; what has no place in it, as overrides have none, comes first.
   std::vector<Diagnostic> take();
 
  private:

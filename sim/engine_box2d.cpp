@@ -208,7 +208,7 @@ std::string box2d_refusal(const Scene& scene) {
   for (std::uint32_t shape : scene.bodies.shape) used[shape] = true;
   for (std::size_t i = 0; i < used.size(); ++i)
     if (used[i] && is_thin(scene.shapes[i]))
-      return "shapes." + scene.shapes[i].name + ": has an edge shorter than Box2D's 5 mm";
+      return "shapes." + scene.shapes[i].name + ": is thinner, or has a shorter edge, than Box2D's 5 mm";
   return "";
 }
 

@@ -53,7 +53,7 @@ Overlap overlap(const Scene& scene, const State& state) {
   Overlap result;
   if (!plan.contacts()) return result;
   Candidates candidates(scene, plan);
-  candidates.find(state);
+  candidates.find(state, 0.0);
   const Parts parts(state, candidates.colliders());
   double sum = 0.0;
   const auto count = [&](double distance) {

@@ -38,6 +38,7 @@ std::string counted(std::size_t n, const char* what) {
 
 std::vector<Stage> stages(const Scene& scene, const Plan& plan) {
   const std::size_t moving = count(scene, BodyKind::dynamic) + count(scene, BodyKind::kinematic);
+  const bool dynamic = count(scene, BodyKind::dynamic) > 0;
   const bool off = scene.contact == ContactModel::none;
   const std::string no_contact = "contact.model is none";
   const std::string bodies = std::to_string(moving) + (moving == 1 ? " moving body" : " moving bodies");
@@ -50,11 +51,14 @@ std::vector<Stage> stages(const Scene& scene, const Plan& plan) {
                        : (off ? no_contact : "nothing to touch")},
       {"obstacles", plan.obstacles,
        plan.obstacles ? "walls or static bodies, indexed once"
-                      : (off ? no_contact : "no walls, no static bodies")},
+                      : (off       ? no_contact
+                         : dynamic ? "no walls, no static bodies"
+                                   : "nothing is dynamic")},
       {"box", plan.box,
-       plan.box ? "the domain's four walls"
-       : off    ? no_contact
-                : "the domain is no box"},
+       plan.box  ? "the domain's four walls"
+       : off     ? no_contact
+       : dynamic ? "the domain is no box"
+                 : "nothing is dynamic"},
       {"integrate", moving > 0, moving > 0 ? bodies + ", " + substeps : "nothing moves"},
       {"gravity", plan.gravity, plan.gravity ? "bodies fall" : "gravity is zero, or nothing is dynamic"},
       {"collide", plan.restitution, plan.restitution ? "some surface bounces" : "no surface bounces"},

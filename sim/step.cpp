@@ -20,8 +20,9 @@ constexpr int kElasticSweeps = 64;  // of bounces in a substep: what still meets
 constexpr int kBounceSweeps = 8;    // where each takes energy sooner, as dense clusters do anyway
 constexpr double kRestSpeed = 2.0;  // slower than what gravity gives in so many substeps, a contact rests
 
-constexpr int kAttempts =
-    4;  // at a step in which a body is hit so hard that it gets where nobody was looked for
+/// At a step in which a body is hit so hard that it gets where nobody was looked for: after some of them all
+/// are looked at as far as the farthest one got.
+constexpr int kAttempts = 20, kLocalAttempts = 4;
 
 /// Measures the time from lap to lap.
 class StageClock {
@@ -110,6 +111,11 @@ void store(const Scene& scene, const Plan& plan, std::span<const SolverBody> bod
   }
 }
 
+[[noreturn]] void fail_at_chain(const State& state) {
+  throw SimulationError("step " + std::to_string(state.step + 1) +
+                        ": bodies hit one another on and on within it: take a shorter dt");
+}
+
 double mean_radius(const Colliders& colliders) {
   const double sum = std::accumulate(colliders.radius.begin(), colliders.radius.end(), 0.0);
   return colliders.radius.empty() ? 0.0 : sum / static_cast<double>(colliders.size());
@@ -132,17 +138,18 @@ Workspace::Workspace(const Scene& scene, const Plan& plan, int threads)
 
 void step(const Scene& scene, const Plan& plan, State& state, Workspace& work) {
   StageClock clock;
-  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+  for (int attempt = 1;; ++attempt) {
     load(state, work.bodies);
     if (plan.contacts()) {
-      work.candidates.find(state);
+      work.candidates.find(state, scene.time.dt);
       clock.lap(work.times.find_pairs);
       work.finder.find(work.candidates, state, work.bodies, work.contacts, work.workers);
       clock.lap(work.times.find_contacts);
     }
     for (int i = 0; i < scene.time.substeps; ++i) substep(scene, plan, work);
     clock.lap(work.times.solve);
-    if (!plan.contacts() || !work.candidates.widen(state, work.bodies)) break;
+    if (!plan.contacts() || !work.candidates.widen(state, work.bodies, attempt >= kLocalAttempts)) break;
+    if (attempt == kAttempts) fail_at_chain(state);
   }
   ++state.step;
   store(scene, plan, work.bodies, state);

@@ -37,7 +37,8 @@ struct Workspace {
 
 /// Advances `state` by dt. Allocates nothing once its buffers have grown. Semi-implicit Euler in substeps:
 /// free fall is late by g h t / 2, h = dt / substeps. Throws SimulationError where a body is no longer at a
-/// finite place.
+/// finite place, where so much happens within dt that contacts might be missed, and as `Candidates::find`;
+/// `state` is then that of the step's beginning, but where a place isn't finite.
 void step(const Scene& scene, const Plan& plan, State& state, Workspace& workspace);
 
 }  // namespace throng

@@ -20,7 +20,10 @@ namespace {
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
   execv(path.c_str(), argv.data());
-  throw InputError(path.string() + ": can't be started: " + std::strerror(errno));
+  const int reason = errno;
+  throw InputError(
+      path.string() + ": can't be started: " + std::strerror(reason) +
+      (reason == ENOENT ? "; 'cmake --build --preset release --target throng-bench' builds it" : ""));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "sim/recording/recording.h"
 #include "tools/commands.h"
+#include "tools/printable.h"
 
 namespace throng::tools {
 
@@ -58,7 +59,7 @@ Json describe(const Recording& recording) {
           {"until", scene.time.until},
           {"fields", fields(scene.record)},
           {"precision", scene.record.single ? "single" : "double"},
-          {"bytes", recording.bytes()},
+          {"bytes", static_cast<std::int64_t>(recording.bytes())},
           {"seed", scene.seed},
           {"threads", origin.provenance.threads},
           {"version", origin.version},
@@ -67,20 +68,20 @@ Json describe(const Recording& recording) {
           {"command_line", origin.provenance.command_line}};
 }
 
+std::string nine_digits(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.9g", value);
+  return text;
+}
+
 /// Lists as words, texts without quotes, everything else as JSON has it.
 std::string readable(const Json& value) {
   if (value.is_string()) return value.get<std::string>();
   if (value.is_null()) return "none";
+  if (value.is_number_float()) return nine_digits(value);
   if (!value.is_structured()) return value.dump();
   std::string text;
   for (const Json& item : value) text += (text.empty() ? "" : " ") + readable(item);
-  return text;
-}
-
-/// Names and texts come from strangers: nothing of theirs may steer the terminal.
-std::string printable(std::string text) {
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
   return text;
 }
 

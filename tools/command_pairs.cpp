@@ -9,8 +9,8 @@
 #include <limits>
 #include <memory>
 
-#include "narrowphase/distance.h"
 #include "narrowphase/manifold.h"
+#include "narrowphase/nearest_parts.h"
 #include "sim/input_error.h"
 #include "tools/commands.h"
 #include "tools/pair_query.h"
@@ -26,41 +26,6 @@ using narrowphase::Separation;
 using narrowphase::Vec;
 
 constexpr std::size_t kLongestLine = std::size_t{16} << 20;  // bytes
-
-/// A disc that holds a part.
-struct Bound {
-  Vec centre{0.0, 0.0};
-  double radius = 0.0;
-};
-
-Bound bound(const Convex& part, const Pose& pose) {
-  Bound b;
-  for (const Vec& v : part.vertices) b.centre += v / static_cast<double>(part.vertices.size());
-  for (const Vec& v : part.vertices) b.radius = std::max(b.radius, (v - b.centre).norm());
-  return {pose * b.centre, b.radius + part.radius};
-}
-
-std::vector<Bound> bounds(const Solid& solid) {
-  std::vector<Bound> result;
-  for (const Convex& part : solid.parts) result.push_back(bound(part, solid.pose));
-  return result;
-}
-
-/// Of the two parts that are nearest to each other or deepest in each other. Bounds keep far parts out of it;
-/// they are taken a hair too large, so that rounding can't.
-Separation least_separation(const PairQuery& q) {
-  const std::vector<Bound> of_a = bounds(q.a), of_b = bounds(q.b);
-  Separation best = separation(q.a.parts[0], q.a.pose, q.b.parts[0], q.b.pose);
-  for (std::size_t i = 0; i < of_a.size(); ++i)
-    for (std::size_t j = 0; j < of_b.size(); ++j) {
-      const double apart = (of_b[j].centre - of_a[i].centre).norm() * (1.0 - 1e-9) -
-                           (of_a[i].radius + of_b[j].radius) * (1.0 + 1e-9);
-      if (apart >= best.distance) continue;
-      const Separation s = separation(q.a.parts[i], q.a.pose, q.b.parts[j], q.b.pose);
-      if (s.distance < best.distance) best = s;
-    }
-  return best;
-}
 
 /// How far the solid reaches along a unit vector, from `origin`.
 double support(const Solid& solid, const Vec& along, const Vec& origin) {
@@ -100,7 +65,7 @@ Json json(const narrowphase::Manifold& m) {
 }
 
 Json answer(const PairQuery& q) {
-  const Separation s = least_separation(q);
+  const Separation s = separation(q.a.parts, q.a.pose, q.b.parts, q.b.pose);
   const bool convex = q.a.parts.size() == 1 && q.b.parts.size() == 1;
   Json result;
   if (!q.id.is_null()) result["id"] = q.id;

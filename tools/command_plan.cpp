@@ -9,6 +9,7 @@
 #include "sim/plan.h"
 #include "sim/recording/recorder.h"
 #include "tools/commands.h"
+#include "tools/printable.h"
 #include "tools/scenario.h"
 
 namespace throng::tools {
@@ -62,9 +63,11 @@ std::string size_text(double bytes) {
 }
 
 void print(const Scene& scene, const Plan& plan) {
-  std::printf("%s: %zu bodies (%zu dynamic, %zu static, %zu kinematic), %zu walls; engine %s\n",
-              scene.name.c_str(), scene.bodies.size(), count(scene, BodyKind::dynamic),
-              count(scene, BodyKind::fixed), count(scene, BodyKind::kinematic), scene.walls.size(),
+  std::printf("%s: %s (%zu dynamic, %zu static, %zu kinematic), %s; engine %s\n",
+              printable(scene.name).c_str(), counted_bodies(scene.bodies.size()).c_str(),
+              count(scene, BodyKind::dynamic), count(scene, BodyKind::fixed),
+              count(scene, BodyKind::kinematic),
+              counted(static_cast<std::int64_t>(scene.walls.size()), "wall").c_str(),
               scene.engine == Engine::box2d ? "box2d" : "native");
   std::printf("%lld steps of %g s in %d substeps\n\n", static_cast<long long>(scene.time.steps()),
               scene.time.dt, scene.time.substeps);

@@ -3,6 +3,7 @@
 #include <cinttypes>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -38,6 +39,21 @@ void refuse_what_does_nothing(const Options& options) {
   if (options.threads && !options.verify) throw InputError("--threads are for --verify: give both");
 }
 
+bool are_one_file(const std::string& a, const std::string& b) {
+  std::error_code neither;
+  return std::filesystem::weakly_canonical(a, neither) == std::filesystem::weakly_canonical(b, neither) ||
+         std::filesystem::equivalent(a, b, neither);
+}
+
+/// Pictures and pages replace what had their name; the recording is not to be had again.
+void refuse_to_overwrite(const Options& options) {
+  for (const std::string& output : {options.png, options.html})
+    if (!output.empty() && are_one_file(output, options.file))
+      throw InputError("cannot write " + output + ": it is the recording");
+  if (!options.png.empty() && !options.html.empty() && are_one_file(options.png, options.html))
+    throw InputError("--png and --html name the same file: " + options.png);
+}
+
 double mean_speed(const Frame& frame) {
   double sum = 0;
   for (const Vec& v : frame.velocity) sum += v.norm();
@@ -46,7 +62,7 @@ double mean_speed(const Frame& frame) {
 
 /// Up to kLines frames, evenly spread, the first and the last among them; each is checked as it is read.
 void print_table(const Recording& recording) {
-  std::printf("%10s %12s %14s %12s  %s\n", "frame", "step", "time (s)", "speed (m/s)", "state hash");
+  std::printf("%10s %12s %14s %12s  %s\n", "frame", "step", "time (s)", "mean (m/s)", "state hash");
   const std::size_t n = recording.frames(), lines = std::min(n, kLines);
   Frame frame;
   for (std::size_t line = 0; line < lines; ++line) {
@@ -80,6 +96,7 @@ void draw(const Recording& recording, const Options& options) {
 int replay(const Options& options) {
   refuse_what_is_to_come(options);
   refuse_what_does_nothing(options);
+  refuse_to_overwrite(options);
   const Recording recording(options.file);
   if (!recording.complete())
     std::fprintf(stderr, "throng: %s is %s\n", options.file.c_str(),
@@ -103,12 +120,12 @@ void add_replay(CLI::App& app, int& exit_code) {
                     "runs the scenario again and compares every frame, bit for bit");
   command->add_option("--threads", options->threads, "threads for --verify; 1 without it")
       ->check(CLI::Range(1, 256));
-  command->add_option("--png", options->png, "picture to write, of the frame nearest to --at");
+  command->add_option("--png", options->png, "picture to write or replace, of the frame nearest to --at");
   command->add_option("--at", options->at, "time of the picture (s); the last frame without it");
   command->add_option("--width", options->width, "of the picture, in pixels; 1600 without it")
       ->check(CLI::Range(200, 8000));
   command->add_option("--html", options->html,
-                      "replay page to write: one file that any browser opens, without network");
+                      "replay page to write or replace: one file that any browser opens, without network");
   command->add_option("--video", options->video, "not supported yet");
   command->add_option("--speed", options->speed, "not supported yet");
   command->footer(

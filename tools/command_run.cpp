@@ -7,6 +7,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -100,6 +101,9 @@ int rehearse(const Options& options, const Loaded& loaded, const Provenance& pro
 int run(const Options& options) {
   const Loaded loaded = load_or_throw(options.scene, options.overrides);
   const Scene& scene = loaded.scene;
+  std::error_code neither;
+  if (std::filesystem::equivalent(options.output, options.scene, neither))
+    throw InputError("cannot write " + options.output + ": it is the scenario");
   const Provenance provenance{loaded.text, loaded.resolved, options.command_line, options.threads};
   if (options.dry_run) return rehearse(options, loaded, provenance);
 
@@ -112,10 +116,11 @@ int run(const Options& options) {
   try {
     times = advance(*simulation, scene, recorder, progress);
   } catch (const SimulationError& error) {
+    progress.finish(simulation->state().step);
     throw SimulationError(std::string(error.what()) + "; to reproduce: " + reproduction(options));
   }
   progress.finish(simulation->state().step);
-  const bool stopped = stop_requested;
+  const bool stopped = simulation->state().step < scene.time.steps();
   if (recorder) stopped ? recorder->stop() : recorder->finish();
   if (stopped) report_stop(recorder, scene, simulation->state());
   const std::string output = !recorder ? "" : stopped ? recorder->part() : recorder->path();

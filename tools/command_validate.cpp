@@ -6,6 +6,8 @@
 #include "scenarios/schema.h"
 #include "sim/input_error.h"
 #include "tools/commands.h"
+#include "tools/printable.h"
+#include "tools/scenario.h"
 
 namespace throng::tools {
 
@@ -17,26 +19,17 @@ struct Options {
   bool schema = false;
 };
 
-/// "1 wall", "2 walls".
-std::string counted(std::int64_t n, const std::string& noun) {
-  return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
-}
-
 int validate(const Options& options) {
   if (options.schema) {
     std::fputs(scenarios::schema().c_str(), stdout);
     return 0;
   }
   if (options.file.empty()) throw InputError("validate needs a scenario file; see throng validate --help");
-  const Loaded loaded = load_scenario(options.file, options.overrides);
-  std::fputs(to_string(loaded.diagnostics, options.file).c_str(), stderr);
-  if (loaded.errors() > 0) return 2;
+  const Loaded loaded = load_or_throw(options.file, options.overrides);
   const Scene& scene = loaded.scene;
   const auto size = [](const auto& list) { return static_cast<std::int64_t>(list.size()); };
-  const std::string bodies =
-      scene.bodies.size() == 1 ? "1 body" : std::to_string(scene.bodies.size()) + " bodies";
-  std::printf("%s: ok, %s, %s, %s, %s, %s\n", options.file.c_str(), bodies.c_str(),
-              counted(size(scene.shapes), "shape").c_str(),
+  std::printf("%s: ok, %s, %s, %s, %s, %s\n", options.file.c_str(),
+              counted_bodies(scene.bodies.size()).c_str(), counted(size(scene.shapes), "shape").c_str(),
               counted(size(scene.materials), "material").c_str(), counted(size(scene.walls), "wall").c_str(),
               counted(scene.time.steps(), "step").c_str());
   return 0;

@@ -45,7 +45,15 @@ class Guard {
   std::vector<std::set<std::string>> keys_;
 };
 
+/// The parser counts lines from the one that it was given.
+std::string without_line(std::string message) {
+  const std::string prefix = "at line 1, column";
+  const std::size_t at = message.find(prefix);
+  return at == std::string::npos ? message : message.replace(at, prefix.size(), "at column");
+}
+
 Json parse(std::string_view line) {
+  if (line.find_first_not_of(" \t\r") == std::string_view::npos) throw InputError("the line is empty");
   Guard guard;
   try {
     return Json::parse(line.begin(), line.end(), [&guard](int depth, Json::parse_event_t event, Json& value) {
@@ -54,7 +62,8 @@ Json parse(std::string_view line) {
   } catch (const Json::exception& error) {
     const std::string what = error.what();
     const std::size_t bracket = what.find("] ");
-    throw InputError("not JSON: " + (bracket == std::string::npos ? what : what.substr(bracket + 2)));
+    throw InputError("not JSON: " +
+                     without_line(bracket == std::string::npos ? what : what.substr(bracket + 2)));
   }
 }
 

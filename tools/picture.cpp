@@ -137,7 +137,13 @@ void draw_scale_bar(cairo_t* cairo, const Page& page) {
   write(cairo, length(metres), page.border + bar / 2, y + 1.7 * page.unit, Align::centre);
 }
 
-void draw_colour_bar(cairo_t* cairo, const Page& page, double top) {
+/// The colours' speeds: from 0 to `top`, which some bodies may be beyond.
+struct SpeedScale {
+  double top;  ///< m/s, 0 where nothing moves
+  bool beyond;
+};
+
+void draw_colour_bar(cairo_t* cairo, const Page& page, const SpeedScale& scale) {
   const double width = std::min(18 * page.unit, 0.4 * page.width), height = 0.8 * page.unit;
   const double x = page.width - page.border - width, y = page.height - 2.9 * page.unit - height / 2;
   std::unique_ptr<cairo_pattern_t, void (*)(cairo_pattern_t*)> ramp(
@@ -153,23 +159,33 @@ void draw_colour_bar(cairo_t* cairo, const Page& page, double top) {
   const double baseline = y + height + 1.3 * page.unit;
   write(cairo, "0", x, baseline);
   write(cairo, "speed (m/s)", x + width / 2, baseline, Align::centre);
-  write(cairo, number(top), x + width, baseline, Align::right);
+  write(cairo, (scale.beyond ? "≥ " : "") + number(scale.top), x + width, baseline, Align::right);
 }
 
-void draw_legend(cairo_t* cairo, const Page& page, const Frame& frame, double top) {
+void draw_legend(cairo_t* cairo, const Page& page, const Frame& frame, const SpeedScale& scale) {
   draw_scale_bar(cairo, page);
   const double y = page.height - 2.6 * page.unit;
-  if (top > 0) return draw_colour_bar(cairo, page, top);
+  if (scale.top > 0) return draw_colour_bar(cairo, page, scale);
   set_colour(cairo, kFaint);
-  write(cairo, frame.velocity.empty() ? "velocity not recorded" : "at rest", page.width - page.border, y,
+  write(cairo, frame.velocity.empty() ? "velocity not recorded" : "nobody moves", page.width - page.border, y,
         Align::right);
 }
 
-double top_speed_of(const Scene& scene, const Frame& frame) {
+/// What creeps by less than a millionth of a radius a second stands still: its colours would be those of
+/// rounding.
+SpeedScale speed_scale(const Scene& scene, const Frame& frame) {
+  constexpr double kCreeping = 1e-6;
   std::vector<double> speeds;
-  for (std::size_t row = 0; row < frame.velocity.size(); ++row)
-    if (scene.bodies.kind[row] == BodyKind::dynamic) speeds.push_back(frame.velocity[row].norm());
-  return top_speed(speeds.data(), static_cast<long>(speeds.size()));
+  double fastest = 0.0, radius = 0.0;
+  for (std::size_t row = 0; row < frame.velocity.size(); ++row) {
+    if (scene.bodies.kind[row] != BodyKind::dynamic) continue;
+    speeds.push_back(frame.velocity[row].norm());
+    fastest = std::max(fastest, speeds.back());
+    radius = std::max(radius, scene.bodies.radius[row]);
+  }
+  if (fastest < kCreeping * radius) return {0.0, false};
+  const double top = top_speed(speeds.data(), static_cast<long>(speeds.size()));
+  return {top, fastest > top};
 }
 
 }  // namespace
@@ -184,10 +200,10 @@ void draw_png(const Scene& scene, const Frame& frame, const std::string& output,
   const Context cairo(cairo_create(surface.get()), cairo_destroy);
   cairo_set_source_rgb(cairo.get(), 1, 1, 1);
   cairo_paint(cairo.get());
-  const double top = top_speed_of(scene, frame);
-  draw_scene(cairo.get(), page, shown, scene, frame, top);
+  const SpeedScale scale = speed_scale(scene, frame);
+  draw_scene(cairo.get(), page, shown, scene, frame, scale.top);
   draw_title(cairo.get(), page, scene, frame);
-  draw_legend(cairo.get(), page, frame, top);
+  draw_legend(cairo.get(), page, frame, scale);
   replace_file(output, [&](const std::string& name) {
     const cairo_status_t status = cairo_surface_write_to_png(surface.get(), name.c_str());
     if (status != CAIRO_STATUS_SUCCESS)

@@ -60,12 +60,6 @@ void paint(cairo_t* cairo, const Shape& shape, double radius, const Colour& colo
   }
   set_colour(cairo, colour);
   cairo_fill(cairo);
-  if (shape.kind != ShapeKind::disc || radius < kTurnShows * pixel) return;
-  cairo_move_to(cairo, 0, 0);
-  cairo_line_to(cairo, 0.92 * radius, 0);
-  cairo_set_line_width(cairo, std::min(1.6 * pixel, 0.16 * radius));
-  set_colour(cairo, shade(colour));
-  cairo_stroke(cairo);
 }
 
 Colour colour_of(const Scene& scene, const Frame& frame, std::size_t row, double top) {
@@ -75,12 +69,25 @@ Colour colour_of(const Scene& scene, const Frame& frame, std::size_t row, double
   return palette(top > 0 ? frame.velocity[row].norm() / top : 0.0);
 }
 
+/// How a disc has turned, where that was recorded.
+void draw_turn(cairo_t* cairo, double radius, const Colour& colour, double pixel) {
+  if (radius < kTurnShows * pixel) return;
+  cairo_move_to(cairo, 0, 0);
+  cairo_line_to(cairo, 0.92 * radius, 0);
+  cairo_set_line_width(cairo, std::min(1.6 * pixel, 0.16 * radius));
+  set_colour(cairo, shade(colour));
+  cairo_stroke(cairo);
+}
+
 void draw_at(cairo_t* cairo, const Scene& scene, const Frame& frame, std::size_t row, const Vec& at,
              const Colour& colour, double pixel) {
   cairo_save(cairo);
   cairo_translate(cairo, at.x(), at.y());
   if (!frame.angle.empty()) cairo_rotate(cairo, std::fmod(frame.angle[row], 2 * std::numbers::pi));
-  paint(cairo, scene.shapes[scene.bodies.shape[row]], scene.bodies.radius[row], colour, pixel);
+  const Shape& shape = scene.shapes[scene.bodies.shape[row]];
+  paint(cairo, shape, scene.bodies.radius[row], colour, pixel);
+  if (shape.kind == ShapeKind::disc && !frame.angle.empty())
+    draw_turn(cairo, scene.bodies.radius[row], colour, pixel);
   cairo_restore(cairo);
 }
 

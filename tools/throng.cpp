@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <new>
 
 #include "scenarios/report.h"
 #include "sim/input_error.h"
@@ -50,6 +51,7 @@ int main(int argc, char** argv) {
       "throng simulates crowds and particles in the plane: a scenario file in, an HDF5 trajectory out.\n"
       "Exit codes: 0 done, 1 the simulation failed, 2 bad input, 130 stopped by a signal."};
   app.set_version_flag("--version", THRONG_VERSION);
+  app.require_subcommand(0, 1);
   int exit_code = 0;
   std::string command_line = "throng";
   for (int i = 1; i < argc; ++i) command_line += std::string(" ") + argv[i];
@@ -70,6 +72,8 @@ int main(int argc, char** argv) {
     return with_answers_written(app.exit(answer));
   } catch (const CLI::ParseError& error) {
     return fail(complaint(app, error), 2);
+  } catch (const std::bad_alloc&) {
+    return fail("out of memory", 1);
   } catch (const throng::InputError& error) {
     return fail(error.what(), 2);
   } catch (const std::exception& error) {

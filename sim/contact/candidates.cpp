@@ -28,8 +28,15 @@ std::vector<broadphase::Extent> extents(const Obstacles& obstacles) {
 
 [[noreturn]] void fail_at_period(const State& state, std::uint32_t body) {
   throw SimulationError(
-      "step " + std::to_string(state.step) + ": body " + std::to_string(state.id[body]) +
+      "step " + std::to_string(state.step + 1) + ": body " + std::to_string(state.id[body]) +
       " reaches farther in a step than a quarter of the period: take a shorter dt or a wider domain");
+}
+
+/// Every pair of a small scene, and a thousand partners each in a large one: more is a step so long that
+/// nearly all might meet.
+[[noreturn]] void fail_at_crowd(const State& state, std::size_t pairs) {
+  throw SimulationError("step " + std::to_string(state.step + 1) + ": " + std::to_string(pairs) +
+                        " pairs of bodies could meet within it: take a shorter dt");
 }
 
 double fastest(const State& state) {
@@ -50,18 +57,18 @@ Candidates::Candidates(const Scene& scene, const Plan& plan)
   if (plan.obstacles) index_.build(extents(obstacles_), 2.0 * widest);
 }
 
-void Candidates::find(const State& state) {
-  place(state);
+void Candidates::find(const State& state, double dt) {
+  place(state, dt);
   if (plan_.pairs) {
     disc_pairs_.find(centre_, reach_, plan_.periodic ? &period_ : nullptr, pairs_, colliders_.movable);
     if (plan_.composites) drop_own_parts();
+    if (pairs_.size() > 10'000'000 + 1000 * colliders_.size()) fail_at_crowd(state, pairs_.size());
   }
   if (plan_.obstacles || plan_.box) find_obstacle_pairs();
 }
 
-void Candidates::place(const State& state) {
+void Candidates::place(const State& state, double dt) {
   const std::size_t n = colliders_.size();
-  const double dt = scene_.time.dt;
   const double fall = plan_.gravity ? scene_.gravity.norm() * dt * dt : 0.0;
   const double chain = fastest(state) * dt;
   centre_.resize(n), margin_.resize(n), reach_.resize(n);
@@ -96,8 +103,9 @@ Vec Candidates::wrap(std::uint32_t collider) const {
   return wrap_.empty() ? Vec(0.0, 0.0) : wrap_[collider];
 }
 
-bool Candidates::widen(const State& state, std::span<const SolverBody> bodies) {
+bool Candidates::widen(const State& state, std::span<const SolverBody> bodies, bool all) {
   bool farther = false;
+  double farthest = 0.0;
   for (std::size_t i = 0; i < colliders_.size(); ++i) {
     if (!colliders_.movable[i]) continue;
     const std::uint32_t body = colliders_.body[i];
@@ -109,9 +117,12 @@ bool Candidates::widen(const State& state, std::span<const SolverBody> bodies) {
     const double way = moved.norm() + turned;
     if (widened_.empty()) widened_.resize(bodies.size(), 0.0);
     widened_[body] = std::max(widened_[body], 1.5 * way);
+    farthest = std::max(farthest, 1.5 * way);
     farther = true;
   }
   if (!farther) widened_.clear();
+  if (all)
+    for (double& way : widened_) way = std::max(way, farthest);
   return farther;
 }
 

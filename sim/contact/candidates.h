@@ -18,14 +18,15 @@ class Candidates {
  public:
   Candidates(const Scene& scene, const Plan& plan);
 
-  /// Replaces all pairs by those of the step that begins with `state`. Allocates only to grow. Throws
-  /// SimulationError where a body reaches farther than a quarter of the period: it could meet two images of
-  /// another.
-  void find(const State& state);
+  /// Replaces all pairs by those of the dt (s) that begins with `state`. Allocates only to grow. Throws
+  /// SimulationError where a body reaches farther than a quarter of the period, since it could meet two
+  /// images of another, and where nearly everybody could meet everybody in a large scene.
+  void find(const State& state, double dt);
 
   /// Whether some body got farther, in the step that began with `state` and brought `bodies` to where they
-  /// are, than find() looked. If so, the next find() looks far enough, and the step must be taken again.
-  bool widen(const State& state, std::span<const SolverBody> bodies);
+  /// are, than find() looked. If so, the next find() looks far enough, round `all` bodies if asked for, and
+  /// the step must be taken again.
+  bool widen(const State& state, std::span<const SolverBody> bodies, bool all);
 
   /// Rows of colliders, a < b, ascending. Parts of one body are no pair, nor are two bodies that nothing can
   /// push.
@@ -48,7 +49,7 @@ class Candidates {
   const Obstacles& obstacles() const { return obstacles_; }
 
  private:
-  void place(const State& state);
+  void place(const State& state, double dt);
   void wrap_centres();
   Vec wrap(std::uint32_t collider) const;
   void drop_own_parts();

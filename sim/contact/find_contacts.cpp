@@ -21,10 +21,6 @@ std::uint64_t key_of(Pair pair, bool obstacle) {
   return (obstacle ? kObstacle : 0) | std::uint64_t{pair.a} << 32 | pair.b;
 }
 
-Vec tangent(const Vec& normal) {
-  return {-normal.y(), normal.x()};
-}
-
 /// The impulses of the last step. Both run in ascending order of key, so the search never goes back.
 class Memory {
  public:

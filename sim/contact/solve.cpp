@@ -19,10 +19,6 @@ Softness softness(double hertz, double damping, double h) {
 
 namespace {
 
-Vec tangent(const Vec& normal) {
-  return {-normal.y(), normal.x()};
-}
-
 /// How the two kinds of contact reach their bodies: the velocity of b against a at the contact, and impulses
 /// there. For discs about their centres a normal impulse turns nothing and a tangential one has the radius as
 /// its arm.
@@ -155,26 +151,73 @@ double relative_kick(const ContactBase& c, const SolverBody& a, const SolverBody
   return (falls_b - falls_a) * kick.dot(c.normal);
 }
 
+/// What a normal impulse at one contact of a body pair does to the normal velocity at another, 1/kg.
+double coupling(const PointContact& i, const PointContact& j, const SolverBody& a, const SolverBody& b) {
+  return a.inverse_mass + b.inverse_mass +
+         a.inverse_inertia * cross(i.arm_a, i.normal) * cross(j.arm_a, j.normal) +
+         b.inverse_inertia * cross(i.arm_b, i.normal) * cross(j.arm_b, j.normal);
+}
+
+/// With the arms of this substep: those of the step's beginning would cost energy.
+double normal_mass(const PointContact& contact, const SolverBody& a, const SolverBody& b) {
+  return 1.0 / coupling(contact, contact, a, b);
+}
+double normal_mass(const DiscContact& contact, const SolverBody&, const SolverBody&) {
+  return contact.normal_mass;
+}
+
+/// When contacts bounce.
+struct BounceRule {
+  double h;          ///< s, the substep
+  double threshold;  ///< m/s, slower ones rest
+  Vec kick;          ///< m/s, what gravity adds in a substep
+};
+
+/// The velocity that a bounce adds along the normal (m/s); 0 where the two don't meet in this substep.
 template <class Contact>
-bool bounce_all(std::span<Contact> contacts, std::span<SolverBody> bodies, double h, double threshold,
-                const Vec& kick) {
-  bool bounced = false;
-  for (Contact& contact : contacts) {
-    if (contact.restitution == 0.0) continue;
-    SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
-    const auto at = arms(contact);
-    const double speed = at.normal_velocity(a, b);
-    if (!(speed < -threshold)) continue;
-    const double fall = relative_kick(contact, a, b, kick);
-    if (!(separation(contact, a, b) + h * (speed + fall) < 0.0)) continue;
-    const double impulse = contact.normal_mass * -((1.0 + contact.restitution) * speed + fall);
-    at.apply(a, b, impulse, 0.0);
-    const double limit = contact.friction * impulse;
-    if (limit > 0.0)
-      at.apply(a, b, 0.0, std::clamp(-contact.tangent_mass * at.tangent_velocity(a, b), -limit, limit));
-    bounced = true;
-  }
-  return bounced;
+double rebound(const Contact& contact, const SolverBody& a, const SolverBody& b, const BounceRule& rule) {
+  if (contact.restitution == 0.0) return 0.0;
+  const double speed = arms(contact).normal_velocity(a, b);
+  if (!(speed < -rule.threshold)) return 0.0;
+  const double fall = relative_kick(contact, a, b, rule.kick);
+  if (!(separation(contact, a, b) + rule.h * (speed + fall) < 0.0)) return 0.0;
+  return -((1.0 + contact.restitution) * speed + fall);
+}
+
+template <class Contact>
+void strike(const Contact& contact, SolverBody& a, SolverBody& b, double impulse) {
+  const auto at = arms(contact);
+  at.apply(a, b, impulse, 0.0);
+  const double limit = contact.friction * impulse;
+  if (limit > 0.0)
+    at.apply(a, b, 0.0, std::clamp(-contact.tangent_mass * at.tangent_velocity(a, b), -limit, limit));
+}
+
+template <class Contact>
+bool bounce(const Contact& contact, std::span<SolverBody> bodies, const BounceRule& rule) {
+  SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
+  const double added = rebound(contact, a, b, rule);
+  if (!(added > 0.0)) return false;
+  strike(contact, a, b, normal_mass(contact, a, b) * added);
+  return true;
+}
+
+/// Two points of one face that meet at once: one after the other would set a box that lands flat spinning.
+bool bounce(const PointContact& i, const PointContact& j, std::span<SolverBody> bodies,
+            const BounceRule& rule) {
+  if (i.a != j.a || i.b != j.b || i.normal != j.normal) return false;
+  SolverBody &a = bodies[i.a], &b = bodies[i.b];
+  const double added_i = rebound(i, a, b, rule), added_j = rebound(j, a, b, rule);
+  if (!(added_i > 0.0 && added_j > 0.0)) return false;
+  const double ii = coupling(i, i, a, b), jj = coupling(j, j, a, b), ij = coupling(i, j, a, b);
+  const double determinant = ii * jj - ij * ij;
+  if (!(determinant > 1e-9 * ii * jj)) return false;  // the two are one point
+  const double impulse_i = (jj * added_i - ij * added_j) / determinant;
+  const double impulse_j = (ii * added_j - ij * added_i) / determinant;
+  if (!(impulse_i >= 0.0 && impulse_j >= 0.0)) return false;
+  strike(i, a, b, impulse_i);
+  strike(j, a, b, impulse_j);
+  return true;
 }
 
 /// The vector after a turn by a small angle: two terms of sine and cosine, exact to its cube.
@@ -227,11 +270,24 @@ void relax(std::span<PointContact> contacts, std::span<SolverBody> bodies, const
 
 bool bounce(std::span<DiscContact> contacts, std::span<SolverBody> bodies, double h, double threshold,
             const Vec& kick) {
-  return bounce_all(contacts, bodies, h, threshold, kick);
+  bool bounced = false;
+  for (const DiscContact& contact : contacts) bounced |= bounce(contact, bodies, {h, threshold, kick});
+  return bounced;
 }
+
 bool bounce(std::span<PointContact> contacts, std::span<SolverBody> bodies, double h, double threshold,
             const Vec& kick) {
-  return bounce_all(contacts, bodies, h, threshold, kick);
+  const BounceRule rule{h, threshold, kick};
+  bool bounced = false;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    if (i + 1 < contacts.size() && bounce(contacts[i], contacts[i + 1], bodies, rule)) {
+      bounced = true;
+      ++i;
+    } else {
+      bounced |= bounce(contacts[i], bodies, rule);
+    }
+  }
+  return bounced;
 }
 
 }  // namespace throng

@@ -9,10 +9,10 @@
 namespace throng {
 
 struct SolverSettings {
-  double h;               ///< s, the substep
-  Softness softness;      ///< of the biased sweep
-  double push_out = 3.0;  ///< m/s, the fastest that overlapping bodies are driven apart
-  bool friction;          ///< some surface rubs
+  double h;           ///< s, the substep
+  Softness softness;  ///< of the biased sweep
+  double push_out;    ///< m/s, the fastest that overlapping bodies are driven apart
+  bool friction;      ///< some surface rubs
 };
 
 /// Normals, arms and offsets at the bodies' present positions. `period`: the domain's, or null.

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 /// The checksums of a trajectory file. They catch damage and mistakes, not malice.
 namespace throng::recording {
@@ -11,6 +12,9 @@ namespace throng::recording {
 /// lanes, each stepped as in XXH64 (Collet 2012), so that any change of one word changes the result. About 8
 /// bytes a ns.
 std::uint64_t hash_bytes(std::span<const std::byte> bytes);
+inline std::uint64_t text_hash(std::string_view text) {
+  return hash_bytes(std::as_bytes(std::span(text)));
+}
 
 /// The hash of a list of hashes, so far `chain`; appending goes on where it stopped. Never 0.
 inline constexpr std::uint64_t kEmptyChain = 0x7468726f6e67ULL;

@@ -115,7 +115,10 @@ void Recorder::Impl::guarded(TrajectoryWriter& writer, const std::function<void(
     work();
   } catch (const h5::Error& error) {
     writer.abandon();
-    const std::string kept = std::to_string(writer.committed()) + " frames in it are readable";
+    if (writer.committed() > 0) output.keep();
+    const std::string kept = writer.committed() > 0
+                                 ? std::to_string(writer.committed()) + " frames in it are readable"
+                                 : "nothing is kept";
     queue.fail(std::make_exception_ptr(
         std::runtime_error("writing " + output.part() + " failed: " + error.what() + "; " + kept)));
   } catch (...) {

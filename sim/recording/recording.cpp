@@ -22,10 +22,6 @@ namespace {
 
 constexpr std::nullopt_t kAny = std::nullopt;
 
-std::uint64_t text_hash(const std::string& text) {
-  return hash_bytes(std::as_bytes(std::span(text)));
-}
-
 /// What the first bytes tell before HDF5 sees the file: throng writes superblocks of version 3 only.
 struct Superblock {
   bool open_for_writing;  ///< a writer holds it, or died
@@ -35,7 +31,11 @@ Superblock check_superblock(const std::string& path) {
   constexpr std::array<unsigned char, 8> signature{0x89, 'H', 'D', 'F', '\r', '\n', 0x1a, '\n'};
   std::array<unsigned char, 12> head{};
   std::error_code ignored;
-  if (!std::filesystem::exists(path, ignored)) throw InputError(path + " does not exist");
+  if (!std::filesystem::exists(path, ignored))
+    throw InputError(path + " does not exist" +
+                     (std::filesystem::exists(path + ".part", ignored)
+                          ? "; " + path + ".part has the frames of a run that did not end"
+                          : ""));
   if (!std::filesystem::is_regular_file(path, ignored)) throw InputError(path + " is no regular file");
   std::ifstream file(path, std::ios::binary);
   if (!file) throw InputError(path + " cannot be opened");

@@ -74,15 +74,6 @@ std::vector<Material> read_materials(const h5::File& file, hid_t throng) {
   return materials;
 }
 
-/// The outward normals of the edges, as Convex wants them.
-void add_normals(narrowphase::Convex& part) {
-  const std::size_t n = part.vertices.size();
-  for (std::size_t i = 0; n > 1 && i < n; ++i) {
-    const Vec edge = part.vertices[(i + 1) % n] - part.vertices[i];
-    part.normals.push_back(Vec(edge.y(), -edge.x()).normalized());
-  }
-}
-
 void read_outlines(const h5::File& file, hid_t group, std::vector<Shape>& shapes) {
   const std::vector<Vec> outline = read_points(file, group, "outline"),
                          vertices = read_points(file, group, "vertices");
@@ -94,11 +85,9 @@ void read_outlines(const h5::File& file, hid_t group, std::vector<Shape>& shapes
   for (std::size_t s = 0; s < shapes.size(); ++s) {
     shapes[s].outline.assign(outline.begin() + outline_offset[s], outline.begin() + outline_offset[s + 1]);
     for (std::size_t p = part_offset[s]; p < part_offset[s + 1]; ++p) {
-      narrowphase::Convex part{
-          {vertices.begin() + vertex_offset[p], vertices.begin() + vertex_offset[p + 1]}, {}, radius[p]};
-      if (part.vertices.empty()) reject("part of a shape has no vertices");
-      add_normals(part);
-      shapes[s].parts.push_back(std::move(part));
+      if (vertex_offset[p] == vertex_offset[p + 1]) reject("part of a shape has no vertices");
+      shapes[s].parts.push_back(narrowphase::convex(
+          {vertices.begin() + vertex_offset[p], vertices.begin() + vertex_offset[p + 1]}, radius[p]));
     }
     if ((shapes[s].kind == ShapeKind::disc) != shapes[s].parts.empty())
       reject("a disc has parts, or another shape has none");

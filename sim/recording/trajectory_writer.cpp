@@ -24,10 +24,6 @@ h5::Handle create_file(const std::string& path) {
   return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose, "cannot make the file"};
 }
 
-std::uint64_t text_hash(const std::string& text) {
-  return hash_bytes(std::as_bytes(std::span(text)));
-}
-
 void write_h5md(hid_t file) {
   const h5::Handle group = h5::create_group(file, "h5md");
   constexpr std::int32_t version[] = {1, 1};

@@ -82,6 +82,8 @@ const Case kCases[] = {
     {WALL "segment = [[0, 0], [1, 0]]\nmaterial = 'x'",
      "s.toml:4:12: error: walls[0].material: there is no \"x\""},
     // types
+    {"name = \"a\\u0000b\"", "s.toml:2:8: error: name: holds U+0000"},
+    {"[materials.\"a\\u0000b\"]\nfriction = 1", "has U+0000 in its name"},
     {"name = 1", "s.toml:2:8: error: name: must be a string of at most 256 bytes, and is the integer 1"},
     {"seed = 1.0",
      "s.toml:2:8: error: seed: must be an integer from 0 to 9007199254740991, and is the number 1"},
@@ -221,7 +223,7 @@ const Case kCases[] = {
      "s.toml:2:10: error: engine: box2d: contact.model = \"none\": "},
     {"engine = 'box2d'\nshapes.b.polygon = [[0, 0], [0.004, 0], [0.004, 1], [0, 1]]\n[[bodies]]\nshape = "
      "'b'\nat = [0, 0]",
-     "s.toml:2:10: error: engine: box2d: shapes.b: has an edge shorter than Box2D's 5 mm"},
+     "s.toml:2:10: error: engine: box2d: shapes.b: is thinner, or has a shorter edge, than Box2D's 5 mm"},
     {WALL "polygon = [[0, 0], [1, 0], [0, 0]]",
      "s.toml:3:11: error: walls[0].polygon: must have at least 3 different"},
     {WALL "segment = [[1, 2], [1, 2]]",

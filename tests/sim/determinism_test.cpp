@@ -34,7 +34,7 @@ constexpr Golden kGallery[] = {
     {"polygons", 40, 0x203df4b28373e05},    {"pyramid", 10, 0xac23cff2d79c9d6d},
     {"hopper", 100, 0x922c24dd4e64bca8},    {"gears", 100, 0xe4e88ff2785d1831},
     {"billiard", 1500, 0xc39891314a486ed1}, {"cradle", 2000, 0x7d1d3bfa5a6ce43a},
-    {"mixed", 200, 0x4f291a2e57a53356},
+    {"mixed", 200, 0x8a36b500b76530be},
 };
 
 class EveryScene : public ::testing::TestWithParam<Golden> {};

@@ -36,6 +36,16 @@ TEST(Observe, NothingOverlapsWhereNothingTouches) {
   EXPECT_EQ(o.mean, 0.0);
 }
 
+/// The step's caution, which looks as far as bodies fly, once ended runs that were over.
+TEST(Observe, OverlapIsToldHoweverFastBodiesAre) {
+  const Scene scene = scene_from(
+      "contact = { model = \"none\" }\ntime = { dt = 0.01, until = 1 }\n"
+      "domain = { periodic = [[0, 0], [4, 4]] }\n[shapes]\nball = { disc = { radius = 0.5 } }\n"
+      "[[bodies]]\nshape = \"ball\"\nat = [0.1, 1]\nvelocity = [150, 0]\n"
+      "[[bodies]]\nshape = \"ball\"\nat = [3.9, 1]\n");
+  EXPECT_NEAR(overlap(scene, initial_state(scene)).max, 0.8, 1e-12);
+}
+
 TEST(Observe, EnergyAndMomentumAreThoseOfDynamicBodies) {
   const Scene scene = scene_from(
       "gravity = [0, -10]\n[materials.default]\ndensity = 2\n[shapes]\nball = { disc = { radius = 1 } }\n"

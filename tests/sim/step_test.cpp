@@ -9,43 +9,10 @@
 
 #include "sim/observe.h"
 #include "sim/simulation_error.h"
-#include "tests/sim/scene_from.h"
+#include "tests/sim/trial.h"
 
 namespace throng {
 namespace {
-
-/// A scene and its run.
-struct Trial {
-  explicit Trial(const std::string& text) : Trial(scene_from(text)) {}
-  explicit Trial(Scene given, int threads = 1)
-      : scene(std::move(given)),
-        plan(plan_for(scene)),
-        state(initial_state(scene)),
-        work(scene, plan, threads) {}
-
-  void steps(int n) {
-    for (int i = 0; i < n; ++i) step(scene, plan, state, work);
-  }
-  double energy() const { return kinetic_energy(scene, state) + potential_energy(scene, state); }
-
-  Scene scene;
-  Plan plan;
-  State state;
-  Workspace work;
-};
-
-const char* const kDisc = "[shapes]\nball = { disc = { radius = 0.5 } }\n";
-
-std::string material(double restitution, double friction) {
-  return "[materials.default]\nrestitution = " + std::to_string(restitution) +
-         "\nfriction = " + std::to_string(friction) + "\n";
-}
-
-std::string ball(double x, double y, double vx, double vy, double spin = 0.0) {
-  return "[[bodies]]\nshape = \"ball\"\nat = [" + std::to_string(x) + ", " + std::to_string(y) +
-         "]\nvelocity = [" + std::to_string(vx) + ", " + std::to_string(vy) +
-         "]\nspin = " + std::to_string(spin) + "\n";
-}
 
 TEST(Step, FreeFallIsLateByWhatSemiImplicitEulerSays) {
   Trial run(std::string("gravity = [0, -10]\ntime = { dt = 0.01, until = 1, substeps = 4 }\n") + kDisc +
@@ -61,41 +28,6 @@ TEST(Step, TimeIsTheNumberOfStepsTimesTheirLength) {
   Trial run(std::string("time = { dt = 0.1, until = 1 }\n") + kDisc + ball(0, 0, 0, 0));
   run.steps(7);
   EXPECT_EQ(run.state.step, 7);
-}
-
-TEST(Step, AnElasticDiscBouncesForEverToTheSameHeight) {
-  Trial run(std::string("gravity = [0, -10]\ntime = { dt = 0.01, until = 1, substeps = 4 }\ndomain = { box = "
-                        "[[-5, 0], [5, 9]] }\n") +
-            material(1, 0) + kDisc + ball(0, 1.5, 0, 0));
-  const double before = run.energy();
-  double highest = 0.0;
-  for (int i = 0; i < 20000; ++i) {
-    run.steps(1);
-    if (i >= 19000) highest = std::max(highest, run.state.position[0].y());
-  }
-  EXPECT_NEAR(highest, 1.5, 2e-3);
-  EXPECT_NEAR(run.energy() / before, 1.0, 0.02);
-}
-
-TEST(Step, ADiscWithHalfTheRestitutionRisesToAQuarterOfTheHeight) {
-  Trial run(std::string("gravity = [0, -10]\ntime = { dt = 0.01, until = 1, substeps = 4 }\ndomain = { box = "
-                        "[[-5, 0], [5, 9]] }\n") +
-            material(0.5, 0) + kDisc + ball(0, 2.5, 0, 0));
-  run.steps(64);  // it lands after sqrt(0.4) = 0.632 s
-  double highest = 0.0;
-  for (int i = 0; i < 50; ++i) {
-    run.steps(1);
-    highest = std::max(highest, run.state.position[0].y());
-  }
-  EXPECT_NEAR(highest - 0.5, 0.25 * 2.0, 0.01 * 2.0);
-}
-
-TEST(Step, TwoElasticDiscsExchangeVelocitiesHeadOn) {
-  Trial run(std::string("time = { dt = 0.01, until = 1 }\n") + material(1, 0) + kDisc + ball(0, 0, 2, 0) +
-            ball(3, 0, -1, 0));
-  run.steps(100);
-  EXPECT_NEAR(run.state.velocity[0].x(), -1.0, 1e-12);
-  EXPECT_NEAR(run.state.velocity[1].x(), 2.0, 1e-12);
 }
 
 TEST(Step, AnObliqueImpactObeysCoulomb) {
@@ -138,32 +70,6 @@ TEST(Step, ABlockOnASlopeSlidesOnlyWhereItIsSteeperThanFriction) {
   EXPECT_NEAR(rests.state.position[0].x(), 0.0, 1e-3);
   EXPECT_NEAR(slides.state.velocity[0].x(), (6.0 - 0.5 * 10) * 2.0, 0.02);
   EXPECT_NEAR(slides.state.angle[0], 0.0, 1e-4);  // its front edge carries more, and contacts are soft
-}
-
-TEST(Step, NewtonsCradleSendsTheLastDiscOff) {
-  for (const double gap : {0.0, 1e-6}) {
-    std::string text = "time = { dt = 0.01, until = 1 }\n" + material(1, 0) + kDisc + ball(-1, 0, 2, 0);
-    for (int i = 1; i < 5; ++i) text += "[[bodies]]\nshape = \"ball\"\nat = [" + std::to_string(i) + ", 0]\n";
-    Scene scene = scene_from(text);
-    for (std::size_t i = 1; i < 5; ++i) scene.bodies.position[i].x() = static_cast<double>(i) * (1 + gap);
-    Trial run(scene);
-    run.steps(200);
-    for (std::size_t i = 0; i < 4; ++i)
-      EXPECT_NEAR(run.state.velocity[i].x(), 0.0, 1e-9) << i << " gap " << gap;
-    EXPECT_NEAR(run.state.velocity[4].x(), 2.0, 1e-9) << "gap " << gap;
-  }
-}
-
-TEST(Step, AGasKeepsItsMomentumAndEnergy) {
-  Trial run(gallery_scene("gas"));
-  const double before = kinetic_energy(run.scene, run.state);
-  const double scale =
-      std::sqrt(2 * before * mass(run.scene, 0) * static_cast<double>(run.scene.bodies.size()));
-  run.steps(500);
-  EXPECT_GT((run.state.position[0] - run.scene.bodies.position[0]).norm(), 0.0);
-  EXPECT_LT(momentum(run.scene, run.state).norm() / scale, 1e-12);
-  EXPECT_NEAR(kinetic_energy(run.scene, run.state) / before, 1.0, 1e-9);
-  EXPECT_LT(overlap(run.scene, run.state).max, 1e-3 * run.scene.bodies.radius[0]);
 }
 
 TEST(Step, AStackOfBoxesStands) {
@@ -261,25 +167,6 @@ TEST(Step, ABodyThatReachesTooFarRoundThePeriodEndsTheRunByName) {
   Trial run(std::string("time = { dt = 0.1, until = 1 }\ndomain = { periodic = [[0, 0], [10, 10]] }\n") +
             kDisc + ball(2, 2, 0, 0) + ball(5, 5, 90, 0));
   EXPECT_THROW(run.steps(1), SimulationError);
-}
-
-TEST(Step, ABodyStruckWithinAStepStillMeetsTheWall) {
-  // The second disc gets its speed from the first and reaches the wall in the same step, farther than its own
-  // motion said.
-  Trial run("time = { dt = 0.01, until = 1, substeps = 4 }\n" + material(1, 0) +
-            "[shapes]\nball = { disc = { radius = 0.05 } }\n" + ball(0.08, 0, 20, 0) + ball(0.2, 0, 0, 0) +
-            "[[walls]]\nsegment = [[0.28, -1], [0.28, 1]]\n");
-  run.steps(5);
-  EXPECT_LT(run.state.position[1].x(), 0.28);
-  EXPECT_NEAR(kinetic_energy(run.scene, run.state), 0.5 * mass(run.scene, 0) * 400, 1e-9);
-}
-
-TEST(Step, ABounceThatFallsOnTheEndOfASubstepKeepsItsEnergy) {
-  Trial run("time = { dt = 0.01, until = 1, substeps = 4 }\n" + material(1, 0) +
-            "[shapes]\nball = { disc = { radius = 0.05 } }\n" + ball(0, 0, 40, 0) + ball(0.2, 0, 0, 0));
-  run.steps(5);
-  EXPECT_NEAR(run.state.velocity[0].x(), 0.0, 1e-9);
-  EXPECT_NEAR(run.state.velocity[1].x(), 40.0, 1e-9);
 }
 
 TEST(Step, ACompositeTurnsAboutItsCentreOfMass) {

@@ -38,6 +38,14 @@ TEST_F(CommandLine, SaysWhatIsWrongAndWhoseHelpSaysMore) {
   expect_refused("--fly", AllOf(HasSubstr("--fly"), HasSubstr("throng --help")));
 }
 
+/// Two commands in one call once ran both and told the second's exit code.
+TEST_F(CommandLine, TakesOneCommandACall) {
+  const std::string bad = write("bad.toml", "throng = 2\n");
+  EXPECT_EQ(throng("validate " + bad + " info a.h5").exit_code, 2);
+  EXPECT_EQ(throng("validate plan").exit_code, 2);
+  EXPECT_THAT(throng("validate plan").err, HasSubstr("plan: error: there is no such file"));
+}
+
 TEST_F(CommandLine, AnswersForHelpAndVersionOnTheStandardOutput) {
   for (const std::string arguments : {"--help", "run --help", "--version"}) {
     const Result result = throng(arguments);

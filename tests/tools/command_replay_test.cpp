@@ -86,7 +86,7 @@ TEST_F(Replay, InfoTellsWhatTheFileHolds) {
   EXPECT_THAT(answer.text, HasSubstr("bodies        3"));
   EXPECT_THAT(answer.text, HasSubstr("last_time     0.2"));
   EXPECT_THAT(answer.text, HasSubstr("fields        position angle velocity\n"));
-  EXPECT_THAT(answer.text, HasSubstr("domain        box 0.0 0.0 4.0 3.0\n"));
+  EXPECT_THAT(answer.text, HasSubstr("domain        box 0 0 4 3\n"));
   EXPECT_THAT(throng("info a.h5 --json").text, HasSubstr("\"command_line\": \"throng run three.toml"));
 }
 
@@ -174,6 +174,17 @@ TEST_F(Replay, LeavesWhatStoodThereWhereItCannotWrite) {
   std::size_t entries = 0;  // nothing half-written stays
   for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder)) ++entries;
   EXPECT_EQ(entries, 4u);
+}
+
+TEST_F(Replay, NeverDrawsOverItsRecording) {
+  shell("ln -s a.h5 link");
+  for (const char* option : {"--png a.h5", "--html ./a.h5", "--png link"}) {
+    const Answer answer = throng(std::string("replay a.h5 ") + option);
+    EXPECT_EQ(answer.code, 2) << option;
+    EXPECT_THAT(answer.text, HasSubstr("it is the recording")) << option;
+  }
+  EXPECT_EQ(throng("replay a.h5 --png z --html z").code, 2);
+  EXPECT_EQ(throng("replay a.h5 --verify").code, 0);
 }
 
 TEST_F(Replay, ReplacesAnOlderPictureAndWritesToAPipe) {

@@ -190,6 +190,14 @@ TEST_F(RunCommand, ASignalThatComesAgainStopsItOnce) {
   EXPECT_THAT(result.err, HasSubstr("a.h5.part holds the frames so far, closed and readable"));
 }
 
+TEST_F(RunCommand, NeverWritesOverItsScenario) {
+  const std::string scene = write("a.toml", kScene);
+  const Result result = throng("run " + scene + " --force -o " + path("./a.toml"));
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("it is the scenario"));
+  EXPECT_EQ(read(scene), kScene);
+}
+
 /// The sentence is there to be pasted into a shell.
 TEST_F(RunCommand, TheCommandThatReproducesAFailureIsOneThatAShellUnderstands) {
   const std::string scene = write("it's a scene.toml", kRunaway);
@@ -200,7 +208,14 @@ TEST_F(RunCommand, TheCommandThatReproducesAFailureIsOneThatAShellUnderstands) {
   const std::size_t end = result.err.find('\n', at);
   const Result again = throng(result.err.substr(at + 7, end - at - 7));
   EXPECT_EQ(again.exit_code, 1);
-  EXPECT_EQ(again.err, result.err);
+  EXPECT_EQ(again.err.substr(again.err.find("throng:")), result.err.substr(result.err.find("throng:")));
+}
+
+TEST_F(RunCommand, NamesARecordingAfterAFileWhoseNameIsNoUtf8) {
+  std::string text = kScene;
+  text.erase(text.find("name"), text.find("gravity") - text.find("name"));
+  ASSERT_EQ(throng("run --until 0.1 " + write("caf\xe9.toml", text) + " -o " + path("a.h5")).exit_code, 0);
+  EXPECT_EQ(throng("replay --verify " + path("a.h5")).exit_code, 0);
 }
 
 /// File names are bytes: a run of a Latin-1 name once made a recording that nobody could read.

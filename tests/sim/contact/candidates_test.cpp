@@ -59,7 +59,7 @@ TEST_P(Domains, HoldAllPairsThatMayTouchEachOnceAndNoneThatCannot) {
   const Plan plan = plan_for(scene);
   Candidates candidates(scene, plan);
   const State state = initial_state(scene);
-  candidates.find(state);
+  candidates.find(state, scene.time.dt);
   const std::vector<Pair> must = overlapping(candidates, state);
   const std::vector<Pair> found(candidates.pairs().begin(), candidates.pairs().end());
   EXPECT_GT(must.size(), 50u) << "a crowd too thin to test anything";
@@ -81,7 +81,7 @@ TEST_P(Domains, HoldTheObstaclesThatBodiesMayTouch) {
   const Plan plan = plan_for(scene);
   Candidates candidates(scene, plan);
   const State state = initial_state(scene);
-  candidates.find(state);
+  candidates.find(state, scene.time.dt);
   const Obstacles& obstacles = candidates.obstacles();
   const std::size_t sides = obstacles.side.size();
   std::size_t must = 0;

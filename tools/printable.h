@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+/// Texts for a terminal.
+namespace throng::tools {
+
+/// Names and texts come from strangers: nothing of theirs may steer the terminal.
+inline std::string printable(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  return text;
+}
+
+/// "1 wall", "2 walls".
+inline std::string counted(std::int64_t n, const std::string& noun) {
+  return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
+}
+
+/// "1 body", "2 bodies".
+inline std::string counted_bodies(std::size_t n) {
+  return std::to_string(n) + (n == 1 ? " body" : " bodies");
+}
+
+}  // namespace throng::tools
