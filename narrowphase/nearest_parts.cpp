@@ -18,7 +18,8 @@ double least_distance(const Bound& a, const Bound& b) {
 
 Bound around(std::span<const Bound> bounds) {
   Bound all{bounds[0].centre, 0.0};
-  for (const Bound& one : bounds) all.radius = std::max(all.radius, (one.centre - all.centre).norm() + one.radius);
+  for (const Bound& one : bounds)
+    all.radius = std::max(all.radius, (one.centre - all.centre).norm() + one.radius);
   return all;
 }
 
@@ -31,7 +32,8 @@ Bound bound(const Convex& part, const Pose& pose) {
   for (const Vec& v : part.vertices) radius = std::max(radius, (v - middle).norm());
   const Vec centre = pose * middle;
   constexpr double kRounding = 1e-14;
-  return {centre, radius + part.radius + kRounding * (centre.norm() + pose.position.norm() + middle.norm() + radius)};
+  return {centre,
+          radius + part.radius + kRounding * (centre.norm() + pose.position.norm() + middle.norm() + radius)};
 }
 
 Separation separation(std::span<const Convex> a, const Pose& pose_a, std::span<const Convex> b,

@@ -133,7 +133,7 @@ Type time_table() {
 }
 
 Type domain_table() {
-  return table({{{"box", box(), "Four walls round this box, m."},
+  return table({{{"box", box(), "Four walls of the default material round this box, m."},
                  {"periodic", box(), "A box, m, whose opposite sides are one: what leaves comes in again."}},
                 {"box", "periodic"}});
 }

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "scenarios/load.h"
+#include "scenarios/reference.h"
 #include "scenarios/schema.h"
 #include "sim/input_error.h"
 #include "tools/commands.h"
@@ -16,12 +17,16 @@ namespace {
 struct Options {
   std::string file;
   std::vector<std::string> overrides;
-  bool schema = false;
+  bool schema = false, fields = false;
 };
 
 int validate(const Options& options) {
   if (options.schema) {
     std::fputs(scenarios::schema().c_str(), stdout);
+    return 0;
+  }
+  if (options.fields) {
+    std::fputs(scenarios::reference().c_str(), stdout);
     return 0;
   }
   if (options.file.empty()) throw InputError("validate needs a scenario file; see throng validate --help");
@@ -46,6 +51,8 @@ void add_validate(CLI::App& app, int& exit_code) {
       ->allow_extra_args(false);
   command->add_flag("--schema", options->schema,
                     "Print the JSON Schema of scenario files, for editors, and nothing else");
+  command->add_flag("--fields", options->fields,
+                    "Print all fields of scenario files, what they mean and what they are when absent");
   command->callback([options, &exit_code] { exit_code = validate(*options); });
 }
 

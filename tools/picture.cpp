@@ -174,7 +174,7 @@ void draw_legend(cairo_t* cairo, const Page& page, const Frame& frame, const Spe
 /// What creeps by less than a millionth of a radius a second stands still: its colours would be those of
 /// rounding.
 SpeedScale speed_scale(const Scene& scene, const Frame& frame) {
-  constexpr double kCreeping = 1e-6;
+  constexpr double kCreeping = 1e-6, kFewFastest = 100.0;
   std::vector<double> speeds;
   double fastest = 0.0, radius = 0.0;
   for (std::size_t row = 0; row < frame.velocity.size(); ++row) {
@@ -184,7 +184,8 @@ SpeedScale speed_scale(const Scene& scene, const Frame& frame) {
     radius = std::max(radius, scene.bodies.radius[row]);
   }
   if (fastest < kCreeping * radius) return {0.0, false};
-  const double top = top_speed(speeds.data(), static_cast<long>(speeds.size()));
+  const double most = top_speed(speeds.data(), static_cast<long>(speeds.size()));
+  const double top = std::max(most, fastest / kFewFastest);  // where few move and the others only creep
   return {top, fastest > top};
 }
 

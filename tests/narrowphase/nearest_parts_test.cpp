@@ -10,7 +10,8 @@ namespace throng::narrowphase {
 namespace {
 
 /// The definition: all parts against all.
-double least(const std::vector<Convex>& a, const Pose& pose_a, const std::vector<Convex>& b, const Pose& pose_b) {
+double least(const std::vector<Convex>& a, const Pose& pose_a, const std::vector<Convex>& b,
+             const Pose& pose_b) {
   double distance = std::numeric_limits<double>::infinity();
   for (const Convex& part_a : a)
     for (const Convex& part_b : b)

@@ -14,7 +14,8 @@ using ::testing::HasSubstr;
 
 class FailingDisk : public Program {};
 
-/// Frames that were committed when the end failed were once removed by the sentence that called them readable.
+/// Frames that were committed when the end failed were once removed by the sentence that called them
+/// readable.
 TEST_F(FailingDisk, EndsARunWithASentenceThatIsTrueOfWhatIsLeft) {
   const std::string scene = THRONG_SOURCE_DIR "/scenarios/cradle.toml";
   const std::string run = "run " + scene + " --until 0.04 --progress none --force -o ";
@@ -22,9 +23,10 @@ TEST_F(FailingDisk, EndsARunWithASentenceThatIsTrueOfWhatIsLeft) {
   for (int write = 1;; ++write) {
     ASSERT_LT(write, 1000) << "no write fails";
     const std::string file = path("a" + std::to_string(write) + ".h5"), part = file + ".part";
-    const Result result = throng(run + file, "ASAN_OPTIONS=verify_asan_link_order=0 LD_PRELOAD=" THRONG_FAILING_DISK
-                                             " THRONG_FAILING_WRITE=" +
-                                                 std::to_string(write) + " ");
+    const Result result =
+        throng(run + file, "ASAN_OPTIONS=verify_asan_link_order=0 LD_PRELOAD=" THRONG_FAILING_DISK
+                           " THRONG_FAILING_WRITE=" +
+                               std::to_string(write) + " ");
     if (result.exit_code == 0) break;
     ASSERT_EQ(result.exit_code, 1) << "write " << write << ": " << result.err;
     EXPECT_THAT(result.err, HasSubstr("Input/output error")) << "write " << write;
