@@ -31,11 +31,26 @@ std::string unknown_command(const CLI::App& app, const std::string& word) {
   return "there is no command '" + word + "'" + throng::scenarios::nearest_or_all(word, known);
 }
 
+/// What to say of words that `command` has no use for.
+std::string unexpected(const CLI::App& command, const std::vector<std::string>& words) {
+  const auto option =
+      std::ranges::find_if(words, [](const std::string& word) { return word.starts_with("-"); });
+  if (option == words.end()) return "'" + words.front() + "' was not expected";
+  std::vector<std::string> known;
+  for (const CLI::Option* one : command.get_options())
+    if (!one->get_lnames().empty()) known.push_back("--" + one->get_lnames().front());
+  const std::string name = option->substr(0, option->find('='));
+  return "there is no option '" + name + "'" + throng::scenarios::suggestion(name, known);
+}
+
 /// What is wrong with the command line, and whose help says more.
 std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
   const auto given = app.get_subcommands();
-  const std::string command = given.empty() ? "throng" : "throng " + given.front()->get_name();
-  return std::string(error.what()) + "; see " + command + " --help";
+  const CLI::App& command = given.empty() ? app : *given.front();
+  const std::vector<std::string> words = app.remaining(true);
+  const bool extra = dynamic_cast<const CLI::ExtrasError*>(&error) && !words.empty();
+  return (extra ? unexpected(command, words) : std::string(error.what())) + "; see throng " +
+         (given.empty() ? "" : command.get_name() + " ") + "--help";
 }
 
 int fail(const std::string& message, int exit_code) {

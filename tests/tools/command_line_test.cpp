@@ -33,7 +33,9 @@ TEST_F(CommandLine, SuggestsTheCommandThatWasMeant) {
 
 TEST_F(CommandLine, SaysWhatIsWrongAndWhoseHelpSaysMore) {
   expect_refused("run", AllOf(HasSubstr("throng: SCENE is required"), HasSubstr("throng run --help")));
-  expect_refused("run a.toml b.toml", AllOf(HasSubstr("b.toml"), HasSubstr("throng run --help")));
+  expect_refused("run a.toml b.toml", AllOf(HasSubstr("'b.toml' was not"), HasSubstr("throng run --help")));
+  expect_refused("run a.toml --thread 2", HasSubstr("no option '--thread', did you mean \"--threads\"?"));
+  expect_refused("run a.toml --thread=2", HasSubstr("no option '--thread', did you mean \"--threads\"?"));
   expect_refused("run a.toml --threads 0", AllOf(HasSubstr("--threads"), HasSubstr("throng run --help")));
   expect_refused("--fly", AllOf(HasSubstr("--fly"), HasSubstr("throng --help")));
 }

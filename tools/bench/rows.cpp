@@ -31,6 +31,17 @@ void expect_agreement(const std::vector<Row>& rows) {
   }
 }
 
+/// "mean_overlap 3.7e-03  max_overlap 0.031"; texts as they are.
+std::string short_text(const nlohmann::ordered_json& error) {
+  std::string text;
+  for (const auto& [key, value] : error.items()) {
+    char number[32];
+    std::snprintf(number, sizeof number, "%.3g", value.is_number() ? value.get<double>() : 0.0);
+    text += (text.empty() ? "" : "  ") + key + " " + (value.is_number() ? number : value.dump());
+  }
+  return text;
+}
+
 void print_table(const std::vector<Row>& rows) {
   std::printf("%-34s %-12s %10s %10s %8s  %s\n", "case", "engine", "ms", "ms_min", "ratio", "error");
   std::map<std::string, double> first;
@@ -38,7 +49,7 @@ void print_table(const std::vector<Row>& rows) {
     const double ms = median(row.ms);
     const double reference = first.try_emplace(row.name, ms).first->second;
     std::printf("%-34s %-12s %10.4f %10.4f %8.2f  %s\n", row.name.c_str(), row.engine.c_str(), ms,
-                minimum(row.ms), ms / reference, row.error.dump().c_str());
+                minimum(row.ms), ms / reference, short_text(row.error).c_str());
   }
 }
 
