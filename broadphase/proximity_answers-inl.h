@@ -136,8 +136,8 @@ void append_sorted(std::size_t count, Answers& answers) {
   append(answers.best.data(), count, answers);
 }
 
-/// The k-th smallest of a list, k > 0, by counting for each how many are no larger. Expects a list of at least
-/// k, with room for a vector behind it.
+/// The k-th smallest of a list, k > 0, by counting for each how many are no larger. Expects a list of at
+/// least k, with room for a vector behind it.
 HWY_INLINE double smallest(std::size_t k, double* list, std::size_t count) {
   for (std::size_t i = count; i % kLanes != 0; ++i) list[i] = std::numeric_limits<double>::infinity();
   const Reals one = hn::Set(D(), 1.0);

@@ -26,18 +26,23 @@ class Search {
   static constexpr bool kSquares = kKind != ProximityTree::Kind::discs;
 
   Search(const ProximityTree& tree, const Question& question, const Near& near)
-      : tree_(tree), space_(tree), x_(hn::Set(D(), question.at.x())), y_(hn::Set(D(), question.at.y())),
-        heading_x_(hn::Set(D(), question.heading.x())), heading_y_(hn::Set(D(), question.heading.y())),
-        cos_(hn::Set(D(), near.view.cos_half)), sin_(hn::Set(D(), near.view.sin_half)),
-        except_(hn::Set(U(), question.except)), groups_(hn::Set(U(), near.groups)),
+      : tree_(tree),
+        space_(tree),
+        x_(hn::Set(D(), question.at.x())),
+        y_(hn::Set(D(), question.at.y())),
+        heading_x_(hn::Set(D(), question.heading.x())),
+        heading_y_(hn::Set(D(), question.heading.y())),
+        cos_(hn::Set(D(), near.view.cos_half)),
+        sin_(hn::Set(D(), near.view.sin_half)),
+        except_(hn::Set(U(), question.except)),
+        groups_(hn::Set(U(), near.groups)),
         limited_view_(!near.view.all_around()),
         ahead_only_(limited_view_ && near.view.cos_half >= 0.0 && !Space::kWraps),
         grouped_(!tree.leaf_groups.empty()) {}
 
   /// The largest key of a distance of at most `radius`; finite, since what is unused is infinitely far away.
   static double radius_key(double radius) {
-    return std::min(kSquares ? radius * radius : radius,
-                    std::numeric_limits<double>::max());
+    return std::min(kSquares ? radius * radius : radius, std::numeric_limits<double>::max());
   }
   /// A key that no item has whose distance is larger, and that all have whose distance is as large: two
   /// squares may have one root.
@@ -46,9 +51,7 @@ class Search {
     return kSquares ? distance * distance * (1.0 + 4.0 * kEpsilon) + std::numeric_limits<double>::min()
                     : distance;
   }
-  static double distance(double key) {
-    return kSquares ? std::sqrt(key) : key;
-  }
+  static double distance(double key) { return kSquares ? std::sqrt(key) : key; }
 
   /// Meets all that may be within `sink.limit()`.
   template <class Sink>
@@ -126,7 +129,8 @@ class Search {
     for (std::size_t i = 0; i < ProximityTree::kWidth; i += kLanes) {
       const Reals low_x = hn::Load(D(), node.low_x + i), low_y = hn::Load(D(), node.low_y + i);
       const Reals high_x = hn::Load(D(), node.high_x + i), high_y = hn::Load(D(), node.high_y + i);
-      const Reals dx = space_.template to<0>(x_, low_x, high_x), dy = space_.template to<1>(y_, low_y, high_y);
+      const Reals dx = space_.template to<0>(x_, low_x, high_x),
+                  dy = space_.template to<1>(y_, low_y, high_y);
       Reals nearest = squared(dx, dy);
       if constexpr (kKind == ProximityTree::Kind::discs)
         nearest = hn::Sub(hn::Sqrt(nearest), hn::Load(D(), tree_.node_radius[index].of + i));
@@ -156,7 +160,8 @@ class Search {
       if constexpr (kKind == ProximityTree::Kind::discs)
         key = hn::Sub(hn::Sqrt(key), hn::Load(D(), tree_.leaf_radius[index].of + i));
       const Rows rows = hn::Load(U(), leaf.row + i);
-      Mask mask = hn::And(hn::Le(key, hn::Set(D(), sink.limit())), hn::RebindMask(D(), hn::Ne(rows, except_)));
+      Mask mask =
+          hn::And(hn::Le(key, hn::Set(D(), sink.limit())), hn::RebindMask(D(), hn::Ne(rows, except_)));
       if (limited_view_) mask = hn::And(mask, seen(dx, dy));
       if (grouped_) mask = hn::And(mask, wanted(tree_.leaf_groups[index].of + i));
       sink.take(mask, key, rows);
@@ -179,8 +184,10 @@ class Search {
   /// Of a view of half a turn or less: whether a box reaches before the eye. Rounding keeps order, so what is
   /// seen is never lost.
   HWY_INLINE Mask reaches_ahead(Reals low_x, Reals low_y, Reals high_x, Reals high_y) const {
-    const Reals x = hn::Max(hn::Mul(heading_x_, hn::Sub(low_x, x_)), hn::Mul(heading_x_, hn::Sub(high_x, x_)));
-    const Reals y = hn::Max(hn::Mul(heading_y_, hn::Sub(low_y, y_)), hn::Mul(heading_y_, hn::Sub(high_y, y_)));
+    const Reals x =
+        hn::Max(hn::Mul(heading_x_, hn::Sub(low_x, x_)), hn::Mul(heading_x_, hn::Sub(high_x, x_)));
+    const Reals y =
+        hn::Max(hn::Mul(heading_y_, hn::Sub(low_y, y_)), hn::Mul(heading_y_, hn::Sub(high_y, y_)));
     return hn::Ge(hn::Mul(hn::Add(x, y), sin_), hn::Zero(D()));
   }
 

@@ -29,7 +29,7 @@ struct Answers {
   std::vector<std::uint32_t> count;  ///< of each question
   std::size_t size = 0;              ///< of `row` and `distance` in use
 
-  std::vector<double> key;         ///< what is found, before it is brought into order
+  std::vector<double> key;  ///< what is found, before it is brought into order
   std::vector<std::uint64_t> who;
   std::vector<Neighbour> best;
 };

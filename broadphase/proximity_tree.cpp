@@ -125,7 +125,9 @@ void ProximityTree::fill_nodes() {
         const std::size_t below = (i - level[l]) * kWidth + k;
         const std::size_t end = l == 0 ? leaves.size() : level[l] - level[l - 1];
         set_child(nodes[i], k,
-                  below >= end ? Box() : l == 0 ? leaf_box(below) : node_box(level[l - 1] + below));
+                  below >= end ? Box()
+                  : l == 0     ? leaf_box(below)
+                               : node_box(level[l - 1] + below));
       }
 }
 

@@ -45,15 +45,14 @@ Crowd crowd_of_recording(const std::string& source, std::optional<double> wanted
   const double first = recording.times().front(), last = recording.times().back();
   const double at = wanted.value_or(last), slack = 1e-9 * std::abs(last);
   if (at < first - slack || at > last + slack)
-    throw InputError(source + ": --at " + std::to_string(at) +
-                     " is outside the recording, which goes from " + std::to_string(first) + " s to " +
-                     std::to_string(last) + " s");
+    throw InputError(source + ": --at " + std::to_string(at) + " is outside the recording, which goes from " +
+                     std::to_string(first) + " s to " + std::to_string(last) + " s");
   Frame frame = recording.frame_at(at);
   if (frame.position.size() != frame.id.size())
     throw InputError(source + ": positions were not recorded (record.fields)");
   scene = recording.geometry();
-  return {std::move(frame.id), std::move(frame.position), std::move(frame.velocity), std::move(frame.angle),
-          {}};
+  return {
+      std::move(frame.id), std::move(frame.position), std::move(frame.velocity), std::move(frame.angle), {}};
 }
 
 }  // namespace

@@ -142,9 +142,8 @@ std::vector<std::int64_t> targets() {
   return list;
 }
 
-INSTANTIATE_TEST_SUITE_P(Neighbours, EveryTarget, testing::ValuesIn(targets()), [](const auto& target) {
-  return std::string(hwy::TargetName(target.param));
-});
+INSTANTIATE_TEST_SUITE_P(Neighbours, EveryTarget, testing::ValuesIn(targets()),
+                         [](const auto& target) { return std::string(hwy::TargetName(target.param)); });
 
 TEST_P(EveryTarget, AgreesWithTheDefinition) {
   const std::uint64_t seed = 7;
@@ -157,9 +156,9 @@ TEST_P(EveryTarget, AgreesWithTheDefinition) {
         for (const double offset : {0.0, 1e9, -1e9})
           for (const std::size_t n : {1, 7, 9, 70, 700}) {
             if (periodic && kind == Kind::boxes) continue;
-            SCOPED_TRACE(testing::Message() << "kind " << static_cast<int>(kind) << ", spread "
-                                            << static_cast<int>(how) << ", periodic " << periodic << ", offset "
-                                            << offset << ", n " << n);
+            SCOPED_TRACE(testing::Message()
+                         << "kind " << static_cast<int>(kind) << ", spread " << static_cast<int>(how)
+                         << ", periodic " << periodic << ", offset " << offset << ", n " << n);
             const Point origin(offset, -0.5 * offset);
             const Sample s = sample(random, kind, how, n, origin, 16.0, periodic, random.below(2) > 0);
             found += expect_definition(random, s, origin, 16.0);
