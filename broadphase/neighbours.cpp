@@ -79,6 +79,12 @@ void NeighbourSearch::find(const ProximityTree& tree, const Places& places, cons
   assert(places.heading.empty() || places.heading.size() == n);
   assert(places.radius.empty() || places.radius.size() == n);
   Scratch& scratch = *scratch_;
+  if (near.most == 0) {
+    lists.begin.assign(n + 1, 0);
+    lists.row.clear();
+    lists.distance.clear();
+    return;
+  }
   scratch.choose_order(tree, places);
   const std::size_t chunks = (n + kChunk - 1) / kChunk;
   if (scratch.answers.size() < chunks) {

@@ -152,37 +152,64 @@ HWY_INLINE double smallest(std::size_t k, double* list, std::size_t count) {
   return result;
 }
 
-/// The nearest few of many: those beside the place along the curve say how far away the last one is at most.
-/// False where too few of those are asked for.
+constexpr double kUnknown = -std::numeric_limits<double>::infinity();
+
+/// The largest key that an answer can have. Where a few of many are asked for, those beside the place along
+/// the curve say how far away the last one is at most; kUnknown where they are too few, or many are asked
+/// for.
 template <class S>
-bool answer_few(const S& search, const Question& question, std::size_t most, Answers& answers) {
-  KeepAll sink{S::radius_key(question.radius), answers};
-  search.meet_around(question.leaf, most, sink);
-  if (sink.count < most) return false;
-  const double farthest = S::distance(smallest(most, answers.key.data(), sink.count));
-  KeepAll within{std::min(S::radius_key(question.radius), S::distance_key(farthest)), answers};
-  search.run(within);
-  append_sorted<S>(within.count, answers);
-  answers.size -= within.count - most;
-  return true;
+double last_key(const ProximityTree& tree, const Question& question, const Near& near, Answers& answers) {
+  constexpr std::size_t kFew = 64;  // beyond, the nearest are better kept in a heap
+  const double radius_key = S::radius_key(question.radius);
+  if (near.most >= tree.size()) return radius_key;
+  if (near.most > kFew) return kUnknown;
+  KeepAll sink{radius_key, answers};
+  S(tree, question, near).meet_around(question.leaf, near.most, sink);
+  if (sink.count < near.most) return kUnknown;
+  const double farthest = S::distance(smallest(near.most, answers.key.data(), sink.count));
+  return std::min(radius_key, S::distance_key(farthest));
 }
 
 template <class S>
-void answer(const ProximityTree& tree, const Question& question, const Near& near, Answers& answers) {
-  constexpr std::size_t kFew = 64;  // measured: beyond, the nearest are better kept in a heap
-  const S search(tree, question, near);
-  const std::size_t before = answers.size;
-  if (near.most >= tree.size()) {
-    KeepAll sink{S::radius_key(question.radius), answers};
-    search.run(sink);
-    append_sorted<S>(sink.count, answers);
-  } else if (near.most > kFew || (near.most > 0 && !answer_few(search, question, near.most, answers))) {
-    answers.best.resize(std::max(answers.best.size(), near.most));
-    KeepBest<S> sink{S::radius_key(question.radius), BestFew(answers.best.data(), near.most)};
-    search.run_nearest_first(sink);
-    append(answers.best.data(), sink.best.finish(), answers);
+void answer_by_heap(const ProximityTree& tree, const Question& question, const Near& near, Answers& answers) {
+  answers.best.resize(std::max(answers.best.size(), near.most));
+  KeepBest<S> sink{S::radius_key(question.radius), BestFew(answers.best.data(), near.most)};
+  S(tree, question, near).run_nearest_first(sink);
+  append(answers.best.data(), sink.best.finish(), answers);
+}
+
+constexpr std::size_t kTogether = 8;  // questions that share the search of the tree's upper part
+
+/// Answers at most kTogether questions.
+template <class S>
+void answer(const ProximityTree& tree, std::span<const Question> questions, const Near& near,
+            Answers& answers) {
+  double key[kTogether], largest = kUnknown;
+  Box places;
+  for (std::size_t i = 0; i < questions.size(); ++i) {
+    key[i] = last_key<S>(tree, questions[i], near, answers);
+    if (key[i] == kUnknown) continue;
+    largest = std::max(largest, key[i]);
+    places.extend(questions[i].at);
   }
-  answers.count.push_back(static_cast<std::uint32_t>(answers.size - before));
+  const bool shared =
+      largest != kUnknown && typename S::UpperPart(tree, places, largest, answers.parents).run();
+  for (std::size_t i = 0; i < questions.size(); ++i) {
+    const std::size_t before = answers.size;
+    if (key[i] == kUnknown) {
+      answer_by_heap<S>(tree, questions[i], near, answers);
+    } else {
+      const S search(tree, questions[i], near);
+      KeepAll sink{key[i], answers};
+      if (shared)
+        search.run(answers.parents, sink);
+      else
+        search.run(sink);
+      append_sorted<S>(sink.count, answers);
+      answers.size = std::min(answers.size, before + std::min(near.most, tree.size()));
+    }
+    answers.count.push_back(static_cast<std::uint32_t>(answers.size - before));
+  }
 }
 
 /// Calls `f` with the search that suits the tree.
@@ -204,7 +231,8 @@ HWY_INLINE void choose(const ProximityTree& tree, F&& f) {
 void SearchMany(const ProximityTree& tree, std::span<const Question> questions, const Near& near,
                 Answers& answers) {
   choose(tree, [&]<class S>(S*) HWY_ATTR {
-    for (const Question& question : questions) answer<S>(tree, question, near, answers);
+    for (std::size_t i = 0; i < questions.size(); i += kTogether)
+      answer<S>(tree, questions.subspan(i, std::min(kTogether, questions.size() - i)), near, answers);
   });
 }
 

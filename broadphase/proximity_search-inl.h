@@ -14,6 +14,7 @@
 
 #include "broadphase/proximity_search.h"
 #include "broadphase/proximity_space-inl.h"
+#include "broadphase/proximity_upper-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace throng::broadphase::HWY_NAMESPACE {
@@ -23,6 +24,7 @@ namespace throng::broadphase::HWY_NAMESPACE {
 template <class Space, ProximityTree::Kind kKind>
 class Search {
  public:
+  using UpperPart = Upper<Space, kKind>;
   static constexpr bool kSquares = kKind != ProximityTree::Kind::discs;
 
   Search(const ProximityTree& tree, const Question& question, const Near& near)
@@ -57,6 +59,12 @@ class Search {
   template <class Sink>
   void run(Sink& sink) const {
     if (!tree_.leaves.empty()) descend(tree_.level.size() - 2, 0, sink);
+  }
+
+  /// The same, below some parents of leaves alone.
+  template <class Sink>
+  void run(std::span<const std::uint32_t> parents, Sink& sink) const {
+    for (const std::uint32_t node : parents) descend(0, node, sink);
   }
 
   /// The same for a limit that shrinks with what is met: what may be nearest is met first.
@@ -129,8 +137,8 @@ class Search {
     for (std::size_t i = 0; i < ProximityTree::kWidth; i += kLanes) {
       const Reals low_x = hn::Load(D(), node.low_x + i), low_y = hn::Load(D(), node.low_y + i);
       const Reals high_x = hn::Load(D(), node.high_x + i), high_y = hn::Load(D(), node.high_y + i);
-      const Reals dx = space_.template to<0>(x_, low_x, high_x),
-                  dy = space_.template to<1>(y_, low_y, high_y);
+      const Reals dx = space_.template to<0>(x_, x_, low_x, high_x),
+                  dy = space_.template to<1>(y_, y_, low_y, high_y);
       Reals nearest = squared(dx, dy);
       if constexpr (kKind == ProximityTree::Kind::discs)
         nearest = hn::Sub(hn::Sqrt(nearest), hn::Load(D(), tree_.node_radius[index].of + i));

@@ -32,6 +32,7 @@ struct Answers {
   std::vector<double> key;  ///< what is found, before it is brought into order
   std::vector<std::uint64_t> who;
   std::vector<Neighbour> best;
+  std::vector<std::uint32_t> parents;  ///< of the leaves near some questions
 };
 
 /// Appends the answers to all questions to `answers`, in order.

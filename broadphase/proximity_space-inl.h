@@ -22,19 +22,19 @@ using Rows = hn::Vec<U>;
 using Mask = hn::Mask<D>;
 constexpr std::size_t kLanes = hn::MaxLanes(D());
 
-/// From the place of the question to an item, to the nearest end of an interval, and along it.
+/// From a place to an item, and from an interval of places to one of items.
 struct Plane {
   explicit Plane(const ProximityTree&) {}
   template <int>
   HWY_INLINE Reals to(Reals p, Reals q) const {
     return hn::Sub(q, p);
   }
-  /// A subtraction rounds no lower where it subtracts from more: no item of the interval is nearer than
-  /// this, to the last bit.
+  /// A subtraction rounds no lower where it subtracts from more: no item of the interval is nearer than this
+  /// to any place from p to q, to the last bit.
   template <int>
-  HWY_INLINE Reals to(Reals p, Reals low, Reals high) const {
+  HWY_INLINE Reals to(Reals p, Reals q, Reals low, Reals high) const {
     const Reals zero = hn::Zero(D());
-    return hn::Max(hn::Max(hn::Sub(low, p), hn::Sub(p, high)), zero);
+    return hn::Max(hn::Max(hn::Sub(low, q), hn::Sub(p, high)), zero);
   }
   static constexpr bool kWraps = false;
 };
@@ -56,8 +56,8 @@ struct Torus {
     return fold<kAxis>(hn::Sub(q, p));
   }
   template <int kAxis>
-  HWY_INLINE Reals to(Reals p, Reals low, Reals high) const {
-    const Reals zero = hn::Zero(D()), a = hn::Sub(low, p), b = hn::Sub(high, p);
+  HWY_INLINE Reals to(Reals p, Reals q, Reals low, Reals high) const {
+    const Reals zero = hn::Zero(D()), a = hn::Sub(low, q), b = hn::Sub(high, p);
     const Reals end = hn::Min(hn::Abs(fold<kAxis>(a)), hn::Abs(fold<kAxis>(b)));
     return hn::IfThenZeroElse(hn::And(hn::Le(a, zero), hn::Ge(b, zero)), end);
   }

@@ -133,7 +133,8 @@ class Box2dTree {
     radius_ = radius;
     rows_.assign(points.size(), 0);
     for (std::uint32_t row = 0; row < points.size(); ++row) {
-      const auto proxy = static_cast<std::size_t>(tree.CreateProxy(box(points[row], 0.001 * radius), nullptr));
+      const auto proxy =
+          static_cast<std::size_t>(tree.CreateProxy(box(points[row], 0.001 * radius), nullptr));
       if (proxy >= rows_.size()) rows_.resize(2 * proxy + 1);
       rows_[proxy] = row;
     }
@@ -174,7 +175,9 @@ struct Case {
 
 std::vector<Case> cases(bool quick) {
   if (quick)
-    return {{Kind::uniform, 10000, 10, false}, {Kind::clustered, 10000, 10, false}, {Kind::line, 10000, 10, true}};
+    return {{Kind::uniform, 10000, 10, false},
+            {Kind::clustered, 10000, 10, false},
+            {Kind::line, 10000, 10, true}};
   return {{Kind::uniform, 10000, 10, false},    {Kind::uniform, 100000, 10, false},
           {Kind::clustered, 100000, 10, false}, {Kind::line, 100000, 10, false},
           {Kind::uniform, 1000000, 10, false},  {Kind::clustered, 1000000, 10, false},
@@ -197,23 +200,35 @@ void add_rows(const std::string& name, const Cloud& cloud, const Near& near, boo
   Box2dTree box2d;
   std::vector<Contestant> contestants;
   std::vector<std::pair<int, std::function<Check()>>> checks;
-  const auto add = [&](const char* engine, int threads, std::function<void()> find, std::function<Check()> check) {
+  const auto add = [&](const char* engine, int threads, std::function<void()> find,
+                       std::function<Check()> check) {
     contestants.push_back({engine, std::move(find)});
     checks.emplace_back(threads, std::move(check));
   };
-  add("throng", 1, [&] { one.find(points, near, 1); }, [&] { return one.check(); });
-  add("throng", 2, [&] { two.find(points, near, 2); }, [&] { return two.check(); });
-  add("nanoflann", 1, [&] { nanoflann.find(points, near); }, [&] { return nanoflann.check(); });
+  add(
+      "throng", 1, [&] { one.find(points, near, 1); }, [&] { return one.check(); });
+  add(
+      "throng", 2, [&] { two.find(points, near, 2); }, [&] { return two.check(); });
+  add(
+      "nanoflann", 1, [&] { nanoflann.find(points, near); }, [&] { return nanoflann.check(); });
   if (pairs_too) {
-    add("pairs", 1, [&] { pairs.find(points, near.radius); }, [&] { return pairs.check(); });
+    add(
+        "pairs", 1, [&] { pairs.find(points, near.radius); }, [&] { return pairs.check(); });
     if (points.size() <= kMostForBox2d)
-      add("box2d_tree", 1, [&] { box2d.find(points, near.radius); }, [&] { return box2d.check(); });
+      add(
+          "box2d_tree", 1, [&] { box2d.find(points, near.radius); }, [&] { return box2d.check(); });
   }
   interleave(contestants, options.blocks, 1.0);
   for (std::size_t i = 0; i < contestants.size(); ++i) {
     const double n = static_cast<double>(points.size());
-    rows.push_back({"broadphase", name, contestants[i].engine, checks[i].first, contestants[i].ms, n,
-                    checks[i].second().text(), {{"ns_per_query", 1e6 * median(contestants[i].ms) / n}}});
+    rows.push_back({"broadphase",
+                    name,
+                    contestants[i].engine,
+                    checks[i].first,
+                    contestants[i].ms,
+                    n,
+                    checks[i].second().text(),
+                    {{"ns_per_query", 1e6 * median(contestants[i].ms) / n}}});
   }
 }
 
@@ -225,7 +240,8 @@ std::vector<Row> bench_broadphase_queries(const Options& options) {
     const Cloud points = cloud(one.kind, one.n, one.k, one.spatial);
     if (!chosen(points.name + " radius", options) && !chosen(points.name + " nearest", options)) continue;
     add_rows(points.name + " radius", points, {.radius = points.reach}, true, options, rows);
-    add_rows(points.name + " nearest", points, {.most = static_cast<std::size_t>(one.k)}, false, options, rows);
+    add_rows(points.name + " nearest", points, {.most = static_cast<std::size_t>(one.k)}, false, options,
+             rows);
   }
   return rows;
 }
