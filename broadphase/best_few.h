@@ -39,7 +39,7 @@ class BestFew {
   }
 
  private:
-  static constexpr std::size_t kFew = 64;  // measured: up to here moving them up costs less than a heap
+  static constexpr std::size_t kFew = 64;  // moving so many up is about as cheap as a heap
 
   void insert(const Neighbour& one) {
     Neighbour* at = list_ + (full() ? count_ - 1 : count_++);

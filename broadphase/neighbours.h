@@ -69,7 +69,7 @@ void find_near(const ProximityTree& tree, const Place& place, const Near& near,
                std::vector<Neighbour>& neighbours);
 
 /// Calls `f(row, distance)` for everything that is asked for, once each, in an order that depends on the
-/// items only; `near.most` is ignored. As fast as `find_near`; allocates nothing.
+/// items only; `near.most` is ignored. Allocates nothing.
 template <class F>
 void for_each_near(const ProximityTree& tree, const Place& place, const Near& near, F&& f);
 
@@ -90,8 +90,8 @@ struct NeighbourLists {
   std::size_t size() const { return begin.empty() ? 0 : begin.size() - 1; }
 };
 
-/// Asks for many places at once, several times as fast as one by one: places near one another are asked one
-/// after the other, whatever their order. Keeps its memory from question to question.
+/// Asks for many places at once, faster than one by one: places near one another are asked one after the
+/// other, whatever their order, and share part of the search. Keeps its memory from question to question.
 class NeighbourSearch {
  public:
   NeighbourSearch();
@@ -100,8 +100,9 @@ class NeighbourSearch {
   NeighbourSearch& operator=(NeighbourSearch&&) noexcept;
 
   /// Replaces `lists` by the answers of `find_near` for all places. `threads` >= 1: with one, everything
-  /// runs in the caller's; the answer is the same for any number. Takes the memory of the answers twice:
-  /// ask for some 100,000 places at a time where that matters. Allocates only to grow.
+  /// runs in the caller's; the answer is the same for any number. Places that are rows cost O(tree.size())
+  /// beside their answers. Takes the memory of the answers twice: ask for some 100,000 places at a time where
+  /// that matters. Allocates only to grow.
   void find(const ProximityTree& tree, const Places& places, const Near& near, NeighbourLists& lists,
             int threads = 1);
 

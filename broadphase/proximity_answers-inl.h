@@ -75,8 +75,8 @@ struct KeepBest {
   BestFew best;
 };
 
-/// Appends what was found in order of (distance, row), by counting for each how many come before it: for few
-/// that is faster than any sorting, having no branches. False where two are equally near.
+/// Appends what was found in order of (distance, row), by counting for each how many come before it, which
+/// takes no branches. False where two are equally near: then what was written is to be written again.
 HWY_INLINE bool append_ranked(std::size_t count, const double* distance, const std::uint64_t* who,
                               std::uint32_t* row_out, double* distance_out) {
   constexpr double kSelf = 4096.0;  // more than any rank
@@ -116,7 +116,7 @@ void append(const Neighbour* list, std::size_t count, Answers& answers) {
 
 template <class S>
 void append_sorted(std::size_t count, Answers& answers) {
-  constexpr std::size_t kFewToRank = 128;  // then sorting is faster
+  constexpr std::size_t kFewToRank = 128;  // counting is quadratic
   double* const keys = answers.key.data();
   if (count == 0) return;
   for (std::size_t i = count; i % kLanes != 0; ++i) keys[i] = std::numeric_limits<double>::infinity();

@@ -14,7 +14,7 @@
 /// are spread: the structure; `neighbours.h` asks it. For all pairs within one distance use `PointGrid`.
 ///
 /// A packed tree (Kamel and Faloutsos, "On Packing R-trees", 1993): the items along a Hilbert curve, eight a
-/// leaf, eight leaves or nodes a node. It has no cell size to choose, costs about 40 bytes a point, and a
+/// leaf, eight leaves or nodes a node. It has no cell size to choose, costs about 50 bytes a point, and a
 /// question takes O(log n + answers) in uniform clouds, blobs and lines alike, from however far away it is
 /// asked.
 namespace throng::broadphase {

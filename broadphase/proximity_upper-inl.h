@@ -41,7 +41,8 @@ class Upper {
     if (level == 0) parents_.push_back(static_cast<std::uint32_t>(node));
     if (level == 0) return parents_.size() <= kMost;
     for (std::uint32_t left = children(tree_.level[level] + node); left != 0; left &= left - 1)
-      if (!descend(level - 1, node * ProximityTree::kWidth + static_cast<std::size_t>(std::countr_zero(left))))
+      if (!descend(level - 1,
+                   node * ProximityTree::kWidth + static_cast<std::size_t>(std::countr_zero(left))))
         return false;
     return true;
   }
