@@ -1,49 +1,39 @@
 // SPDX-License-Identifier: MIT
 // throng query: who is near whom, in a scenario as it starts or in a frame of a recording.
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <memory>
+#include <numbers>
 #include <optional>
 
-#include "broadphase/box_index.h"
 #include "broadphase/neighbours.h"
+#include "narrowphase/trigonometry.h"
 #include "sim/input_error.h"
-#include "sim/recording/recording.h"
 #include "tools/commands.h"
-#include "tools/scenario.h"
+#include "tools/crowd.h"
 
 namespace throng::tools {
 
 namespace {
 
+using broadphase::FieldOfView;
 using broadphase::Near;
-using broadphase::Neighbour;
-using broadphase::Period;
-using broadphase::PointGrid;
+using broadphase::Place;
+using broadphase::ProximityTree;
 
-constexpr double kFarthest = 1e12;       // m, of a place that is asked about
-constexpr double kFarthestBody = 1e150;  // m; squared distances stay finite
+constexpr double kFarthest = 1e12;          // m, of a place that is asked about
+constexpr std::uint32_t kBlock = 1U << 16;  // bodies whose neighbours are held at a time
 
 struct Options {
   std::string source, format = "csv";
-  std::optional<std::string> point;
+  std::optional<std::string> point, heading;
   std::optional<double> radius, at, fov;
   std::optional<std::int64_t> id, nearest;
   bool all = false, sight = false;
 };
 
-/// The bodies that are asked about, a row each in order of id.
-struct Crowd {
-  std::vector<std::uint32_t> id;
-  std::vector<Vec> position;  ///< m, in the period where there is one
-  std::optional<Period> period;
-};
-
 void check(const Options& options) {
-  if (options.fov) throw InputError("not supported yet: --fov");
   if (options.sight) throw InputError("not supported yet: --sight");
   if (options.id.has_value() + options.point.has_value() + options.all != 1)
     throw InputError("query: give one of --id I, --point X,Y and --all");
@@ -53,6 +43,9 @@ void check(const Options& options) {
   if (options.nearest && *options.nearest < 1) throw InputError("query: --nearest must be 1 or more");
   if (options.at && !std::isfinite(*options.at))
     throw InputError("query: --at must be a finite time in seconds");
+  if (options.fov && !(*options.fov > 0.0 && *options.fov <= 360.0))
+    throw InputError("query: --fov must be above 0 and at most 360 degrees");
+  if (options.heading && !options.fov) throw InputError("query: --heading needs --fov DEG");
 }
 
 Vec parse_point(const std::string& text) {
@@ -71,149 +64,163 @@ Vec parse_point(const std::string& text) {
   return p;
 }
 
-bool is_recording(const std::string& file) {
-  char signature[8] = {};
-  std::ifstream(file, std::ios::binary).read(signature, sizeof signature);
-  return std::string(signature, sizeof signature) == "\x89HDF\r\n\x1a\n" || file.ends_with(".h5") ||
-         file.ends_with(".h5.part");
+/// The unit vector `degrees` counter-clockwise from the x axis, exact on the axes and the diagonals.
+Vec direction(double degrees) {
+  const double turned = std::fmod(degrees, 360.0), quarter = std::round(turned / 90.0);
+  const double rest = turned - 90.0 * quarter;
+  const narrowphase::SinCos turn = narrowphase::sin_cos(rest * (std::numbers::pi / 180.0));
+  Vec d{turn.cos, turn.sin};
+  if (std::abs(rest) == 45.0) d = {std::sqrt(0.5), std::copysign(std::sqrt(0.5), rest)};
+  for (int i = (static_cast<int>(quarter) + 4) % 4; i > 0; --i) d = {-d.y(), d.x()};
+  return d;
 }
 
-/// A scenario as it starts.
-Crowd crowd_of_scenario(const Options& options, Scene& scene) {
-  if (options.at.value_or(0.0) != 0.0)
-    throw InputError(
-        options.source +
-        ": a scenario is asked at its start, --at 0; for later times record a run with 'throng run " +
-        options.source + " -o FILE.h5' and ask the recording");
-  scene = load_or_throw(options.source).scene;
-  Crowd crowd;
-  for (std::uint32_t row = 0; row < scene.bodies.size(); ++row) crowd.id.push_back(row + 1);
-  crowd.position = scene.bodies.position;
-  return crowd;
+FieldOfView view(const Options& options) {
+  if (options.fov.value_or(360.0) == 360.0) return {};
+  const Vec half = direction(0.5 * *options.fov);
+  return {half.x(), half.y()};
 }
 
-/// The frame nearest to the time that is asked for, else the last one.
-Crowd crowd_of_recording(const Options& options, Scene& scene) {
-  const Recording recording(options.source);
-  if (recording.frames() == 0) throw InputError(options.source + ": holds no frame yet");
-  const double first = recording.times().front(), last = recording.times().back();
-  const double at = options.at.value_or(last), slack = 1e-9 * std::abs(last);
-  if (at < first - slack || at > last + slack)
-    throw InputError(options.source + ": --at " + std::to_string(at) +
-                     " is outside the recording, which goes from " + std::to_string(first) + " s to " +
-                     std::to_string(last) + " s");
-  Frame frame = recording.frame_at(at);
-  if (frame.position.size() != frame.id.size())
-    throw InputError(options.source + ": positions were not recorded (record.fields)");
-  scene = recording.geometry();
-  return {std::move(frame.id), std::move(frame.position), {}};
+/// A heading in degrees, where it is one.
+std::optional<double> heading_in_degrees(const Options& options) {
+  if (!options.heading || *options.heading == "velocity" || *options.heading == "angle") return {};
+  double degrees = 0.0;
+  const char *begin = options.heading->data(), *end = begin + options.heading->size();
+  const auto [stop, error] = std::from_chars(begin, end, degrees);
+  if (error != std::errc() || stop != end || !std::isfinite(degrees))
+    throw InputError("query: --heading must be velocity, angle or a finite number of degrees, not '" +
+                     *options.heading + "'");
+  return degrees;
 }
 
-/// Brings a point into the period that starts at `origin`.
-Vec wrap(Vec p, const Period& period) {
-  for (int axis = 0; axis < 2; ++axis) {
-    const double low = period.origin[axis], size = period.size[axis];
-    if (p[axis] < low || p[axis] > low + size)
-      p[axis] = std::clamp(p[axis] - size * std::floor((p[axis] - low) / size), low, low + size);
+/// Where each body looks; empty where it looks all around.
+std::vector<Vec> headings(const Options& options, const Crowd& crowd, const FieldOfView& view) {
+  if (view.all_around()) return {};
+  if (const auto degrees = heading_in_degrees(options))
+    return std::vector<Vec>(crowd.id.size(), direction(*degrees));
+  if (options.point) throw InputError("query: --point with --fov needs --heading DEG");
+  const bool by_angle = options.heading == "angle";
+  if ((by_angle ? crowd.angle.size() : crowd.velocity.size()) != crowd.id.size())
+    throw InputError(options.source + ": " + (by_angle ? "angles" : "velocities") +
+                     " were not recorded (record.fields); choose another --heading");
+  if (!by_angle) return crowd.velocity;
+  std::vector<Vec> result;
+  for (const double angle : crowd.angle) {
+    const narrowphase::SinCos turn = narrowphase::sin_cos(angle);
+    result.push_back({turn.cos, turn.sin});
   }
-  return p;
+  return result;
 }
 
-Crowd crowd(const Options& options) {
-  Scene scene;
-  Crowd crowd =
-      is_recording(options.source) ? crowd_of_recording(options, scene) : crowd_of_scenario(options, scene);
-  if (scene.domain.kind == DomainKind::periodic)
-    crowd.period = {scene.domain.min, scene.domain.max - scene.domain.min};
-  for (std::size_t row = 0; row < crowd.id.size(); ++row) {
-    if (!crowd.position[row].allFinite() || crowd.position[row].cwiseAbs().maxCoeff() > kFarthestBody)
-      throw InputError(options.source + ": body " + std::to_string(crowd.id[row]) +
-                       " has no position within 1e150 m of the origin");
-    if (crowd.period) crowd.position[row] = wrap(crowd.position[row], *crowd.period);
-  }
-  return crowd;
-}
-
-std::uint32_t row_of(const Crowd& crowd, std::int64_t id, const std::string& source) {
-  const auto found = std::ranges::find_if(crowd.id, [id](std::uint32_t other) { return other == id; });
-  if (found == crowd.id.end())
-    throw InputError(source + ": no body has the id " + std::to_string(id) +
-                     (crowd.id.empty() ? ": there are none"
-                                       : "; ids go from " + std::to_string(crowd.id.front()) + " to " +
-                                             std::to_string(crowd.id.back())));
-  return static_cast<std::uint32_t>(found - crowd.id.begin());
-}
-
-/// Cells that suit the question: as wide as the radius, but where a few are enough no wider than those few
-/// need.
-double cell_size(const Crowd& crowd, const Near& near) {
-  broadphase::Box box;
-  for (const Vec& p : crowd.position) box.extend(p);
-  const double count = static_cast<double>(std::max<std::size_t>(crowd.position.size(), 1));
-  const double few = static_cast<double>(std::min(near.most, crowd.position.size()));
-  const double enough = box.isEmpty() ? 0.0 : box.sizes().maxCoeff() * std::sqrt((few + 1.0) / count);
-  return std::min(near.radius, enough);
-}
-
-/// The shortest text that reads back as the same number.
-std::string text(double x) {
-  char digits[32];
-  return {digits, std::to_chars(digits, digits + sizeof digits, x).ptr};
-}
-
-/// Prints one list after the other, so that no more than one is held.
+/// Prints one list after the other.
 class Printer {
  public:
   Printer(const std::string& format, const Crowd& crowd) : json_(format == "json"), crowd_(crowd) {
-    std::fputs(json_ ? "[" : "id,neighbour,distance\n", stdout);
+    text_ = json_ ? "[" : "id,neighbour,distance\n";
   }
 
-  void print(std::optional<std::uint32_t> row, const std::vector<Neighbour>& neighbours) {
-    const std::string id = row ? std::to_string(crowd_.id[*row]) : json_ ? "null" : "";
-    if (json_) std::printf("%s\n{\"id\":%s,\"neighbours\":[", first_ ? "" : ",", id.c_str());
+  void begin(std::optional<std::uint32_t> row) {
+    id_ = row ? std::to_string(crowd_.id[*row]) : json_ ? "null" : "";
+    if (json_) text_ += (first_ ? "\n{\"id\":" : ",\n{\"id\":") + id_ + ",\"neighbours\":[";
     first_ = false;
-    const char* separator = "";
-    for (const Neighbour& n : neighbours) {
-      const char* form = json_ ? "%s{\"id\":%u,\"distance\":%s}" : "%s,%u,%s\n";
-      std::printf(form, json_ ? separator : id.c_str(), crowd_.id[n.row], text(n.distance).c_str());
-      separator = ",";
-    }
-    if (json_) std::fputs("]}", stdout);
+    separator_ = "";
+  }
+
+  void add(std::uint32_t row, double distance) {
+    text_ += json_ ? separator_ : id_;
+    text_ += json_ ? "{\"id\":" : ",";
+    add_number(crowd_.id[row]);
+    text_ += json_ ? ",\"distance\":" : ",";
+    add_number(distance);
+    text_ += json_ ? "}" : "\n";
+    separator_ = ",";
+    if (text_.size() > kEnough) write();
+  }
+
+  void end() {
+    if (json_) text_ += "]}";
   }
 
   void finish() {
-    if (json_) std::fputs("\n]\n", stdout);
+    if (json_) text_ += "\n]\n";
+    write();
   }
 
  private:
+  static constexpr std::size_t kEnough = 1 << 16;  // bytes to write at once
+
+  /// The shortest text that reads back as the same number.
+  template <class Number>
+  void add_number(Number number) {
+    char digits[32];
+    text_.append(digits, std::to_chars(digits, digits + sizeof digits, number).ptr);
+  }
+
+  void write() {
+    std::fwrite(text_.data(), 1, text_.size(), stdout);
+    text_.clear();
+  }
+
   bool json_, first_ = true;
   const Crowd& crowd_;
+  std::string text_, id_;
+  const char* separator_ = "";
 };
+
+/// Of one body, or of a place.
+void print_one(const ProximityTree& tree, const Place& place, const Near& near, Printer& printer) {
+  std::vector<broadphase::Neighbour> neighbours;
+  find_near(tree, place, near, neighbours);
+  printer.begin(place.except);
+  for (const broadphase::Neighbour& n : neighbours) printer.add(n.row, n.distance);
+  printer.end();
+}
+
+/// Of every body, some at a time so that memory stays small.
+void print_all(const ProximityTree& tree, const Crowd& crowd, const std::vector<Vec>& heading,
+               const Near& near, Printer& printer) {
+  broadphase::NeighbourSearch search;
+  broadphase::NeighbourLists lists;
+  for (std::uint32_t first = 0; first < crowd.id.size(); first += kBlock) {
+    const std::size_t count = std::min<std::size_t>(kBlock, crowd.id.size() - first);
+    broadphase::Places places{.at = std::span(crowd.position).subspan(first, count), .own = first};
+    if (!heading.empty()) places.heading = std::span(heading).subspan(first, count);
+    search.find(tree, places, near, lists);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      printer.begin(first + i);
+      for (std::size_t k = lists.begin[i]; k < lists.begin[i + 1]; ++k)
+        printer.add(lists.row[k], lists.distance[k]);
+      printer.end();
+    }
+  }
+}
 
 void query(const Options& options) {
   check(options);
-  const Vec point = options.point ? parse_point(*options.point) : Vec(0.0, 0.0);
-  const Crowd crowd = tools::crowd(options);
-  Near near;
+  Place place;
+  if (options.point) place.at = parse_point(*options.point);
+  const auto degrees = heading_in_degrees(options);
+  const Crowd crowd = read_crowd(options.source, options.at);
+  const broadphase::Period* period = crowd.period ? &*crowd.period : nullptr;
+  Near near{.view = view(options)};
   if (options.radius) near.radius = *options.radius;
   if (options.nearest) near.most = static_cast<std::size_t>(*options.nearest);
-  const std::optional<std::uint32_t> one =
-      options.id ? std::optional(row_of(crowd, *options.id, options.source)) : std::nullopt;
+  const std::vector<Vec> heading = headings(options, crowd, near.view);
 
-  PointGrid grid;
-  grid.rebuild(crowd.position, cell_size(crowd, near), crowd.period ? &*crowd.period : nullptr);
-  std::vector<Neighbour> neighbours;
-  Printer printer(options.format, crowd);
-  if (options.point) {
-    find_near(grid, crowd.period ? wrap(point, *crowd.period) : point, near, neighbours);
-    printer.print({}, neighbours);
-  } else {
-    const std::uint32_t end = one ? *one + 1 : static_cast<std::uint32_t>(crowd.id.size());
-    for (std::uint32_t row = one.value_or(0); row < end; ++row) {
-      find_near(grid, crowd.position[row], near, neighbours, row);
-      printer.print(row, neighbours);
-    }
+  if (options.id) {
+    const std::uint32_t row = row_of(crowd, *options.id, options.source);
+    place = {crowd.position[row], heading.empty() ? Vec(0.0, 0.0) : heading[row], row};
+  } else if (options.point) {
+    if (period) place.at = wrap(place.at, *period);
+    if (degrees) place.heading = direction(*degrees);
   }
+  ProximityTree tree;
+  tree.build(crowd.position, period);
+  Printer printer(options.format, crowd);
+  if (options.all)
+    print_all(tree, crowd, heading, near, printer);
+  else
+    print_one(tree, place, near, printer);
   printer.finish();
 }
 
@@ -246,30 +253,36 @@ void add_query(CLI::App& app, int&) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
       "query",
-      "Tells which bodies are within a radius, or nearest, of a body, a point, or of every body.\n"
-      "Distances go from centre to centre, in a periodic domain to the nearest image; nearest first, then by "
-      "id.\n"
-      "csv: a line 'id,neighbour,distance' for each; json: [{\"id\", \"neighbours\": [{\"id\", "
-      "\"distance\"}]}].\n"
-      "For --point the id is empty in csv and null in json.");
-  command->add_option("SOURCE", options->source, "scenario, asked as it starts, or recording (.h5)")
-      ->required();
-  command->add_option("--radius", options->radius, "how far away neighbours may be (m); inf without it")
-      ->check(something());
-  command->add_option("--id", options->id, "neighbours of the body with this id, itself left out")
-      ->transform(whole_number());
-  command->add_option("--point", options->point, "X,Y (m): neighbours of a place")->check(something());
-  command->add_flag("--all", options->all, "neighbours of every body, in order of id");
-  command->add_option("--at", options->at, "time (s); the nearest recorded frame, the last one without it")
+      "Tells who is within a radius, or nearest, of a body, a point, or every body: from centre to centre,\n"
+      "in a periodic domain to the nearest image; nearest first, then by id");
+  command->add_option("SOURCE", options->source, "scenario or recording (.h5)")->required();
+  command->add_option("--radius", options->radius, "how far away neighbours may be (m); any without it")
       ->check(something());
   command->add_option("--nearest", options->nearest, "at most so many, the nearest")
       ->transform(whole_number());
-  command->add_option("--fov", options->fov, "not supported yet");
+  command->add_option("--id", options->id, "of the body with this id")->transform(whole_number());
+  command->add_option("--point", options->point, "X,Y (m): of a place")->check(something());
+  command->add_flag("--all", options->all, "of every body, in order of id");
+  command
+      ->add_option("--at", options->at,
+                   "time (s): the nearest frame, by default the last; a scenario is asked as it starts")
+      ->check(something());
+  command->add_option("--fov", options->fov, "only what is in a view so wide (degrees), its borders included")
+      ->check(something());
+  command
+      ->add_option("--heading", options->heading,
+                   "what the view is centred on: velocity (default; who rests sees all around), angle, or\n"
+                   "degrees from the x axis, which --point needs")
+      ->check(something());
   command->add_flag("--sight", options->sight, "not supported yet");
-  command->add_option("--format", options->format, "csv or json")->check(CLI::IsMember({"csv", "json"}));
+  command
+      ->add_option("--format", options->format,
+                   "csv (id,neighbour,distance) or json ([{id, neighbours: [{id, distance}]}])")
+      ->check(CLI::IsMember({"csv", "json"}))
+      ->capture_default_str();
   command->footer(
       "Examples: throng query scenarios/pile.toml --radius 1 --id 17\n"
-      "          throng query out.h5 --at 2.5 --point 3,4 --nearest 5");
+      "          throng query out.h5 --at 2.5 --point 3,4 --nearest 5 --fov 120 --heading 90");
   command->callback([options] { query(*options); });
 }
 

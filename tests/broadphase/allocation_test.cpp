@@ -32,6 +32,18 @@ void* operator new[](std::size_t size) {
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   return counted(size);
 }
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  ++allocations;
+  const auto align = static_cast<std::size_t>(alignment);
+  if (void* memory = std::aligned_alloc(align, (size + align - 1) / align * align)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory, std::align_val_t) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+  std::free(memory);
+}
 void operator delete(void* memory) noexcept {
   std::free(memory);
 }
@@ -93,14 +105,34 @@ TEST(Allocation, HappensOnceInDiscPairs) {
 
 TEST(Allocation, HappensOnceForNeighbours) {
   Random random(3);
-  const Points points = cloud(random, 1000, 30.0);
-  PointGrid grid;
-  grid.rebuild(points, 1.0);
+  const Points points = cloud(random, 3000, 50.0);
+  ProximityTree tree;
   std::vector<Neighbour> neighbours;
+  NeighbourSearch search;
+  NeighbourLists lists;
   EXPECT_EQ(allocations_of([&] {
-              for (const Point& p : points) find_near(grid, p, {3.0, 5}, neighbours);
+              tree.build(points);
+              for (const Point& p : points) find_near(tree, {p}, {.radius = 3.0, .most = 5}, neighbours);
+              for (const std::size_t most : {std::size_t{5}, std::size_t{200}, points.size()}) {
+                search.find(tree, {.at = points, .own = 0}, {.radius = 3.0, .most = most}, lists);
+                search.find(tree, {.at = points}, {.radius = 3.0, .most = most}, lists);
+              }
             }),
             0);
+  EXPECT_GT(lists.row.size(), points.size());
+}
+
+TEST(Allocation, NeverHappensWhereNeighboursAreCalledFor) {
+  Random random(5);
+  const Points points = cloud(random, 1000, 30.0);
+  ProximityTree tree;
+  tree.build(points);
+  std::size_t found = 0;
+  const long before = allocations;
+  for (const Point& p : points)
+    for_each_near(tree, {p}, {.radius = 2.0}, [&](std::uint32_t, double) { ++found; });
+  EXPECT_EQ(allocations, before);
+  EXPECT_GT(found, 1000u);
 }
 
 TEST(Allocation, NeverHappensWhenABoxIndexAnswers) {

@@ -54,6 +54,26 @@ inline Points cloud(Random& random, std::size_t n, double side) {
   return points;
 }
 
+/// The kinds of clouds that the benchmarks know too.
+enum class Spread { uniform, clustered, line, mixed };
+constexpr Spread kSpreads[] = {Spread::uniform, Spread::clustered, Spread::line, Spread::mixed};
+
+/// `n` points within a square of `side`: evenly, in blobs a thousandth as wide, on a diagonal, or all of it
+/// and some that coincide.
+inline Points spread(Random& random, Spread how, std::size_t n, double side) {
+  Points points, blobs;
+  for (int i = 0; i < 3; ++i) blobs.push_back(0.999 * random.in_square(side));
+  for (std::size_t row = 0; row < n; ++row) {
+    const Spread kind = how == Spread::mixed ? kSpreads[row % 3] : how;
+    Point p = random.in_square(side);
+    if (kind == Spread::clustered) p = blobs[random.below(3)] + 0.001 * p;
+    if (kind == Spread::line) p.y() = p.x();
+    if (how == Spread::mixed && row % 7 == 6) p = points[random.below(row)];
+    points.push_back(p);
+  }
+  return points;
+}
+
 inline Points moved(Points points, const Point& by) {
   for (Point& p : points) p += by;
   return points;

@@ -2,7 +2,9 @@
 // throng bench, as far as its rows go: times are for people.
 #include <gmock/gmock.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "tests/tools/program.h"
 
@@ -24,6 +26,20 @@ TEST_F(BenchCommand, WritesTheRowsOfTheContractForEveryEngineOfACase) {
     EXPECT_EQ(row["check"], rows[0]["check"]);
     EXPECT_GT(row["ms_min"], 0.0);
   }
+}
+
+TEST_F(BenchCommand, AsksAllEnginesTheSameQuestions) {
+  const Result result = throng("bench broadphase_queries --quick --blocks 1 --json " + path("rows.json"));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  std::map<std::string, std::set<std::string>> engines;
+  for (const auto& row : nlohmann::json::parse(read(path("rows.json")))) {
+    engines[row["case"]].insert(row["engine"]);
+    EXPECT_EQ(row["bench"], "broadphase");
+  }
+  EXPECT_EQ(engines.size(), 6u);
+  EXPECT_EQ(engines["uniform n=10000 k=10 random radius"],
+            (std::set<std::string>{"throng", "nanoflann", "pairs", "box2d_tree"}));
+  EXPECT_EQ(engines["line n=10000 k=10 spatial nearest"], (std::set<std::string>{"throng", "nanoflann"}));
 }
 
 TEST_F(BenchCommand, RefusesABenchmarkThatDoesNotExist) {

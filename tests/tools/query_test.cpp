@@ -2,9 +2,13 @@
 // throng query, run as its users run it.
 #include <gmock/gmock.h>
 
+#include <charconv>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 
+#include "broadphase/brute_force.h"
+#include "sim/recording/recording.h"
 #include "tests/tools/program.h"
 
 namespace throng {
@@ -93,6 +97,42 @@ TEST_F(Query, AnswersInJson) {
             json::parse(R"([{"id": null, "neighbours": [{"id": 1, "distance": 0.0}]}])"));
 }
 
+TEST_F(Query, SeesWhatIsInView) {
+  const std::string scene = write("s.toml", kPlane);
+  const std::string none = "id,neighbour,distance\n";
+  // Body 1 heads for body 4, and body 2 is 53.1 degrees to its left.
+  const std::string ask = "query " + scene + " --radius 10 --id 1 --fov ";
+  EXPECT_EQ(throng(ask + "106").out, none + "1,4,10\n");
+  EXPECT_EQ(throng(ask + "107").out, none + "1,2,5\n1,4,10\n");
+  EXPECT_EQ(throng(ask + "107 --nearest 1").out, none + "1,2,5\n");
+  EXPECT_EQ(throng(ask + "90 --heading 90").out, throng(ask + "90 --heading=-270").out);
+  EXPECT_EQ(throng(ask + "90 --heading 90").out, none + "1,2,5\n1,3,5.830951894845301\n");
+  EXPECT_EQ(throng(ask + "90 --heading angle").out, none + "1,4,10\n");
+  EXPECT_EQ(throng(ask + "180 --heading 180").out, none);
+  EXPECT_EQ(throng(ask + "360").out, throng("query " + scene + " --radius 10 --id 1").out);
+  // Who rests sees all around.
+  EXPECT_EQ(throng("query " + scene + " --radius 1 --all --fov 10").out, none + "2,3,1\n3,2,1\n");
+  // The border of a quarter turn is a diagonal, and belongs to it: body 1 from 1 to its right and 1 below.
+  const std::string point = "query " + scene + " --radius 2 --point -0.5,1.5 --fov 90 --heading ";
+  EXPECT_EQ(throng(point + "0").out, none + ",1,1.4142135623730951\n");
+  EXPECT_EQ(throng(point + "-90").out, none + ",1,1.4142135623730951\n");
+  EXPECT_EQ(throng(point + "1").out, none);
+  EXPECT_EQ(throng("query " + scene + " --radius 2 --point -0.5,1.5 --fov 360").out,
+            none + ",1,1.4142135623730951\n");
+}
+
+TEST_F(Query, NeedsTheHeadingToBeRecorded) {
+  const std::string recording = path("bare.h5");
+  const Result run =
+      throng("run " + write("s.toml", kHead + "record = { fields = [\"position\"] }\n" + kBodies) + " -o " +
+             recording);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  expect_refused(recording + " --radius 9 --id 1 --fov 90", "velocities were not recorded");
+  expect_refused(recording + " --radius 9 --id 1 --fov 90 --heading angle", "angles were not recorded");
+  EXPECT_EQ(throng("query " + recording + " --radius 9 --id 1 --fov 9 --heading 0").out,
+            "id,neighbour,distance\n1,4,9\n");
+}
+
 TEST_F(Query, AnswersForAFrameOfARecording) {
   const std::string recording = path("r.h5");
   const Result run = throng("run " + write("s.toml", kTorus) + " -o " + recording);
@@ -107,6 +147,36 @@ TEST_F(Query, AnswersForAFrameOfARecording) {
             "id,neighbour,distance\n4,1,3\n");
   expect_refused(recording + " --radius 1 --id 4 --at 1.5", "outside the recording");
   expect_refused(recording + " --radius 1 --id 4 --at -1", "outside the recording");
+}
+
+// A gas of 1000 in a periodic box, some frames on, against the definition read from the same file.
+TEST_F(Query, AgreesWithBruteForceOnRecordedFrames) {
+  const std::string file = path("gas.h5");
+  const Result run = throng("run " THRONG_SOURCE_DIR "/scenarios/gas.toml --set time.until=0.05 -o " + file);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Recording recording(file);
+  const Domain domain = recording.geometry().domain;
+  ASSERT_EQ(domain.kind, DomainKind::periodic);
+  const broadphase::Period period{domain.min, domain.max - domain.min};
+  ASSERT_GT(recording.frames(), 2u);
+  for (const std::size_t frame : {std::size_t{0}, recording.frames() / 2, recording.frames() - 1}) {
+    const Frame f = recording.frame(frame);
+    std::ostringstream expected;
+    expected << "id,neighbour,distance\n";
+    const double radius = 0.05 * period.size.x();
+    for (std::uint32_t row = 0; row < f.id.size(); ++row)
+      for (const auto& n :
+           broadphase::brute_force::near(f.position, broadphase::Place{f.position[row], f.velocity[row], row},
+                                         {.radius = radius, .most = 5, .view = {0.0, 1.0}}, &period)) {
+        char digits[32];
+        *std::to_chars(digits, digits + 31, n.distance).ptr = 0;
+        expected << f.id[row] << ',' << f.id[n.row] << ',' << digits << '\n';
+      }
+    char at[64];
+    std::snprintf(at, sizeof at, " --at %.17g --radius %.17g", recording.times()[frame], radius);
+    EXPECT_EQ(throng("query " + file + " --all --nearest 5 --fov 180" + at).out, expected.str());
+    EXPECT_GT(expected.str().size(), 10000u);
+  }
 }
 
 TEST_F(Query, RefusesWhatMakesNoSense) {
@@ -134,7 +204,15 @@ TEST_F(Query, RefusesWhatMakesNoSense) {
   expect_refused(scene + " --radius 1 --id 010", "no body has the id 10");
   expect_refused(scene + " --radius 1 --id 1 --at 2", "record a run");
   expect_refused(scene + " --radius 1 --id 1 --at nan", "--at must be a finite time");
-  expect_refused(scene + " --radius 1 --id 1 --fov 90", "not supported yet: --fov");
+  for (const char* fov : {"0", "-90", "360.1", "nan", "inf"})
+    expect_refused(scene + " --radius 1 --id 1 --fov=" + fov,
+                   "--fov must be above 0 and at most 360 degrees");
+  for (const char* heading : {"left", "nan", "90x", "inf"})
+    expect_refused(scene + " --radius 1 --id 1 --fov 90 --heading " + heading,
+                   "--heading must be velocity, angle");
+  expect_refused(scene + " --radius 1 --id 1 --heading 90", "--heading needs --fov");
+  expect_refused(scene + " --radius 1 --point 0,0 --fov 90", "--point with --fov needs --heading DEG");
+  expect_refused(scene + " --radius 1 --point 0,0 --fov 90 --heading angle", "--point with --fov needs");
   expect_refused(scene + " --radius 1 --id 1 --sight", "not supported yet: --sight");
   expect_refused(scene + " --radius 1 --id 1 --format xml", "xml");
 }

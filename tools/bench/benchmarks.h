@@ -21,4 +21,7 @@ std::vector<Row> bench_step(const Options& options);
 /// What recording each step costs.
 std::vector<Row> bench_recording(const Options& options);
 
+/// Who is near every point of a cloud: throng, nanoflann, Box2D's tree, and all pairs at once.
+std::vector<Row> bench_broadphase_queries(const Options& options);
+
 }  // namespace throng::bench

@@ -11,12 +11,14 @@
 int main(int argc, char** argv) {
   using namespace throng::bench;
   const std::map<std::string, std::vector<Row> (*)(const Options&)> benchmarks = {
-      {"step", bench_step}, {"recording", bench_recording}};
+      {"step", bench_step}, {"recording", bench_recording}, {"broadphase_queries", bench_broadphase_queries}};
   Options options;
   std::string name, json;
   CLI::App app{"The benchmarks of throng: time and error beside each other, engines in turn in one run."};
   app.name("throng bench");
-  app.add_option("NAME", name, "step or recording")->required()->check(CLI::IsMember({"step", "recording"}));
+  app.add_option("NAME", name, "step, recording or broadphase_queries")
+      ->required()
+      ->check(CLI::IsMember(benchmarks));
   app.add_option("--scenarios", options.scenarios, "folder of the gallery")->default_val(THRONG_SCENARIOS);
   app.add_option("--only", options.only, "cases whose names hold this; may be repeated")
       ->allow_extra_args(false);

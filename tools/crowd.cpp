@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "tools/crowd.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include "sim/input_error.h"
+#include "sim/recording/recording.h"
+#include "tools/scenario.h"
+
+namespace throng::tools {
+
+namespace {
+
+constexpr double kFarthestBody = 1e150;  // m; squared distances stay finite
+
+bool is_recording(const std::string& file) {
+  char signature[8] = {};
+  std::ifstream(file, std::ios::binary).read(signature, sizeof signature);
+  return std::string(signature, sizeof signature) == "\x89HDF\r\n\x1a\n" || file.ends_with(".h5") ||
+         file.ends_with(".h5.part");
+}
+
+/// A scenario as it starts.
+Crowd crowd_of_scenario(const std::string& source, std::optional<double> at, Scene& scene) {
+  if (at.value_or(0.0) != 0.0)
+    throw InputError(
+        source +
+        ": a scenario is asked at its start, --at 0; for later times record a run with 'throng run " +
+        source + " -o FILE.h5' and ask the recording");
+  scene = load_or_throw(source).scene;
+  Crowd crowd;
+  for (std::uint32_t row = 0; row < scene.bodies.size(); ++row) crowd.id.push_back(row + 1);
+  crowd.position = scene.bodies.position;
+  crowd.velocity = scene.bodies.velocity;
+  crowd.angle = scene.bodies.angle;
+  return crowd;
+}
+
+/// The frame nearest to the time that is asked for, else the last one.
+Crowd crowd_of_recording(const std::string& source, std::optional<double> wanted, Scene& scene) {
+  const Recording recording(source);
+  if (recording.frames() == 0) throw InputError(source + ": holds no frame yet");
+  const double first = recording.times().front(), last = recording.times().back();
+  const double at = wanted.value_or(last), slack = 1e-9 * std::abs(last);
+  if (at < first - slack || at > last + slack)
+    throw InputError(source + ": --at " + std::to_string(at) + " is outside the recording, which goes from " +
+                     std::to_string(first) + " s to " + std::to_string(last) + " s");
+  Frame frame = recording.frame_at(at);
+  if (frame.position.size() != frame.id.size())
+    throw InputError(source + ": positions were not recorded (record.fields)");
+  scene = recording.geometry();
+  return {
+      std::move(frame.id), std::move(frame.position), std::move(frame.velocity), std::move(frame.angle), {}};
+}
+
+}  // namespace
+
+Vec wrap(Vec p, const broadphase::Period& period) {
+  for (int axis = 0; axis < 2; ++axis) {
+    const double low = period.origin[axis], size = period.size[axis];
+    if (p[axis] < low || p[axis] > low + size)
+      p[axis] = std::clamp(p[axis] - size * std::floor((p[axis] - low) / size), low, low + size);
+  }
+  return p;
+}
+
+Crowd read_crowd(const std::string& source, std::optional<double> at) {
+  Scene scene;
+  Crowd crowd =
+      is_recording(source) ? crowd_of_recording(source, at, scene) : crowd_of_scenario(source, at, scene);
+  if (scene.domain.kind == DomainKind::periodic)
+    crowd.period = {scene.domain.min, scene.domain.max - scene.domain.min};
+  for (std::size_t row = 0; row < crowd.id.size(); ++row) {
+    if (!crowd.position[row].allFinite() || crowd.position[row].cwiseAbs().maxCoeff() > kFarthestBody)
+      throw InputError(source + ": body " + std::to_string(crowd.id[row]) +
+                       " has no position within 1e150 m of the origin");
+    if (crowd.period) crowd.position[row] = wrap(crowd.position[row], *crowd.period);
+  }
+  return crowd;
+}
+
+std::uint32_t row_of(const Crowd& crowd, std::int64_t id, const std::string& source) {
+  const auto found = std::ranges::find_if(crowd.id, [id](std::uint32_t other) { return other == id; });
+  if (found == crowd.id.end())
+    throw InputError(source + ": no body has the id " + std::to_string(id) +
+                     (crowd.id.empty() ? ": there are none"
+                                       : "; ids go from " + std::to_string(crowd.id.front()) + " to " +
+                                             std::to_string(crowd.id.back())));
+  return static_cast<std::uint32_t>(found - crowd.id.begin());
+}
+
+}  // namespace throng::tools
