@@ -232,21 +232,6 @@ CLI::Validator something() {
   return {check, ""};
 }
 
-/// Leaves a whole number in decimals as CLI11 reads it, which alone takes 010 for 8 and what is out of range
-/// for the largest there is.
-CLI::Validator whole_number() {
-  const auto check = [](std::string& text) -> std::string {
-    std::int64_t number = 0;
-    const char* end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, number);
-    if (error == std::errc::result_out_of_range) return text + " is out of range";
-    if (error != std::errc() || stop != end) return "'" + text + "' is no whole number";
-    text = std::to_string(number);
-    return {};
-  };
-  return {check, ""};
-}
-
 }  // namespace
 
 void add_query(CLI::App& app, int&) {

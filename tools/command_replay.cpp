@@ -119,11 +119,11 @@ void add_replay(CLI::App& app, int& exit_code) {
   command->add_flag("--verify", options->verify,
                     "runs the scenario again and compares every frame, bit for bit");
   command->add_option("--threads", options->threads, "threads for --verify; 1 without it")
-      ->check(CLI::Range(1, 256));
+      ->transform(whole_number() & CLI::Range(1, 256));
   command->add_option("--png", options->png, "picture to write or replace, of the frame nearest to --at");
   command->add_option("--at", options->at, "time of the picture (s); the last frame without it");
   command->add_option("--width", options->width, "of the picture, in pixels; 1600 without it")
-      ->check(CLI::Range(200, 8000));
+      ->transform(whole_number() & CLI::Range(200, 8000));
   command->add_option("--html", options->html,
                       "replay page to write or replace: one file that any browser opens, without network");
   command->add_option("--video", options->video, "not supported yet");

@@ -163,7 +163,7 @@ void add_run(CLI::App& app, int& exit_code, const std::string& command_line) {
           "PATH=VALUE: another value for any field, as in time.dt=0.005 or bodies.0.spin=2; may be repeated")
       ->allow_extra_args(false);
   command->add_option("--threads", options->threads, "threads; the result doesn't depend on it")
-      ->check(CLI::Range(1, 256));
+      ->transform(whole_number() & CLI::Range(1, 256));
   command->add_option("--progress", options->progress, "auto, plain, json or none")
       ->check(CLI::IsMember({"auto", "plain", "json", "none"}));
   command->add_flag("--dry-run", options->dry_run,

@@ -40,6 +40,16 @@ TEST_F(CommandLine, SaysWhatIsWrongAndWhoseHelpSaysMore) {
   expect_refused("--fly", AllOf(HasSubstr("--fly"), HasSubstr("throng --help")));
 }
 
+/// 010 was once read as 8.
+TEST_F(CommandLine, ReadsWholeNumbersInDecimals) {
+  const std::string scene = THRONG_SOURCE_DIR "/scenarios/cradle.toml";
+  EXPECT_EQ(throng("run " + scene + " --until 0 --threads 010").exit_code, 0);
+  expect_refused("run " + scene + " --threads 257", HasSubstr("not in range"));
+  expect_refused("run " + scene + " --threads 08000000000000000000000", HasSubstr("out of range"));
+  expect_refused("run " + scene + " --threads two", HasSubstr("'two' is no whole number"));
+  expect_refused("replay a.h5 --png a.png --width 0199", HasSubstr("not in range"));
+}
+
 /// Two commands in one call once ran both and told the second's exit code.
 TEST_F(CommandLine, TakesOneCommandACall) {
   const std::string bad = write("bad.toml", "throng = 2\n");

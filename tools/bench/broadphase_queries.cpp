@@ -35,6 +35,13 @@ struct Check {
   std::string text() const { return std::to_string(count) + ":" + std::to_string(sum); }
 };
 
+Check check_of(const NeighbourLists& lists) {
+  Check result;
+  for (std::uint32_t i = 0; i < lists.size(); ++i)
+    for (std::size_t k = lists.begin[i]; k < lists.begin[i + 1]; ++k) result.add(i, lists.row[k]);
+  return result;
+}
+
 struct Throng {
   broadphase::ProximityTree tree;
   broadphase::NeighbourSearch search;
@@ -44,12 +51,26 @@ struct Throng {
     tree.build(points);
     search.find(tree, {.at = points, .own = 0}, near, lists, threads);
   }
-  Check check() const {
-    Check result;
-    for (std::uint32_t i = 0; i < lists.size(); ++i)
-      for (std::size_t k = lists.begin[i]; k < lists.begin[i + 1]; ++k) result.add(i, lists.row[k]);
-    return result;
+  Check check() const { return check_of(lists); }
+};
+
+/// The same lists for the peers.
+class Lists {
+ public:
+  void clear() {
+    lists_.begin.assign(1, 0);
+    lists_.row.clear();
+    lists_.distance.clear();
   }
+  void add(std::uint32_t row, double distance) {
+    lists_.row.push_back(row);
+    lists_.distance.push_back(distance);
+  }
+  void end() { lists_.begin.push_back(lists_.row.size()); }
+  Check check() const { return check_of(lists_); }
+
+ private:
+  NeighbourLists lists_;
 };
 
 /// All pairs, each of which answers two questions, without their distances.
@@ -71,20 +92,20 @@ struct Pairs {
   }
 };
 
-/// nanoflann's kd-tree of doubles; a list a question, sorted as it does by itself.
+/// nanoflann's kd-tree of doubles, sorted as it does by itself.
 class Nanoflann {
  public:
   void find(const Points& points, const Near& near) {
     const Cloud cloud{points};
     Tree tree(2, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(10));
     tree.buildIndex();
-    check_ = {};
+    lists_.clear();
     if (near.most < points.size())
       nearest(tree, points, near.most);
     else
       within(tree, points, near.radius);
   }
-  Check check() const { return check_; }
+  Check check() const { return lists_.check(); }
 
  private:
   struct Cloud {
@@ -105,7 +126,8 @@ class Nanoflann {
     for (std::uint32_t i = 0; i < points.size(); ++i) {
       tree.radiusSearch(points[i].data(), radius * radius, found_, nanoflann::SearchParams());
       for (const auto& [row, squared] : found_)
-        if (row != i) check_.add(i, row);
+        if (row != i) lists_.add(row, std::sqrt(squared));
+      lists_.end();
     }
   }
   void nearest(const Tree& tree, const Points& points, std::size_t most) {
@@ -114,17 +136,19 @@ class Nanoflann {
     for (std::uint32_t i = 0; i < points.size(); ++i) {
       const std::size_t count = tree.knnSearch(points[i].data(), most + 1, rows_.data(), squared_.data());
       for (std::size_t k = 0; k < count; ++k)
-        if (rows_[k] != i) check_.add(i, rows_[k]);
+        if (rows_[k] != i) lists_.add(rows_[k], std::sqrt(squared_[k]));
+      lists_.end();
     }
   }
 
   std::vector<std::pair<std::uint32_t, double>> found_;
   std::vector<std::uint32_t> rows_;
   std::vector<double> squared_;
-  Check check_;
+  Lists lists_;
 };
 
-/// Box2D's tree of boxes in float, the points a hair larger; what it reports is tested in double.
+/// Box2D's tree of boxes in float, the points a hair larger; what it reports is tested in double, and left
+/// unsorted.
 class Box2dTree {
  public:
   void find(const Points& points, double radius) {
@@ -138,17 +162,19 @@ class Box2dTree {
       if (proxy >= rows_.size()) rows_.resize(2 * proxy + 1);
       rows_[proxy] = row;
     }
-    check_ = {};
-    for (asking_ = 0; asking_ < points.size(); ++asking_)
+    lists_.clear();
+    for (asking_ = 0; asking_ < points.size(); ++asking_) {
       tree.Query(this, box(points[asking_], 1.001 * radius));
+      lists_.end();
+    }
   }
   bool QueryCallback(int proxy) {
     const std::uint32_t row = rows_[static_cast<std::size_t>(proxy)];
     const double squared = broadphase::PlaneMetric{}((*points_)[asking_], (*points_)[row]);
-    if (row != asking_ && squared <= radius_ * radius_) check_.add(asking_, row);
+    if (row != asking_ && squared <= radius_ * radius_) lists_.add(row, std::sqrt(squared));
     return true;
   }
-  Check check() const { return check_; }
+  Check check() const { return lists_.check(); }
 
  private:
   static b2AABB box(const Point& p, double reach) {
@@ -163,7 +189,7 @@ class Box2dTree {
   double radius_ = 0.0;
   std::uint32_t asking_ = 0;
   std::vector<std::uint32_t> rows_;  // per proxy
-  Check check_;
+  Lists lists_;
 };
 
 struct Case {

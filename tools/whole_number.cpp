@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#include <charconv>
+#include <cstdint>
+
+#include "tools/commands.h"
+
+namespace throng::tools {
+
+CLI::Validator whole_number() {
+  const auto check = [](std::string& text) -> std::string {
+    std::int64_t number = 0;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, number);
+    if (error == std::errc::result_out_of_range) return text + " is out of range";
+    if (error != std::errc() || stop != end) return "'" + text + "' is no whole number";
+    text = std::to_string(number);
+    return {};
+  };
+  return {check, ""};
+}
+
+}  // namespace throng::tools
