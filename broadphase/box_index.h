@@ -11,7 +11,7 @@
 #include "broadphase/point.h"
 
 /// What of the things that stand still is near a box: bodies by their boxes, walls by their segments. Built
-/// once, asked often. For things that move use `PointGrid` or `DiscPairs`.
+/// once, asked often. For things that move use `AllPairs`.
 namespace throng::broadphase {
 
 using Box = Eigen::AlignedBox2d;

@@ -60,16 +60,4 @@ void Cells::choose_table(std::size_t items) {
   buckets_ = 2 * stretch;
 }
 
-bool Cells::range(const Point& p, double radius, Range& range) const {
-  Point low, high;
-  for (int axis = 0; axis < 2; ++axis) {
-    const double at = p[axis] - origin_[axis];
-    const double slack = 8.0 * kEpsilon * (std::abs(at) + radius + extent_[axis]);
-    low[axis] = at - radius - slack;
-    high[axis] = at + radius + slack;
-  }
-  return this->range(0, low.x(), high.x(), columns_, range.first.x, range.last.x) &&
-         this->range(1, low.y(), high.y(), rows_, range.first.y, range.last.y);
-}
-
 }  // namespace throng::broadphase

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "broadphase/point.h"
 
@@ -54,6 +55,7 @@ class Cells {
   bool shared() const { return shared_; }
   bool periodic() const { return periodic_; }
   double width() const { return 1.0 / per_cell_.x(); }  ///< m, of a cell of the unbounded plane
+  const Point& per_cell() const { return per_cell_; }   ///< 1/m, along each axis
   std::int64_t columns() const { return columns_; }
   std::int64_t rows() const { return rows_; }
 
@@ -140,6 +142,19 @@ inline bool Cells::range(const Point& low, const Point& high, Range& range) cons
   return this->range(0, low.x() - origin_.x(), high.x() - origin_.x(), columns_, range.first.x,
                      range.last.x) &&
          this->range(1, low.y() - origin_.y(), high.y() - origin_.y(), rows_, range.first.y, range.last.y);
+}
+
+inline bool Cells::range(const Point& p, double radius, Range& range) const {
+  Point low, high;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double at = p[axis] - origin_[axis];
+    const double slack =
+        8.0 * std::numeric_limits<double>::epsilon() * (std::abs(at) + radius + extent_[axis]);
+    low[axis] = at - radius - slack;
+    high[axis] = at + radius + slack;
+  }
+  return this->range(0, low.x(), high.x(), columns_, range.first.x, range.last.x) &&
+         this->range(1, low.y(), high.y(), rows_, range.first.y, range.last.y);
 }
 
 /// The cells of [low, high], measured from the origin, along one axis.

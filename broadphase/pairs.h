@@ -3,6 +3,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -20,23 +21,45 @@ struct Pair {
 class PairBuffer {
  public:
   void clear() { count_ = 0; }
+  std::size_t size() const { return count_; }
 
   /// Where the next `most` pairs may be written; `keep` says how many of them were.
   Pair* room(std::size_t most) {
-    if (pairs_.size() - count_ < most) pairs_.resize(2 * (count_ + most));
-    return pairs_.data() + count_;
+    if (capacity_ - count_ < most) grow(most);
+    return pairs_.get() + count_;
   }
-  void keep(const Pair* end) { count_ = static_cast<std::size_t>(end - pairs_.data()); }
+  void keep(const Pair* end) { count_ = static_cast<std::size_t>(end - pairs_.get()); }
 
-  void add(std::uint32_t row, std::uint32_t other) {
-    *room(1) = row < other ? Pair{row, other} : Pair{other, row};
-    ++count_;
-  }
-
-  std::span<Pair> pairs() { return {pairs_.data(), count_}; }
+  std::span<Pair> pairs() { return {pairs_.get(), count_}; }
+  std::span<const Pair> pairs() const { return {pairs_.get(), count_}; }
 
  private:
-  std::vector<Pair> pairs_;  // more than are in use, so that a write costs no check
+  void grow(std::size_t most);
+
+  std::unique_ptr<Pair[]> pairs_;  // more than are in use, so that a write costs no check
+  std::size_t count_ = 0, capacity_ = 0;
+};
+
+/// Pairs in the order in which a search met them, one buffer after the other: threads fill one each, and none
+/// is copied. Where the buffers meet depends on the number of threads, the order on nothing but the points.
+class PairList {
+ public:
+  /// Makes room for `buffers` empty ones.
+  void reset(std::size_t buffers);
+  PairBuffer& buffer(std::size_t i) { return buffers_[i]; }
+
+  std::size_t buffers() const { return count_; }
+  std::span<const Pair> pairs(std::size_t buffer) const { return buffers_[buffer].pairs(); }
+  std::size_t size() const;
+
+  template <class F>
+  void for_each(F&& f) const {
+    for (std::size_t i = 0; i < count_; ++i)
+      for (const Pair& pair : pairs(i)) f(pair);
+  }
+
+ private:
+  std::vector<PairBuffer> buffers_;  // the first count_ are in use
   std::size_t count_ = 0;
 };
 
@@ -45,7 +68,7 @@ class PairSorter {
  public:
   /// Replaces `sorted` by `found` in ascending order. Rows are below `rows`.
   /// O(rows + m log k), m pairs, k of them for the busiest row; allocates only to grow.
-  void sort(std::span<const Pair> found, std::size_t rows, std::vector<Pair>& sorted);
+  void sort(const PairList& found, std::size_t rows, std::vector<Pair>& sorted);
 
  private:
   std::vector<std::uint32_t> next_;  // per row: where its next pair goes

@@ -11,7 +11,7 @@
 #include "broadphase/spatial_order.h"
 
 /// Points, discs or boxes, kept so that questions about what is near a place are answered fast however they
-/// are spread: the structure; `neighbours.h` asks it. For all pairs within one distance use `PointGrid`.
+/// are spread: the structure; `neighbours.h` asks it. For all pairs within one distance use `AllPairs`.
 ///
 /// A packed tree (Kamel and Faloutsos, "On Packing R-trees", 1993): the items along a Hilbert curve, eight a
 /// leaf, eight leaves or nodes a node. It has no cell size to choose, costs about 50 bytes a point, and a

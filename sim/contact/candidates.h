@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "broadphase/box_index.h"
-#include "broadphase/disc_pairs.h"
+#include "broadphase/moving_pairs.h"
 #include "sim/colliders.h"
 #include "sim/contact/contact.h"
 #include "sim/plan.h"
@@ -61,7 +61,7 @@ class Candidates {
   Colliders colliders_;
   Obstacles obstacles_;
   broadphase::BoxIndex index_;
-  broadphase::DiscPairs disc_pairs_;
+  broadphase::MovingPairs disc_pairs_;
   broadphase::Period period_;
   std::vector<Vec> centre_;     ///< m, world, of each collider's bounding disc; inside a domain that repeats
   std::vector<Vec> wrap_;       ///< m, what that moved it by; empty where it moves nothing

@@ -71,19 +71,17 @@ long allocations_of(F&& work) {
   return allocations - before;
 }
 
-TEST(Allocation, HappensOnceInPointGrid) {
+TEST(Allocation, HappensOnceInAllPairs) {
   Random random(1);
   const Points points = cloud(random, 2000, 30.0);
   const Points sparse = cloud(random, 2000, 1e6);
-  PointGrid grid;
-  std::vector<Pair> pairs;
+  AllPairs search;
+  PairList pairs;
   EXPECT_EQ(allocations_of([&] {
-              for (const Points* some : {&points, &sparse}) {
-                grid.rebuild(*some, 1.0);
-                grid.find_pairs(1.0, pairs);
-              }
+              for (const Points* some : {&points, &sparse}) search.find(*some, 1.0, nullptr, pairs);
             }),
             0);
+  search.find(points, 1.0, nullptr, pairs);
   EXPECT_GT(pairs.size(), 100u);
 }
 

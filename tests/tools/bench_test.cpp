@@ -42,6 +42,21 @@ TEST_F(BenchCommand, AsksAllEnginesTheSameQuestions) {
   EXPECT_EQ(engines["line n=10000 k=10 spatial nearest"], (std::set<std::string>{"throng", "nanoflann"}));
 }
 
+TEST_F(BenchCommand, FindsTheSamePairsWithEveryEngine) {
+  const Result result = throng("bench broadphase --quick --blocks 1 --json " + path("pairs.json"));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  std::map<std::string, std::set<std::string>> checks, engines;
+  for (const auto& row : nlohmann::json::parse(read(path("pairs.json")))) {
+    checks[row["case"]].insert(row["check"]);
+    engines[row["case"]].insert(row["engine"]);
+  }
+  for (const auto& [name, check] : checks) EXPECT_EQ(check.size(), 1u) << name;
+  for (const char* kind : {"uniform", "clustered", "line", "mixed"})
+    for (const char* engine : {"throng", "plain", "nanoflann", "box2d_tree"})
+      EXPECT_TRUE(engines[kind + std::string(" n=1000 k=10 random")].contains(engine))
+          << kind << ", " << engine;
+}
+
 TEST_F(BenchCommand, RefusesABenchmarkThatDoesNotExist) {
   const Result result = throng("bench nonsense");
   EXPECT_EQ(result.exit_code, 2);

@@ -9,10 +9,12 @@
 namespace throng::bench {
 
 struct Options {
-  std::string scenarios;          ///< folder of the gallery
-  std::vector<std::string> only;  ///< cases whose names hold one of these; empty: all
-  int blocks = 7;                 ///< figures a row, engines in turn
-  bool quick = false;             ///< a tenth of the work, to see that it runs
+  std::string scenarios;             ///< folder of the gallery
+  std::vector<std::string> only;     ///< cases whose names hold one of these; empty: all
+  std::vector<std::string> engines;  ///< broadphase: these alone; empty: all
+  int blocks = 7;                    ///< figures a row, engines in turn
+  bool quick = false;                ///< a tenth of the work, to see that it runs
+  bool large = false;                ///< broadphase: ten million points too
 };
 
 /// The gallery's scenes step by step: native, Box2D, and for discs the minimal loop of minimal_discs.h.
@@ -20,6 +22,9 @@ std::vector<Row> bench_step(const Options& options);
 
 /// What recording each step costs.
 std::vector<Row> bench_recording(const Options& options);
+
+/// All pairs of clouds: throng, a plain grid, nanoflann and Box2D's tree.
+std::vector<Row> bench_broadphase(const Options& options);
 
 /// Who is near every point of a cloud: throng, nanoflann, Box2D's tree, and all pairs at once.
 std::vector<Row> bench_broadphase_queries(const Options& options);

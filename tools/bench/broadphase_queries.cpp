@@ -6,8 +6,8 @@
 #include <cmath>
 #include <nanoflann.hpp>
 
+#include "broadphase/all_pairs.h"
 #include "broadphase/neighbours.h"
-#include "broadphase/point_grid.h"
 #include "tools/bench/benchmarks.h"
 #include "tools/bench/clouds.h"
 #include "tools/bench/interleave.h"
@@ -75,19 +75,16 @@ class Lists {
 
 /// All pairs, each of which answers two questions, without their distances.
 struct Pairs {
-  broadphase::PointGrid grid;
-  std::vector<broadphase::Pair> pairs;
+  broadphase::AllPairs search;
+  broadphase::PairList pairs;
 
-  void find(const Points& points, double radius) {
-    grid.rebuild(points, radius);
-    grid.find_pairs(radius, pairs);
-  }
+  void find(const Points& points, double radius) { search.find(points, radius, nullptr, pairs); }
   Check check() const {
     Check result;
-    for (const broadphase::Pair& pair : pairs) {
+    pairs.for_each([&](const broadphase::Pair& pair) {
       result.add(pair.a, pair.b);
       result.add(pair.b, pair.a);
-    }
+    });
     return result;
   }
 };

@@ -11,21 +11,27 @@
 int main(int argc, char** argv) {
   using namespace throng::bench;
   const std::map<std::string, std::vector<Row> (*)(const Options&)> benchmarks = {
-      {"step", bench_step}, {"recording", bench_recording}, {"broadphase_queries", bench_broadphase_queries}};
+      {"step", bench_step},
+      {"recording", bench_recording},
+      {"broadphase", bench_broadphase},
+      {"broadphase_queries", bench_broadphase_queries}};
   Options options;
   std::string name, json;
   CLI::App app{"The benchmarks of throng: time and error beside each other, engines in turn in one run."};
   app.name("throng bench");
-  app.add_option("NAME", name, "step, recording or broadphase_queries")
+  app.add_option("NAME", name, "step, recording, broadphase or broadphase_queries")
       ->required()
       ->check(CLI::IsMember(benchmarks));
   app.add_option("--scenarios", options.scenarios, "folder of the gallery")->default_val(THRONG_SCENARIOS);
   app.add_option("--only", options.only, "cases whose names hold this; may be repeated")
       ->allow_extra_args(false);
+  app.add_option("--engine", options.engines, "broadphase: this engine alone; may be repeated")
+      ->allow_extra_args(false);
   app.add_option("--blocks", options.blocks, "figures a row")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  app.add_flag("--quick", options.quick, "short settling, to see that all of it runs");
+  app.add_flag("--quick", options.quick, "short settling and small clouds, to see that all of it runs");
+  app.add_flag("--large", options.large, "broadphase: ten million points too");
   app.add_option("--json", json, "also writes the rows to this file");
   app.footer("Example: throng bench step --only pile --json step.json");
   try {

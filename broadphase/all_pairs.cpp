@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "broadphase/all_pairs.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cmath>
+
+#include "broadphase/pair_kernel.h"
+
+namespace throng::broadphase {
+
+namespace {
+
+constexpr std::size_t kOctaves = 40;  // powers of two that are told apart; what is smaller is taken together
+constexpr std::size_t kLeastJob = 4096;  // items: enough work to pay for handing it over
+
+/// How many powers of two a size lies below the largest: 0 for more than a half of it.
+std::size_t octave(double size, double largest) {
+  const int exponent = static_cast<int>(std::bit_cast<std::uint64_t>(largest / size) >> 52) - 1023;
+  return static_cast<std::size_t>(
+      std::clamp(exponent, 0, static_cast<int>(kOctaves) - 1));  // a size of 0 is infinitely far below
+}
+
+}  // namespace
+
+void AllPairs::find(std::span<const Point> points, double reach, const Period* period, PairList& found) {
+  assert(0.0 <= reach && (!period || reach <= 0.5 * period->size.minCoeff()));
+  if (levels_.empty()) levels_.resize(1);
+  const Items items{points, reach, {}, {}, period};
+  levels_[0].grid.rebuild(items, {}, reach, team_);
+  count_ = 1;
+  gather(items, found);
+}
+
+void AllPairs::find_discs(std::span<const Point> centres, std::span<const double> reach, const Period* period,
+                          PairList& found) {
+  assert(centres.size() == reach.size());
+  find(
+      {centres, 0.0, reach, {}, period}, [&](std::size_t row) { return 2.0 * reach[row]; }, found);
+}
+
+void AllPairs::find_boxes(std::span<const Eigen::AlignedBox2d> boxes, PairList& found) {
+  find(
+      {{}, 0.0, {}, boxes, nullptr}, [&](std::size_t row) { return boxes[row].sizes().maxCoeff(); }, found);
+}
+
+template <class Size>
+void AllPairs::find(const Items& items, const Size& size, PairList& found) {
+  count_ = choose_levels(items.size(), size);
+  if (count_ == 1)
+    levels_[0].grid.rebuild(items, {}, levels_[0].size, team_);
+  else
+    fill_levels(items, size);
+  gather(items, found);
+}
+
+/// Gives two powers of two a level; and the next one too where it has the fewer items: then looking among too
+/// large cells costs less than looking in a second grid.
+template <class Size>
+std::size_t AllPairs::choose_levels(std::size_t n, const Size& size) {
+  double largest = 0.0, smallest = n == 0 ? 0.0 : size(0);
+  for (std::size_t row = 0; row < n; ++row) {
+    largest = std::max(largest, size(row));
+    smallest = std::min(smallest, size(row));
+  }
+  assert(std::isfinite(largest) && smallest >= 0.0);
+  if (levels_.empty()) levels_.resize(1);
+  levels_[0].size = largest;
+  if (2.0 * smallest >= largest) return 1;
+
+  std::array<std::size_t, kOctaves> count{};
+  for (std::size_t row = 0; row < n; ++row) ++count[octave(size(row), largest)];
+  of_octave_.assign(kOctaves, 0);
+  std::uint32_t level = 0;
+  for (std::size_t i = 1, first = 0; i < kOctaves; ++i) {
+    const bool joins = count[i] == 0 || i == first + 1 || (i == first + 2 && count[i] <= count[first]);
+    if (!joins) {
+      ++level;
+      first = i;
+    }
+    of_octave_[i] = level;
+  }
+  return level + 1;
+}
+
+template <class Size>
+void AllPairs::fill_levels(const Items& items, const Size& size) {
+  if (levels_.size() < count_) levels_.resize(count_);
+  const double largest = levels_[0].size;
+  for (Level& level : levels_) {
+    level.size = 0.0;
+    level.rows.clear();
+  }
+  for (std::size_t row = 0; row < items.size(); ++row) {
+    Level& level = levels_[of_octave_[octave(size(row), largest)]];
+    level.size = std::max(level.size, size(row));
+    level.rows.push_back(static_cast<std::uint32_t>(row));
+  }
+  for (std::size_t i = 0; i < count_; ++i)
+    levels_[i].grid.rebuild(items, levels_[i].rows, levels_[i].size, team_);
+}
+
+void AllPairs::gather(const Items& items, PairList& found) {
+  jobs_.clear();
+  for (std::size_t fine = 0; fine < count_; ++fine)
+    for (std::size_t coarse = 0; coarse <= fine; ++coarse) add_jobs(fine, coarse);
+  const bool alone = team_.threads() == 1;
+  found.reset(alone ? 1 : jobs_.size());
+  team_.for_each(jobs_.size(), [&](std::size_t i) { run(jobs_[i], items, found.buffer(alone ? 0 : i)); });
+}
+
+/// Parts of about equal numbers of items; with one thread one.
+void AllPairs::add_jobs(std::size_t fine, std::size_t coarse) {
+  const FixedGrid& grid = levels_[fine].grid;
+  const std::size_t n = grid.size();
+  const std::size_t parts = team_.threads() == 1 ? 1 : std::min(8 * team_.threads(), n / kLeastJob + 1);
+  for (std::size_t part = 0; part < parts; ++part) {
+    const std::size_t first = n * part / parts, end = n * (part + 1) / parts;
+    if (fine == coarse)
+      jobs_.push_back({fine, coarse, part == 0 ? 0 : grid.strip_at(first),
+                       part + 1 == parts ? grid.strips().size() : grid.strip_at(end)});
+    else
+      jobs_.push_back({fine, coarse, first, end});
+  }
+}
+
+void AllPairs::run(const Job& job, const Items& items, PairBuffer& found) const {
+  const FixedGrid& fine = levels_[job.fine].grid;
+  if (job.fine == job.coarse)
+    gather_pairs(fine, items, job.first, job.end, found);
+  else
+    gather_across(fine, levels_[job.coarse].grid, items, job.first, job.end, found);
+}
+
+}  // namespace throng::broadphase

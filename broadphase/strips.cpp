@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "broadphase/strips.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace throng::broadphase {
+
+/// The 64-bit finaliser of MurmurHash3 (Appleby 2011).
+std::uint64_t Strips::hash(const Key& key) {
+  std::uint64_t h =
+      static_cast<std::uint64_t>(key.y) * 0x9e3779b97f4a7c15ULL + static_cast<std::uint64_t>(key.x);
+  h ^= h >> 33;
+  h *= 0xff51afd7ed558ccdULL;
+  h ^= h >> 33;
+  h *= 0xc4ceb9fe1a85ec53ULL;
+  return h ^ (h >> 33);
+}
+
+void Strips::reset(const Cells& cells) {
+  dense_ = !cells.shared();
+  periodic_ = cells.periodic();
+  columns_ = cells.columns();
+  rows_ = cells.rows();
+  keys_.clear();
+  if (dense_) return;
+  if (slots_.empty()) slots_.resize(1024);
+  slots_.assign(slots_.size(), kNone);
+}
+
+void Strips::sort() {
+  const std::size_t count = keys_.size();
+  order_.resize(count);
+  place_.resize(count);
+  std::iota(order_.begin(), order_.end(), 0u);
+  std::sort(order_.begin(), order_.end(), [this](auto i, auto j) { return keys_[i] < keys_[j]; });
+  for (std::uint32_t i = 0; i < count; ++i) place_[order_[i]] = i;
+  for (std::uint32_t& slot : slots_)
+    if (slot != kNone) slot = place_[slot];
+  sorted_keys_.resize(count);
+  for (std::size_t i = 0; i < count; ++i) sorted_keys_[i] = keys_[order_[i]];
+  keys_.swap(sorted_keys_);
+}
+
+std::uint32_t Strips::add(const Key& key) {
+  const std::size_t mask = slots_.size() - 1;
+  std::size_t slot = hash(key) & mask;
+  for (; slots_[slot] != kNone; slot = (slot + 1) & mask)
+    if (keys_[slots_[slot]] == key) return slots_[slot];
+  const auto strip = static_cast<std::uint32_t>(keys_.size());
+  slots_[slot] = strip;
+  keys_.push_back(key);
+  if (4 * keys_.size() > slots_.size()) grow();
+  return strip;
+}
+
+void Strips::grow() {
+  slots_.assign(2 * slots_.size(), kNone);
+  const std::size_t mask = slots_.size() - 1;
+  for (std::uint32_t strip = 0; strip < keys_.size(); ++strip) {
+    std::size_t slot = hash(keys_[strip]) & mask;
+    while (slots_[slot] != kNone) slot = (slot + 1) & mask;
+    slots_[slot] = strip;
+  }
+}
+
+std::uint32_t Strips::find(const Key& key) const {
+  const std::size_t mask = slots_.size() - 1;
+  for (std::size_t slot = hash(key) & mask; slots_[slot] != kNone; slot = (slot + 1) & mask)
+    if (keys_[slots_[slot]] == key) return slots_[slot];
+  return kNone;
+}
+
+std::uint32_t Strips::first_bucket(std::int64_t y, std::int64_t x) const {
+  if (dense_) return static_cast<std::uint32_t>(y * columns_);
+  const std::uint32_t strip = find({y, x});
+  return strip == kNone ? kNone : strip << kBits;
+}
+
+Strips::Around Strips::around(std::size_t strip) const {
+  const Key key = dense_ ? Key{static_cast<std::int64_t>(strip), 0} : keys_[strip];
+  const std::int64_t length = dense_ ? columns_ : kCells;
+  const std::int64_t last = (columns_ - 1) / length;  // strip of a row
+  const auto cells = [&](std::int64_t x) { return x < last ? length : columns_ - last * length; };
+  Around around{static_cast<std::uint32_t>(strip) * static_cast<std::uint32_t>(length),
+                static_cast<std::uint32_t>(cells(key.x)),
+                kNone,
+                kNone,
+                kNone,
+                kNone,
+                key.x == last,
+                key.x == 0,
+                key.y + 1 == rows_};
+  const bool wraps_x = periodic_ && columns_ > 1, wraps_y = periodic_ && rows_ > 1;
+  const std::int64_t east = key.x < last ? key.x + 1 : wraps_x ? 0 : -1;
+  const std::int64_t west = key.x > 0 ? key.x - 1 : wraps_x ? last : -1;
+  const std::int64_t south = key.y + 1 < rows_ ? key.y + 1 : wraps_y ? 0 : -1;
+  if (east >= 0) around.east = first_bucket(key.y, east);
+  if (south < 0) return around;
+  around.south = first_bucket(south, key.x);
+  if (east >= 0) around.south_east = first_bucket(south, east);
+  if (west >= 0) around.south_west = first_bucket(south, west);
+  if (around.south_west != kNone) around.south_west += static_cast<std::uint32_t>(cells(west)) - 1;
+  return around;
+}
+
+}  // namespace throng::broadphase

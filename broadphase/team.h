@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <type_traits>
+
+namespace throng::broadphase {
+
+/// A fixed number of threads for tasks that don't touch each other.
+class Team {
+ public:
+  /// Expects threads >= 1; with one, everything runs in the caller's thread and nothing is started.
+  explicit Team(int threads);
+  ~Team();
+
+  std::size_t threads() const { return threads_; }
+
+  /// Calls f(i) for i = 0 to n - 1, in any order. Allocates nothing with one thread.
+  template <class F>
+  void for_each(std::size_t n, F&& f) {
+    run(
+        n, [](void* call, std::size_t i) { (*static_cast<std::remove_reference_t<F>*>(call))(i); }, &f);
+  }
+
+ private:
+  using Call = void (*)(void*, std::size_t);
+  void run(std::size_t n, Call call, void* context);
+
+  struct Arena;
+  std::size_t threads_;
+  std::unique_ptr<Arena> arena_;
+};
+
+}  // namespace throng::broadphase

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: MIT
+// throng bench broadphase: all pairs of a cloud, built anew each time, against a plain grid and the peers.
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+#include "broadphase/all_pairs.h"
+#include "broadphase/moving_pairs.h"
+#include "tools/bench/benchmarks.h"
+#include "tools/bench/clouds.h"
+#include "tools/bench/interleave.h"
+#include "tools/bench/pair_peers.h"
+#include "tools/bench/plain_grid.h"
+
+namespace throng::bench {
+
+namespace {
+
+using broadphase::AllPairs;
+using broadphase::Pair;
+using broadphase::PairBuffer;
+using broadphase::PairList;
+
+/// How many pairs, and the sum of a hash of each: the same in any order.
+struct Digest {
+  std::size_t count = 0;
+  std::uint64_t sum = 0;
+
+  void add(std::span<const Pair> pairs) {
+    count += pairs.size();
+    for (const Pair& pair : pairs) sum += random_bits(pair.a & 0xff, (std::uint64_t{pair.a} << 32) + pair.b);
+  }
+  std::string text() const {
+    char text[64];
+    std::snprintf(text, sizeof text, "%zu pairs %016llx", count, static_cast<unsigned long long>(sum));
+    return text;
+  }
+};
+
+Digest digest(std::span<const Pair> pairs) {
+  Digest digest;
+  digest.add(pairs);
+  return digest;
+}
+
+Digest digest(const PairList& pairs) {
+  Digest digest;
+  for (std::size_t i = 0; i < pairs.buffers(); ++i) digest.add(pairs.pairs(i));
+  return digest;
+}
+
+/// The engines of a case, and how each one's pairs are read once it has run.
+struct Race {
+  std::string name;
+  std::vector<Contestant> contestants = {};
+  std::vector<int> threads = {};
+  std::vector<std::function<Digest()>> found = {};
+
+  void keep(const std::vector<std::string>& engines) {
+    for (std::size_t i = contestants.size(); i-- > 0;) {
+      if (std::find(engines.begin(), engines.end(), contestants[i].engine) != engines.end()) continue;
+      const auto at = static_cast<std::ptrdiff_t>(i);
+      contestants.erase(contestants.begin() + at);
+      threads.erase(threads.begin() + at);
+      found.erase(found.begin() + at);
+    }
+  }
+
+  void add(const std::string& engine, std::function<void()> block, std::function<Digest()> digest,
+           int used = 1) {
+    contestants.push_back({engine, std::move(block)});
+    threads.push_back(used);
+    found.push_back(std::move(digest));
+  }
+
+  void run(const Options& options, double work, std::vector<Row>& rows) {
+    if (!options.engines.empty()) keep(options.engines);
+    interleave(contestants, options.blocks, work);
+    for (std::size_t i = 0; i < contestants.size(); ++i) {
+      const Digest digest = found[i]();
+      const double pairs = static_cast<double>(digest.count);
+      rows.push_back({"broadphase",
+                      name,
+                      contestants[i].engine,
+                      threads[i],
+                      contestants[i].ms,
+                      pairs,
+                      digest.text(),
+                      {{"ns_per_pair", 1e6 * median(contestants[i].ms) / pairs}}});
+    }
+  }
+};
+
+bool chosen(const std::string& name, const Options& options) {
+  return options.only.empty() ||
+         std::any_of(options.only.begin(), options.only.end(),
+                     [&](const std::string& part) { return name.find(part) != std::string::npos; });
+}
+
+void find(AllPairs& search, const Cloud& cloud, PairList& found) {
+  if (cloud.radii.empty())
+    search.find(cloud.points, cloud.reach, nullptr, found);
+  else
+    search.find_discs(cloud.points, cloud.radii, nullptr, found);
+}
+
+double widest_pair(const Cloud& cloud) {
+  return cloud.radii.empty() ? cloud.reach : 2.0 * *std::max_element(cloud.radii.begin(), cloud.radii.end());
+}
+
+/// The same with a point so far away that no array holds all cells between.
+Cloud with_stray(Cloud cloud) {
+  cloud.points.push_back({1e9, -1e9});
+  if (!cloud.radii.empty()) cloud.radii.push_back(cloud.radii[0]);
+  return cloud;
+}
+
+void race_all_pairs(const Cloud& cloud, const Options& options, std::vector<Row>& rows) {
+  const std::size_t n = cloud.points.size();
+  const Cloud stray = with_stray(cloud);
+  AllPairs search, search_stray, search_two(2);
+  PairList found, found_stray, found_two;
+  PlainGrid plain;
+  PairBuffer plain_found;
+  std::vector<Pair> kd_found, tree_found;
+  Race race{cloud.name};
+  race.add(
+      "throng", [&] { find(search, cloud, found); }, [&] { return digest(found); });
+  race.add(
+      "plain", [&] { plain.find(cloud.points, widest_pair(cloud), cloud.radii, plain_found); },
+      [&] { return digest(plain_found.pairs()); });
+  if (n <= 1000000)
+    race.add(
+        "nanoflann", [&] { find_with_nanoflann(cloud, kd_found); }, [&] { return digest(kd_found); });
+  if (n <= 100000)
+    race.add(
+        "box2d_tree", [&] { find_with_box2d_tree(cloud, tree_found); }, [&] { return digest(tree_found); });
+  race.add(
+      "throng_stray", [&] { find(search_stray, stray, found_stray); }, [&] { return digest(found_stray); });
+  race.add(
+      "throng_threads", [&] { find(search_two, cloud, found_two); }, [&] { return digest(found_two); }, 2);
+  race.run(options, 1, rows);
+}
+
+/// Discs of sizes 1:1000 against as many of one size with as many pairs.
+void race_sizes(std::size_t n, const Options& options, std::vector<Row>& rows) {
+  for (const double ratio : {1.0, 1000.0}) {
+    const Cloud discs = cloud(Kind::mixed, n, 10, false, ratio);
+    AllPairs search;
+    PairList found;
+    Race race{"sizes 1:" + std::to_string(static_cast<int>(ratio)) + " n=" + std::to_string(n)};
+    race.add(
+        "throng", [&] { find(search, discs, found); }, [&] { return digest(found); });
+    race.run(options, 1, rows);
+  }
+}
+
+/// A cloud of which every point moves by a twentieth of the reach a step, straight on.
+class MovingCloud {
+ public:
+  MovingCloud(std::size_t n, bool spatial)
+      : start_(cloud(Kind::uniform, n, 10, spatial)), now_(start_.points) {
+    for (std::size_t i = 0; i < n; ++i) {
+      const double angle = 2.0 * 3.141592653589793 * random_unit(9, i);
+      step_.push_back(0.05 * start_.reach * broadphase::Point(std::cos(angle), std::sin(angle)));
+    }
+  }
+  const std::string& name() const { return start_.name; }
+  double reach() const { return start_.reach; }
+  const std::vector<broadphase::Point>& points() const { return now_; }
+  void step() {
+    for (std::size_t i = 0; i < now_.size(); ++i) now_[i] += step_[i];
+  }
+  void restart() { now_ = start_.points; }
+
+ private:
+  Cloud start_;
+  std::vector<broadphase::Point> now_, step_;
+};
+
+/// Each block is kSteps steps from the same start; the check is of all of them.
+void race_moving(std::size_t n, bool spatial, const Options& options, std::vector<Row>& rows) {
+  constexpr int kSteps = 20;
+  MovingCloud cloud(n, spatial);
+  AllPairs search;
+  broadphase::PairSorter sorter;
+  broadphase::MovingPairs moving;
+  PairList found;
+  PlainGrid plain;
+  PairBuffer plain_found;
+  std::vector<Pair> sorted, kept;
+  Race race{"moving " + cloud.name()};
+  const auto add = [&](const char* engine, auto find, auto pairs) {
+    race.add(
+        engine,
+        [&cloud, find] {
+          cloud.restart();
+          for (int i = 0; i < kSteps; ++i) {
+            cloud.step();
+            find();
+          }
+        },
+        pairs);
+  };
+  const std::vector<double> half(n, 0.5 * cloud.reach());
+  add(
+      "throng", [&] { moving.find(cloud.points(), half, nullptr, kept); }, [&] { return digest(kept); });
+  add(
+      "rebuilt",
+      [&] {
+        search.find(cloud.points(), cloud.reach(), nullptr, found);
+        sorter.sort(found, n, sorted);
+      },
+      [&] { return digest(sorted); });
+  add(
+      "rebuilt_any_order", [&] { search.find(cloud.points(), cloud.reach(), nullptr, found); },
+      [&] { return digest(found); });
+  add(
+      "plain", [&] { plain.find(cloud.points(), cloud.reach(), {}, plain_found); },
+      [&] { return digest(plain_found.pairs()); });
+  race.run(options, kSteps, rows);
+}
+
+/// Whether the machine gives two cores right now: two loops at once should take as long as one.
+void race_busy_loops(const Options& options, std::vector<Row>& rows) {
+  const auto loop = [] {
+    volatile std::uint64_t sum = 0;
+    for (std::uint64_t i = 0; i < 20000000; ++i) sum = sum + i;
+  };
+  Race race{"two busy loops"};
+  race.add("one", loop, [] { return Digest{1, 0}; });
+  race.add(
+      "two",
+      [&] {
+        std::thread other(loop);
+        loop();
+        other.join();
+      },
+      [] {
+        return Digest{1, 0};
+      },
+      2);
+  race.run(options, 1, rows);
+}
+
+}  // namespace
+
+std::vector<Row> bench_broadphase(const Options& options) {
+  std::vector<Row> rows;
+  std::vector<std::size_t> sizes = {10000, 100000, 1000000};
+  if (options.quick) sizes = {1000};
+  if (options.large) sizes.push_back(10000000);
+  for (const std::size_t n : sizes)
+    for (const Kind kind : {Kind::uniform, Kind::clustered, Kind::line, Kind::mixed})
+      for (const double k : {10.0, 40.0})
+        for (const bool spatial : {false, true})
+          if (chosen(case_name(kind, n, k, spatial), options))
+            race_all_pairs(cloud(kind, n, k, spatial), options, rows);
+  const std::size_t n = options.quick ? 1000 : 100000;
+  if (chosen("sizes", options)) race_sizes(n, options, rows);
+  for (const bool spatial : {false, true})
+    if (chosen("moving " + case_name(Kind::uniform, n, 10, spatial), options))
+      race_moving(n, spatial, options, rows);
+  if (chosen("two busy loops", options)) race_busy_loops(options, rows);
+  return rows;
+}
+
+}  // namespace throng::bench
