@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "narrowphase/convex.h"
+#include "narrowphase/distance.h"
+#include "narrowphase/face.h"
 
-/// The separation of two shapes without their radii, in the frame of the first; `separation` adds radii and
-/// frames.
+/// The separation of two shapes without their radii, in the frame of the first.
 namespace throng::narrowphase {
 
 struct CoreSeparation {
@@ -25,7 +25,16 @@ CoreSeparation nearest(const Convex& polygon, const Vec& point);
 
 /// Polygons or segments. Overlap: the least depth over the edge normals of both. Segments are solids of zero
 /// thickness: two that cross are as deep in each other as the shortest way out, collinear ones 0 deep.
-/// O(n + m) plus O(n + m) for each vertex that may be nearest, mostly two or three.
-CoreSeparation polygon_polygon(const Convex& a, const Convex& b, const Pose& b_in_a);
+/// Expects the widest faces of the two. O(n + m) plus O(n + m) for each vertex that may be nearest, mostly
+/// two or three.
+CoreSeparation polygon_polygon(const Convex& a, const Convex& b, const Pose& b_in_a, const Faces& faces);
+
+/// With radii, in the world.
+inline Separation in_world(const Convex& a, const Pose& pose_a, const Convex& b, const CoreSeparation& core) {
+  const double distance = core.distance - (a.radius + b.radius);
+  const Vec normal = pose_a.rotate(core.normal);
+  const Vec point = pose_a * (core.point + a.radius * core.normal);
+  return {distance, normal, point, point + distance * normal};
+}
 
 }  // namespace throng::narrowphase

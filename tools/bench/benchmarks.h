@@ -18,6 +18,10 @@ struct Options {
 /// The gallery's scenes step by step: native, Box2D, and for discs the minimal loop of minimal_discs.h.
 std::vector<Row> bench_step(const Options& options);
 
+/// How far apart convex polygons are, moving and not: throng's engines, Box2D's and CGAL's. Times are for a
+/// million queries; errors in ulp of the coordinates' scale, against long double.
+std::vector<Row> bench_narrowphase(const Options& options);
+
 /// What recording each step costs.
 std::vector<Row> bench_recording(const Options& options);
 

@@ -11,12 +11,15 @@
 int main(int argc, char** argv) {
   using namespace throng::bench;
   const std::map<std::string, std::vector<Row> (*)(const Options&)> benchmarks = {
-      {"step", bench_step}, {"recording", bench_recording}, {"broadphase_queries", bench_broadphase_queries}};
+      {"step", bench_step},
+      {"recording", bench_recording},
+      {"broadphase_queries", bench_broadphase_queries},
+      {"narrowphase", bench_narrowphase}};
   Options options;
   std::string name, json;
   CLI::App app{"The benchmarks of throng: time and error beside each other, engines in turn in one run."};
   app.name("throng bench");
-  app.add_option("NAME", name, "step, recording or broadphase_queries")
+  app.add_option("NAME", name, "step, recording, broadphase_queries or narrowphase")
       ->required()
       ->check(CLI::IsMember(benchmarks));
   app.add_option("--scenarios", options.scenarios, "folder of the gallery")->default_val(THRONG_SCENARIOS);
