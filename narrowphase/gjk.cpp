@@ -34,8 +34,8 @@ bool counts(const Vec& p, const Vec& q) {
   return dot(q, q - p) > 0.0;
 }
 
-/// The simplex of the shortest way after `added` has come, which is shorter than all before along some direction;
-/// none where the ways surround the origin.
+/// The simplex of the shortest way after `added` has come, which is shorter than all before along some
+/// direction; none where the ways surround the origin.
 std::optional<Simplex> reduced(const Simplex& s, const Link& added) {
   const Vec& w = added.way;
   const auto with = [&](const Link& other) {
@@ -59,8 +59,8 @@ std::uint32_t edge_between(std::size_t i, std::size_t j, std::size_t count) {
 
 ClosestFeatures features(const Simplex& s, const Convex& a, const Convex& b) {
   if (s.first.a == s.second.a && s.is_pair)
-    return {static_cast<std::uint32_t>(s.first.a), edge_between(s.first.b, s.second.b, b.vertices.size()), false,
-            true};
+    return {static_cast<std::uint32_t>(s.first.a), edge_between(s.first.b, s.second.b, b.vertices.size()),
+            false, true};
   return {static_cast<std::uint32_t>(s.first.b), edge_between(s.first.a, s.second.a, a.vertices.size()), true,
           true};
 }

@@ -10,6 +10,9 @@
 
 /// One look at a vertex of one shape and an edge of another: how far apart they are, and whether this is the
 /// distance of the two shapes.
+///
+/// What decides is chosen here by index and address, not by jumps: over many pairs, each with features of its
+/// own, jumps would be mispredicted as often as not.
 namespace throng::narrowphase {
 
 /// Two shapes and where they stand.
@@ -20,85 +23,80 @@ struct Placed {
   const Pose& pose_b;
 };
 
-/// The shape that the vertex belongs to, the one that the edge belongs to, and the first in the second's frame.
-struct Side {
-  const Convex* of_vertex;
-  const Convex* of_edge;
-  Pose frame;
+/// `v` along a unit vector and along that vector turned left: its two coordinates in the vector's frame.
+inline Vec along(const Vec& unit, const Vec& v) {
+  return v.x() * Vec{unit.x(), -unit.y()} + v.y() * Vec{unit.y(), unit.x()};
+}
 
-  Side(const Placed& p, bool vertex_of_b)
-      : of_vertex(vertex_of_b ? &p.b : &p.a),
-        of_edge(vertex_of_b ? &p.a : &p.b),
-        frame(vertex_of_b ? relative(p.pose_a, p.pose_b) : relative(p.pose_b, p.pose_a)) {}
-};
-
-/// In the frame of the edge's shape.
-struct Probe {
-  Vec vertex;          ///< m, where it is
-  Vec offset;          ///< to the vertex from the corner before which it lies (m), else the edge's unit normal
-  double height;       ///< m, of the vertex above the edge's line
-  bool at_corner;      ///< the vertex lies beyond an end of the edge
+struct Look {
+  const Convex *x, *y;  ///< the shape of the vertex, and that of the edge
+  const Pose *pose_x, *pose_y;
+  Vec arm;         ///< m, in the world's directions, from x's origin to the vertex
+  Vec vertex;      ///< m, in the frame of y
+  Vec offset;      ///< to the vertex from the end of the edge beyond which it lies (m), else the edge's unit
+                   ///< normal
+  Vec outward;     ///< the same in the world's directions
+  double height;   ///< m, of the vertex above the edge's line
+  double squared;  ///< m², the offset's length at a corner; must be large enough to keep its digits
+  bool at_corner;  ///< the vertex lies beyond an end of the edge
   std::size_t corner;  ///< that end; else any
   std::size_t beyond;  ///< the edge after the corner
-  bool edge_holds;     ///< all of the edge's shape lies behind: no other edge is closer to the vertex
-};
+  bool edge_holds;     ///< all of y lies behind: none of its edges is closer to the vertex
+  bool next_is_closer, previous_is_closer;  ///< neighbours of the vertex
+  bool vertex_holds;                        ///< all of x lies before the vertex
 
-inline Probe probe(const Side& side, std::size_t vertex, std::size_t edge) {
-  const Convex& y = *side.of_edge;
-  const std::size_t head = next(edge, y.vertices.size());
-  const Vec normal = y.normals[edge];
-  Probe p;
-  p.vertex = side.frame * side.of_vertex->vertices[vertex];
-  const Vec from_tail = p.vertex - y.vertices[edge];
-  const bool before_tail = cross(normal, from_tail) < 0.0;
-  const bool past_head = cross(normal, p.vertex - y.vertices[head]) > 0.0;
-  p.height = dot(normal, from_tail);
-  p.at_corner = before_tail | past_head;
-  p.corner = before_tail ? edge : head;
-  p.beyond = before_tail ? previous(edge, y.vertices.size()) : head;
-  const Vec offsets[] = {normal, p.vertex - y.vertices[p.corner]};
-  p.offset = offsets[p.at_corner];
-  // At a corner the offset must be between the normals of its two edges. Where these are all but parallel, the
-  // far side is between them too, up to rounding: hence the heights.
-  const Vec& other = y.normals[p.beyond];
-  const double turn = cross(other, p.offset);
-  const bool between = (before_tail ? turn >= 0.0 : turn <= 0.0) &
-                       ((dot(other, p.offset) >= 0.0) | (p.height >= 0.0));
-  p.edge_holds = p.at_corner ? between : p.height > 0.0;
-  return p;
-}
+  [[gnu::always_inline]] Look(const Placed& p, const ClosestFeatures& f)
+      : x(f.vertex_of_b ? &p.b : &p.a),
+        y(f.vertex_of_b ? &p.a : &p.b),
+        pose_x(f.vertex_of_b ? &p.pose_b : &p.pose_a),
+        pose_y(f.vertex_of_b ? &p.pose_a : &p.pose_b) {
+    look_at_edge(f.vertex, f.edge);
+    look_at_vertex(f.vertex);
+  }
 
-/// Whether all of the vertex's shape lies before the vertex, and where not: which neighbour is closer.
-struct Neighbours {
-  bool next_is_closer = false, previous_is_closer = false;
-  bool vertex_holds = true;  ///< false too where the vertex is on the far side of its shape
-};
+  /// Whether nothing is closer.
+  bool proves() const { return edge_holds & vertex_holds; }
 
-inline Neighbours neighbours(const Side& side, std::size_t vertex, const Vec& offset) {
-  const Convex& x = *side.of_vertex;
-  if (x.normals.empty()) return {};
-  const Vec in_x = side.frame.unrotate(offset);
-  const Vec &before = x.normals[previous(vertex, x.vertices.size())], &after = x.normals[vertex];
-  const bool to_next = cross(after, in_x) < 0.0, to_previous = cross(before, in_x) > 0.0;
-  const bool near_side = (dot(before, in_x) <= 0.0) | (dot(after, in_x) <= 0.0);
-const bool holds = !to_next & !to_previous & near_side;
-  return {to_next, to_previous, holds};
-}
+ private:
+  [[gnu::always_inline]] void look_at_edge(std::size_t vertex_of_x, std::size_t edge) {
+    arm = pose_x->rotate(x->vertices[vertex_of_x]);
+    vertex = pose_y->unrotate(arm + (pose_x->position - pose_y->position));
+    const std::size_t count = y->vertices.size(), head = next(edge, count);
+    const Vec& normal = y->normals[edge];
+    const Vec from_tail = vertex - y->vertices[edge], from_head = vertex - y->vertices[head];
+    height = dot(normal, from_tail);
+    if (cross(normal, from_tail) < 0.0)
+      look_at_corner(from_tail, edge, previous(edge, count), 1.0);
+    else if (cross(normal, from_head) > 0.0)
+      look_at_corner(from_head, head, head, -1.0);
+    else
+      offset = normal, at_corner = false, edge_holds = height > 0.0;
+  }
 
-/// A probe with its proof.
-struct Look {
-  Side side;
-  Probe probed;
-  Neighbours around;
+  /// The vertex lies beyond an end of the edge, where another one begins: counter-clockwise from it if `turn`
+  /// is -1.
+  [[gnu::always_inline]] void look_at_corner(const Vec& from_corner, std::size_t end, std::size_t other_edge,
+                                             double turn) {
+    offset = from_corner, at_corner = true, corner = end, beyond = other_edge;
+    // The offset must be between the normals of the two edges. Where these are all but parallel, the far side
+    // is between them too, up to rounding: hence the heights.
+    const Vec& other = y->normals[other_edge];
+    const bool between =
+        (turn * cross(other, offset) >= 0.0) & ((dot(other, offset) >= 0.0) | (height >= 0.0));
+    squared = dot(offset, offset);
+    edge_holds = between & (squared > 0x1p-960);
+  }
 
-  Look(const Placed& placed, const ClosestFeatures& f)
-      : side(placed, f.vertex_of_b),
-        probed(probe(side, f.vertex, f.edge)),
-        around(neighbours(side, f.vertex, probed.offset)) {}
-
-  /// Whether nothing is closer, and the gap wide enough for its square to keep its digits.
-  bool proves() const {
-    return probed.edge_holds & around.vertex_holds & (dot(probed.offset, probed.offset) > 0x1p-960);
+  [[gnu::always_inline]] void look_at_vertex(std::size_t vertex_of_x) {
+    outward = pose_y->rotate(offset);
+    next_is_closer = previous_is_closer = false, vertex_holds = true;
+    if (x->normals.empty()) return;
+    const Vec inward = pose_x->unrotate(outward);
+    const Vec &before = x->normals[previous(vertex_of_x, x->vertices.size())],
+              &after = x->normals[vertex_of_x];
+    next_is_closer = cross(after, inward) < 0.0;
+    previous_is_closer = cross(before, inward) > 0.0;
+    vertex_holds = !next_is_closer & !previous_is_closer & (dot(before + after, inward) <= 0.0);
   }
 };
 
@@ -108,19 +106,16 @@ inline bool exist(const ClosestFeatures& f, const Placed& p) {
   return (f.vertex < of_vertex.vertices.size()) & (f.edge < of_edge.normals.size());
 }
 
-/// The answer that a probe has proven, in the world. Expects an offset whose square keeps its digits.
-inline Separation answer(const Placed& placed, const Probe& p, bool vertex_of_b) {
-  const Pose& pose = vertex_of_b ? placed.pose_a : placed.pose_b;
-  const double length = std::sqrt(dot(p.offset, p.offset));
-  const double core = p.at_corner ? length : p.height;
-  const Vec unit = p.at_corner ? Vec{p.offset.x() / length, p.offset.y() / length} : p.offset;
-  const double distance = core - (placed.a.radius + placed.b.radius);
-  const Vec normal = pose.rotate(unit);
-  const Vec point =
-      pose * (p.vertex - (core - (vertex_of_b ? placed.a.radius : placed.b.radius)) * unit);
-  const Vec other = point + distance * normal;
-  if (vertex_of_b) return {distance, normal, point, other};
-  return {distance, -normal, other, point};
+/// The answer that a look has proven, in the world.
+inline Separation answer(const Look& look, bool vertex_of_b) {
+  const double length = look.at_corner ? std::sqrt(look.squared) : 1.0;
+  const double core = look.at_corner ? length : look.height;
+  const Vec towards_x = look.at_corner ? Vec{look.outward / length} : look.outward;
+  const double distance = core - (look.x->radius + look.y->radius);
+  const Vec on_x = (look.pose_x->position + look.arm) - look.x->radius * towards_x;
+  const Vec on_y = on_x - distance * towards_x;
+  if (vertex_of_b) return {distance, towards_x, on_y, on_x};
+  return {distance, -towards_x, on_x, on_y};
 }
 
 }  // namespace throng::narrowphase

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "narrowphase/search.h"
 
+#include <optional>
+
 #include "narrowphase/core_separation.h"
 #include "narrowphase/gjk.h"
 #include "narrowphase/support.h"
@@ -13,39 +15,40 @@ ClosestFeatures features(std::size_t vertex, std::size_t edge, bool vertex_of_b)
   return {static_cast<std::uint32_t>(vertex), static_cast<std::uint32_t>(edge), vertex_of_b, true};
 }
 
-/// To the vertex's neighbour that is closer; where that one lies beyond the strip above the edge, it may be farther
-/// away, but the edge that leads there isn't: it passes the strip's end lower.
+/// To the vertex's neighbour that is closer; where that one lies beyond the strip above the edge, it may be
+/// farther away, but the edge that leads there isn't: it passes the strip's end lower.
 ClosestFeatures to_neighbour(const Look& look, const ClosestFeatures& f) {
-  const Side& side = look.side;
-  const std::size_t count = side.of_vertex->vertices.size();
-  const std::size_t closer = look.around.next_is_closer ? next(f.vertex, count) : previous(f.vertex, count);
-  const std::size_t between = look.around.next_is_closer ? f.vertex : closer;
-  if (look.probed.at_corner) return features(look.probed.corner, between, !f.vertex_of_b);
-  const Convex& y = *side.of_edge;
-  const Vec there = side.frame * side.of_vertex->vertices[closer];
-  const std::size_t head = next(f.edge, y.vertices.size());
-  if (cross(y.normals[f.edge], there - y.vertices[f.edge]) < 0.0)
-    return features(f.edge, between, !f.vertex_of_b);
-  if (cross(y.normals[f.edge], there - y.vertices[head]) > 0.0) return features(head, between, !f.vertex_of_b);
+  const std::size_t count = look.x->vertices.size();
+  const std::size_t closer = look.next_is_closer ? next(f.vertex, count) : previous(f.vertex, count);
+  const std::size_t between = look.next_is_closer ? f.vertex : closer;
+  if (look.at_corner) return features(look.corner, between, !f.vertex_of_b);
+  const Vec &tail = look.y->vertices[f.edge], &normal = look.y->normals[f.edge];
+  const std::size_t head = next(f.edge, look.y->vertices.size());
+  const Vec there =
+      look.vertex +
+      look.pose_y->unrotate(look.pose_x->rotate(look.x->vertices[closer] - look.x->vertices[f.vertex]));
+  if (cross(normal, there - tail) < 0.0) return features(f.edge, between, !f.vertex_of_b);
+  if (cross(normal, there - look.y->vertices[head]) > 0.0) return features(head, between, !f.vertex_of_b);
   return features(closer, f.edge, f.vertex_of_b);
 }
 
 /// To closer features, by a neighbour of those looked at. False where there are none.
 bool advance(const Look& look, ClosestFeatures& f) {
-  if (!look.probed.at_corner && !look.probed.edge_holds) return false;
-  if (look.around.next_is_closer || look.around.previous_is_closer)
+  if (!look.at_corner && !look.edge_holds) return false;
+  if (look.next_is_closer || look.previous_is_closer)
     f = to_neighbour(look, f);
-  else if (!look.probed.edge_holds)
-    f.edge = static_cast<std::uint32_t>(look.probed.beyond);
+  else if (!look.edge_holds)
+    f.edge = static_cast<std::uint32_t>(look.beyond);
   else
     return false;
   return true;
 }
 
-std::optional<Separation> look_and_walk(const Placed& placed, ClosestFeatures& f, SearchStatistics& statistics) {
-  const Look look(placed, f);
-  if (look.proves()) return answer(placed, look.probed, f.vertex_of_b);
-  return walk(placed, look, f, statistics);
+std::optional<Separation> look_and_walk(const Placed& placed, ClosestFeatures& f,
+                                        SearchStatistics& statistics) {
+  Look look(placed, f);
+  if (look.proves() || walk(placed, look, f, statistics)) return answer(look, f.vertex_of_b);
+  return {};
 }
 
 Separation search_polygons(const Placed& p, bool overlap_likely, ClosestFeatures& f,
@@ -70,12 +73,13 @@ Separation search_polygons(const Placed& p, bool overlap_likely, ClosestFeatures
 }
 
 /// A disc and anything.
-Separation search_discs(const Placed& p, bool overlap_likely, ClosestFeatures& f, SearchStatistics& statistics) {
+Separation search_discs(const Placed& p, bool overlap_likely, ClosestFeatures& f,
+                        SearchStatistics& statistics) {
   const bool of_b = p.b.normals.empty();
-  const Side side(p, of_b);
-  if (!side.of_edge->normals.empty() && !overlap_likely) {
-    const Vec centre = side.frame * side.of_vertex->vertices[0];
-    f = features(0, support(*side.of_edge, centre), of_b);
+  const Convex &disc = of_b ? p.b : p.a, &other = of_b ? p.a : p.b;
+  if (!other.normals.empty() && !overlap_likely) {
+    const Vec centre = relative(of_b ? p.pose_a : p.pose_b, of_b ? p.pose_b : p.pose_a) * disc.vertices[0];
+    f = features(0, support(other, centre), of_b);
     if (const auto s = look_and_walk(p, f, statistics)) return *s;
   }
   ++statistics.depths;
@@ -84,19 +88,18 @@ Separation search_discs(const Placed& p, bool overlap_likely, ClosestFeatures& f
 
 }  // namespace
 
-std::optional<Separation> walk(const Placed& placed, Look look, ClosestFeatures& f,
-                               SearchStatistics& statistics) {
+bool walk(const Placed& placed, Look& look, ClosestFeatures& f, SearchStatistics& statistics) {
   constexpr int kLongest = 32;
-  for (int step = 0; step < kLongest; ++step) {
-    if (!advance(look, f)) return {};
+  for (int step = 0; step < kLongest && advance(look, f); ++step) {
     ++statistics.steps;
     look = Look(placed, f);
-    if (look.proves()) return answer(placed, look.probed, f.vertex_of_b);
+    if (look.proves()) return true;
   }
-  return {};
+  return false;
 }
 
-Separation search(const Placed& placed, bool overlap_likely, ClosestFeatures& f, SearchStatistics& statistics) {
+Separation search(const Placed& placed, bool overlap_likely, ClosestFeatures& f,
+                  SearchStatistics& statistics) {
   if (!placed.a.normals.empty() && !placed.b.normals.empty())
     return search_polygons(placed, overlap_likely, f, statistics);
   return search_discs(placed, overlap_likely, f, statistics);

@@ -7,21 +7,19 @@ namespace throng::narrowphase {
 
 namespace {
 
-[[gnu::noinline]] Separation walk_or_search(const Placed& placed, const Look& look, ClosestFeatures& f,
-                                            SearchStatistics* wanted) {
+[[gnu::noinline]] Separation search_anew(const Placed& placed, bool overlap_likely, ClosestFeatures& f,
+                                         SearchStatistics* wanted) {
   SearchStatistics unwanted;
   SearchStatistics& statistics = wanted ? *wanted : unwanted;
-  if (const auto s = walk(placed, look, f, statistics)) return *s;
-  const Probe overlap = probe(Side(placed, f.vertex_of_b), f.vertex, f.edge);
   ++statistics.cold_starts;
-  return search(placed, !overlap.at_corner, f, statistics);
+  return search(placed, overlap_likely, f, statistics);
 }
 
-[[gnu::noinline]] Separation cold(const Placed& placed, ClosestFeatures& f, SearchStatistics* wanted) {
+[[gnu::noinline]] Separation walk_or_search(const Placed& placed, Look& look, ClosestFeatures& f,
+                                            SearchStatistics* wanted) {
   SearchStatistics unwanted;
-  SearchStatistics& statistics = wanted ? *wanted : unwanted;
-  ++statistics.cold_starts;
-  return search(placed, false, f, statistics);
+  if (walk(placed, look, f, wanted ? *wanted : unwanted)) return answer(look, f.vertex_of_b);
+  return search_anew(placed, !look.at_corner, f, wanted);
 }
 
 }  // namespace
@@ -30,10 +28,12 @@ Separation track(const Convex& a, const Pose& pose_a, const Convex& b, const Pos
                  ClosestFeatures& features, SearchStatistics* statistics) {
   const Placed placed{a, pose_a, b, pose_b};
   if (!features.known || !exist(features, placed)) [[unlikely]]
-    return cold(placed, features, statistics);
+    return search_anew(placed, false, features, statistics);
   const Look look(placed, features);
-  if (look.proves()) return answer(placed, look.probed, features.vertex_of_b);
-  return walk_or_search(placed, look, features, statistics);
+  if (look.proves()) [[likely]]
+    return answer(look, features.vertex_of_b);
+  Look reached = look;  // a copy, so that the one above can stay in registers
+  return walk_or_search(placed, reached, features, statistics);
 }
 
 }  // namespace throng::narrowphase

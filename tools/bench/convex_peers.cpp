@@ -81,7 +81,8 @@ using Traits = CGAL::Polytope_distance_d_traits_2<Kernel, Exact, Exact>;
 /// About `origin`, so that nothing is rounded.
 std::vector<Kernel::Point_2> exact(const Convex& shape, const Pose& pose, const Vec& origin) {
   const Exact c = pose.cos, s = pose.sin;
-  const Exact x = Exact(pose.position.x()) - Exact(origin.x()), y = Exact(pose.position.y()) - Exact(origin.y());
+  const Exact x = Exact(pose.position.x()) - Exact(origin.x()),
+              y = Exact(pose.position.y()) - Exact(origin.y());
   std::vector<Kernel::Point_2> points;
   for (const Vec& v : shape.vertices)
     points.emplace_back(c * Exact(v.x()) - s * Exact(v.y()) + x, s * Exact(v.x()) + c * Exact(v.y()) + y);
@@ -91,7 +92,8 @@ std::vector<Kernel::Point_2> exact(const Convex& shape, const Pose& pose, const 
 }  // namespace
 
 double cgal_distance(const Convex& a, const Convex& b, const Placement& placement) {
-  const auto of_a = exact(a, placement.a, placement.a.position), of_b = exact(b, placement.b, placement.a.position);
+  const auto of_a = exact(a, placement.a, placement.a.position),
+             of_b = exact(b, placement.b, placement.a.position);
   const CGAL::Polytope_distance_d<Traits> distance(of_a.begin(), of_a.end(), of_b.begin(), of_b.end());
   return std::sqrt(
       CGAL::to_double(distance.squared_distance_numerator() / distance.squared_distance_denominator()));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// throng bench narrowphase: how far apart two convex polygons are, time against error. Times are milliseconds for a
-// million queries, which is nanoseconds a query.
+// throng bench narrowphase: how far apart two convex polygons are, time against error. Times are milliseconds
+// for a million queries, which is nanoseconds a query.
 #include <algorithm>
 #include <cmath>
 
@@ -27,7 +27,7 @@ enum class Answers { with_depth, without_depth, single_without_depth };
 struct Engine {
   std::string name;
   Answers answers;
-  std::size_t queries;  ///< of the case, from the first on
+  std::size_t queries;                   ///< of the case, from the first on
   std::function<void(bool back)> block;  ///< asks them all, from the last to the first if `back`
   std::function<double(std::size_t placement)> ask;
   SearchStatistics* statistics = nullptr;  ///< of `ask`
@@ -44,19 +44,22 @@ Engine engine(std::string name, Answers answers, const ConvexPairs& c, std::size
     std::size_t pair = back ? (queries - 1) % pairs : 0;
     for (std::size_t i = 0; i < queries; ++i) {
       sum += ask(pair, back ? queries - 1 - i : i);
-      if (back) pair = (pair == 0 ? pairs : pair) - 1;
-      else pair = pair + 1 == pairs ? 0 : pair + 1;
+      if (back)
+        pair = (pair == 0 ? pairs : pair) - 1;
+      else
+        pair = pair + 1 == pairs ? 0 : pair + 1;
     }
     sink = sum;
   };
-  return {std::move(name), answers, queries, block, [pairs, ask](std::size_t i) { return ask(i % pairs, i); }};
+  return {std::move(name), answers, queries, block,
+          [pairs, ask](std::size_t i) { return ask(i % pairs, i); }};
 }
 
 /// `separation` by GJK from any features, which are replaced.
 Separation by_gjk(const Placed& p, ClosestFeatures& f) {
   if (const auto found = gjk(p.a, p.b, relative(p.pose_a, p.pose_b), f)) {
     const Look look(p, *found);
-    if (look.proves()) return f = *found, answer(p, look.probed, found->vertex_of_b);
+    if (look.proves()) return f = *found, answer(look, found->vertex_of_b);
   }
   return separation(p.a, p.pose_a, p.b, p.pose_b);
 }
@@ -145,7 +148,8 @@ struct Oracle {
   explicit Oracle(const ConvexPairs& c) {
     const double vertices = static_cast<double>(c.shapes[0].vertices.size());
     const double each = 60.0 * vertices * vertices;  // ns
-    stride = static_cast<std::size_t>(std::ceil(static_cast<double>(c.placements.size()) / std::max(2.0, 2e8 / each)));
+    stride = static_cast<std::size_t>(
+        std::ceil(static_cast<double>(c.placements.size()) / std::max(2.0, 2e8 / each)));
     for (std::size_t i = 0; i < c.placements.size(); i += stride) {
       const std::size_t pair = i % c.pairs();
       distance.push_back(exhaustive_separation(c.shapes[c.a[pair]], c.placements[i].a, c.shapes[c.b[pair]],
