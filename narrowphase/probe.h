@@ -41,7 +41,7 @@ struct Look {
   bool at_corner;  ///< the vertex lies beyond an end of the edge
   std::size_t corner;  ///< that end; else any
   std::size_t beyond;  ///< the edge after the corner
-  bool edge_holds;     ///< all of y lies behind: none of its edges is closer to the vertex
+  bool edge_holds;     ///< all of y lies behind, up to rounding: none of its edges is closer to the vertex
   bool next_is_closer, previous_is_closer;  ///< neighbours of the vertex
   bool vertex_holds;                        ///< all of x lies before the vertex
 
@@ -58,6 +58,9 @@ struct Look {
   bool proves() const { return edge_holds & vertex_holds; }
 
  private:
+  /// Below which the height of a vertex there means nothing.
+  static double rounding(const Vec& v) { return 0x1p-52 * (std::abs(v.x()) + std::abs(v.y())); }
+
   [[gnu::always_inline]] void look_at_edge(std::size_t vertex_of_x, std::size_t edge) {
     arm = pose_x->rotate(x->vertices[vertex_of_x]);
     vertex = pose_y->unrotate(arm + (pose_x->position - pose_y->position));
@@ -70,7 +73,7 @@ struct Look {
     else if (cross(normal, from_head) > 0.0)
       look_at_corner(from_head, head, head, -1.0);
     else
-      offset = normal, at_corner = false, edge_holds = height > 0.0;
+      offset = normal, at_corner = false, edge_holds = height > -rounding(vertex);
   }
 
   /// The vertex lies beyond an end of the edge, where another one begins: counter-clockwise from it if `turn`
