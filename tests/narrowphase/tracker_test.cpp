@@ -96,8 +96,8 @@ TEST(Track, AnswersForTwoDiscs) {
   EXPECT_DOUBLE_EQ(track(disc(1), {{0, 0}}, disc(2), {{3, 4}}, f).distance, 2.0);
 }
 
-// A vertex on the line between its neighbours: both of its edges have one normal, and the far side of the polygon
-// passes for the near one unless somebody looks. Textbook trackers stop there.
+// A vertex on the line between its neighbours: both of its edges have one normal, and the far side of the
+// polygon passes for the near one unless somebody looks. Textbook trackers stop there.
 TEST(Track, IsNotFooledByVerticesInTheMiddleOfAnEdge) {
   const Convex split = convex({{-1, -1}, {0, -1}, {1, -1}, {1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}});
   for (std::uint32_t vertex = 0; vertex < 8; ++vertex)
@@ -153,7 +153,8 @@ TEST(Track, AnswersRightThroughAnyMotion) {
       apart |= exact > 0.0, inside |= exact < 0.0;
       b.pose.position += towards;
       const Pose by = pose({0, 0}, turn * step);
-      b.pose.cos = by.cos * first.cos - by.sin * first.sin, b.pose.sin = by.sin * first.cos + by.cos * first.sin;
+      b.pose.cos = by.cos * first.cos - by.sin * first.sin,
+      b.pose.sin = by.sin * first.cos + by.cos * first.sin;
     }
     crossed += apart && inside;
   }

@@ -22,6 +22,9 @@ std::vector<Row> bench_step(const Options& options);
 /// million queries; errors in ulp of the coordinates' scale, against long double.
 std::vector<Row> bench_narrowphase(const Options& options);
 
+/// The case of bench_narrowphase that is about discs.
+std::vector<Row> bench_disc_gaps(const Options& options);
+
 /// What recording each step costs.
 std::vector<Row> bench_recording(const Options& options);
 

@@ -229,6 +229,7 @@ bool chosen(const std::string& name, const Options& options) {
 
 std::vector<Row> bench_narrowphase(const Options& options) {
   std::vector<Row> rows;
+  if (chosen("discs, gap and witness", options)) rows = bench_disc_gaps(options);
   for (double step : {0.001, 0.01, 0.1, 0.0})
     for (Gap gap : {Gap::near, Gap::touching, Gap::overlapping})
       for (std::size_t vertices : {4, 8, 40, 400, 4000}) {
