@@ -20,8 +20,8 @@ struct DiscGaps {
   std::vector<double> point_x, point_y;    ///< m, on the rim of a, nearest to (or deepest in) b
 };
 
-/// Replaces `gaps` by those between row i of `a` and row i of `b`. Expects as many rows of both, distances between
-/// centres that are 0 or from 1e-140 to 1e150 m. About 1 ns a pair; allocates only to grow.
+/// Replaces `gaps` by those between row i of `a` and row i of `b`. Expects as many rows of both, distances
+/// between centres that are 0 or from 1e-140 to 1e150 m. About 1 ns a pair; allocates only to grow.
 void find_gaps(const Discs& a, const Discs& b, DiscGaps& gaps);
 
 }  // namespace throng::narrowphase

@@ -51,15 +51,19 @@ std::optional<Separation> look_and_walk(const Placed& placed, ClosestFeatures& f
   return {};
 }
 
+/// Takes the vertices that reach farthest from centre to centre. Whether they leave a gap there; if not, the
+/// two overlap more often than not.
+bool leave_gap(const Placed& p, const Pose& b_in_a, const Pose& a_in_b, ClosestFeatures& f) {
+  const std::size_t of_a = support(p.a, b_in_a.position), of_b = support(p.b, a_in_b.position);
+  f = features(of_b, of_a, true);
+  return dot(b_in_a * p.b.vertices[of_b] - p.a.vertices[of_a], b_in_a.position) > 0.0;
+}
+
 Separation search_polygons(const Placed& p, bool overlap_likely, ClosestFeatures& f,
                            SearchStatistics& statistics) {
   constexpr std::size_t kFew = 64 * 64;  // pairs of vertices, below which a walk costs no more than a search
   const Pose b_in_a = relative(p.pose_a, p.pose_b), a_in_b = inverse(b_in_a);
-  const std::size_t of_a = support(p.a, b_in_a.position), of_b = support(p.b, a_in_b.position);
-  const Vec between = b_in_a * p.b.vertices[of_b] - p.a.vertices[of_a];
-  // Where not even the way from centre to centre leaves a gap, the two overlap more often than not.
-  if (!overlap_likely && dot(between, b_in_a.position) > 0.0) {
-    f = features(of_b, of_a, true);
+  if (!overlap_likely && leave_gap(p, b_in_a, a_in_b, f)) {
     if (p.a.vertices.size() * p.b.vertices.size() > kFew)
       if (const auto found = gjk(p.a, p.b, b_in_a, f)) f = *found;
     if (const auto s = look_and_walk(p, f, statistics)) return *s;

@@ -64,7 +64,8 @@ TEST(FindGaps, AgreesWithTheSeparationOfEachPair) {
     find_gaps(a.rows(), b.rows(), gaps);
     int overlapping = 0;
     for (std::size_t i = 0; i < a.x.size(); ++i) {
-      const Separation s = separation(disc(a.radius[i]), {{a.x[i], a.y[i]}}, disc(b.radius[i]), {{b.x[i], b.y[i]}});
+      const Separation s =
+          separation(disc(a.radius[i]), {{a.x[i], a.y[i]}}, disc(b.radius[i]), {{b.x[i], b.y[i]}});
       ASSERT_NEAR(gaps.distance[i], s.distance, 4 * kUnitRoundoff * (4 * scale + 2)) << i;
       ASSERT_NEAR(gaps.normal_x[i], s.normal.x(), 8 * kUnitRoundoff) << i;
       ASSERT_NEAR(gaps.normal_y[i], s.normal.y(), 8 * kUnitRoundoff) << i;

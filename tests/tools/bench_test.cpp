@@ -42,6 +42,24 @@ TEST_F(BenchCommand, AsksAllEnginesTheSameQuestions) {
   EXPECT_EQ(engines["line n=10000 k=10 spatial nearest"], (std::set<std::string>{"throng", "nanoflann"}));
 }
 
+// The engines' answers are compared before any time is taken: exit code 0 says that they agree.
+TEST_F(BenchCommand, ComparesTheNarrowphaseWithItsPeersBeforeItTimesThem) {
+  const Result result = throng(
+      "bench narrowphase --quick --blocks 1 --only '8 vertices 0.01 rad near' --only discs "
+      "--json " +
+      path("rows.json"));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  std::set<std::string> engines;
+  for (const auto& row : nlohmann::json::parse(read(path("rows.json")))) {
+    engines.insert(row["engine"].get<std::string>());
+    EXPECT_EQ(row["check"], "distances agree");
+    EXPECT_TRUE(row["error"].contains("max_ulp"));
+  }
+  for (const char* engine : {"tracker", "gjk warm", "gjk cold", "separation", "sat", "exhaustive",
+                             "box2d warm", "box2d cold", "cgal", "find_gaps"})
+    EXPECT_TRUE(engines.contains(engine)) << engine;
+}
+
 TEST_F(BenchCommand, RefusesABenchmarkThatDoesNotExist) {
   const Result result = throng("bench nonsense");
   EXPECT_EQ(result.exit_code, 2);

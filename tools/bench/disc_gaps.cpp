@@ -36,11 +36,17 @@ struct Columns {
 Row row(const char* engine, const Columns& a, const Columns& b, const std::vector<double>& distance) {
   double most = 0.0;
   for (std::size_t i = 0; i < kPairs; ++i) {
-    const long double x = static_cast<long double>(b.x[i]) - a.x[i], y = static_cast<long double>(b.y[i]) - a.y[i];
+    const long double x = static_cast<long double>(b.x[i]) - a.x[i],
+                      y = static_cast<long double>(b.y[i]) - a.y[i];
     const long double exact = std::sqrt(x * x + y * y) - a.radius[i] - b.radius[i];
     most = std::max(most, static_cast<double>(std::abs(distance[i] - exact)));
   }
-  Row result{"narrowphase", "discs, gap and witness", engine, 1, {}, kPairs * kRepeats,
+  Row result{"narrowphase",
+             "discs, gap and witness",
+             engine,
+             1,
+             {},
+             kPairs * kRepeats,
              most <= 4.0 * kUlp ? "distances agree" : "error " + std::to_string(most / kUlp) + " ulp"};
   result.error = {{"max_ulp", most / kUlp}, {"compared", kPairs}};
   return result;
