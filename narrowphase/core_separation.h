@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <limits>
+
 #include "narrowphase/distance.h"
 #include "narrowphase/face.h"
 
@@ -17,8 +19,10 @@ struct CoreSeparation {
 CoreSeparation disc_disc(const Vec& centre, const Vec& offset);
 
 /// A point against a polygon or a segment. Inside a polygon: the nearest edge, the first of several. On a
-/// segment's line: its first normal. O(n).
-CoreSeparation polygon_disc(const Convex& polygon, const Vec& point);
+/// segment's line: its first normal. Where one edge's line alone keeps the point more than `enough` away,
+/// that lower bound of the distance may stand for it. O(n).
+CoreSeparation polygon_disc(const Convex& polygon, const Vec& point,
+                            double enough = std::numeric_limits<double>::infinity());
 
 /// The same for a point known to be outside, up to rounding: never negative.
 CoreSeparation nearest(const Convex& polygon, const Vec& point);

@@ -84,10 +84,10 @@ struct Look {
     // The offset must be between the normals of the two edges. Where these are all but parallel, the far side
     // is between them too, up to rounding: hence the heights.
     const Vec& other = y->normals[other_edge];
-    const bool between =
-        (turn * cross(other, offset) >= 0.0) & ((dot(other, offset) >= 0.0) | (height >= 0.0));
+    const bool between = turn * cross(other, offset) >= 0.0;
+    const bool near_side = dot(other, offset) >= 0.0 || height >= 0.0;
     squared = dot(offset, offset);
-    edge_holds = between & (squared > 0x1p-960);
+    edge_holds = between && near_side && squared > 0x1p-960;
   }
 
   [[gnu::always_inline]] void look_at_vertex(std::size_t vertex_of_x) {
@@ -106,7 +106,7 @@ struct Look {
 /// Whether both shapes have the features.
 inline bool exist(const ClosestFeatures& f, const Placed& p) {
   const Convex &of_vertex = f.vertex_of_b ? p.b : p.a, &of_edge = f.vertex_of_b ? p.a : p.b;
-  return (f.vertex < of_vertex.vertices.size()) & (f.edge < of_edge.normals.size());
+  return f.vertex < of_vertex.vertices.size() && f.edge < of_edge.normals.size();
 }
 
 /// The answer that a look has proven, in the world.
