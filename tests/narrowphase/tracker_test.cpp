@@ -183,6 +183,39 @@ TEST(Track, MirrorsToTheBitWhenTheShapesAreSwappedWithTheirFeatures) {
   EXPECT_GT(held, kPairs / 4);
 }
 
+// The square of such a gap is 0.
+TEST(Track, SeesAGapBetweenCornersThatIsTooSmallToBeSquared) {
+  const Convex left = convex({{0, 0}, {-1, 0}, {0, -1}}), right = convex({{0, 0}, {1, 0}, {0, 1}});
+  for (double gap : {1e-100, 1e-170, 1e-300}) {
+    ClosestFeatures f{0, 0, true, true};
+    for (int again = 0; again < 2; ++again) {
+      const Separation s = track(left, {{0, 0}}, right, {{gap, gap}}, f);
+      EXPECT_NEAR(s.distance / gap, std::sqrt(2.0), 1e-15) << gap;
+      EXPECT_NEAR(s.normal.x(), std::sqrt(0.5), 1e-15) << gap;
+    }
+  }
+}
+
+TEST(Track, PutsItsWitnessesOnTheSurfaces) {
+  Random random(kSeed + 3);
+  int apart = 0;
+  for (int i = 0; i < kPairs; ++i) {
+    const auto [family, a, b, scale, world] = random_pair(random);
+    ClosestFeatures f;
+    const Separation s = track(a.shape, a.pose, b.shape, b.pose, f);
+    if (s.distance <= 0.0) continue;
+    const Convex point = disc(0.0);
+    ASSERT_NEAR(exhaustive_separation(a.shape, a.pose, point, {s.point_a}).distance, 0.0,
+                16 * kUnitRoundoff * world)
+        << family << " " << i;
+    ASSERT_NEAR(exhaustive_separation(b.shape, b.pose, point, {s.point_b}).distance, 0.0,
+                16 * kUnitRoundoff * world)
+        << family << " " << i;
+    ++apart;
+  }
+  EXPECT_GT(apart, kPairs / 4);
+}
+
 TEST(Track, TakesOneOrTwoStatesAQueryWhereMotionIsSmall) {
   for (int count : {4, 8, 40, 400}) {
     const Convex shape = regular(count);

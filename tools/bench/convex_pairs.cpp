@@ -50,8 +50,8 @@ Course course(Random& random, Gap gap) {
 Placement at(const Course& c, double turned) {
   const Pose bearing = narrowphase::pose({0.0, 0.0}, c.bearing);
   const Vec from{0.25 * c.angle_b, -0.5 * c.angle_a};
-  return {narrowphase::pose(from, c.angle_a + turned),
-          narrowphase::pose(from + bearing * Vec{c.distance, 0.0}, c.angle_b - 0.7 * turned)};
+  return {narrowphase::pose(from, c.angle_a + 0.6 * turned),
+          narrowphase::pose(from + bearing * Vec{c.distance, 0.0}, c.angle_b - 0.4 * turned)};
 }
 
 /// Moves b until it touches; twice, so that rounding is all that is left.

@@ -31,8 +31,8 @@ enum class Gap { near, touching, overlapping };
 /// As "coherent 8 vertices 0.01 rad near".
 std::string case_name(std::size_t vertices, double step, Gap gap);
 
-/// Pairs of polygons with `vertices` corners on circles of radius 1, of eight kinds that pairs share. Both
-/// turn by `step` (rad) from time to time, against each other; with step 0 they stand anew each time. Near:
+/// Pairs of polygons with `vertices` corners on circles of radius 1, of eight kinds that pairs share. They
+/// turn against each other by `step` (rad) from time to time; with step 0 they stand anew each time. Near:
 /// up to half a radius apart; touching: as near to 0 as doubles get; overlapping: about a third of a radius
 /// deep.
 ConvexPairs convex_pairs(std::size_t vertices, double step, Gap gap, bool quick);
