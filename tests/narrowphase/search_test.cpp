@@ -52,7 +52,8 @@ TEST(Gjk, FindsFeaturesThatProveThemselvesOrAnOverlap) {
   Random random(kSeed + 2);
   int apart = 0, overlapping = 0, unproven = 0;
   for (int i = 0; i < 3000; ++i) {
-    const Convex a = round(random, 3 + static_cast<int>(random() % 60)), b = round(random, 3 + static_cast<int>(random() % 60));
+    const Convex a = round(random, 3 + static_cast<int>(random() % 60)),
+                 b = round(random, 3 + static_cast<int>(random() % 60));
     const Pose pose_a = random_pose(random, 1.5), pose_b = random_pose(random, 1.5);
     const bool is_apart = separation(a, pose_a, b, pose_b).distance > 0.0;
     const auto found = gjk(a, b, relative(pose_a, pose_b), {});
@@ -70,9 +71,11 @@ TEST(Walk, EndsInAProofForAnyShapesApart) {
   Random random(kSeed + 3);
   int walked = 0, lost = 0;
   for (int i = 0; i < 20000; ++i) {
-    const Convex a = convex(hull({random_vec(random, 1, 1), random_vec(random, 1, 1), random_vec(random, 1, 0.1),
-                                  random_vec(random, 0.1, 1), random_vec(random, 1, 1)}));
-    const Convex b = convex(hull({random_vec(random, 1, 1), random_vec(random, 1, 0.05), random_vec(random, 1, 0.1)}));
+    const Convex a =
+        convex(hull({random_vec(random, 1, 1), random_vec(random, 1, 1), random_vec(random, 1, 0.1),
+                     random_vec(random, 0.1, 1), random_vec(random, 1, 1)}));
+    const Convex b =
+        convex(hull({random_vec(random, 1, 1), random_vec(random, 1, 0.05), random_vec(random, 1, 0.1)}));
     const Pose pose_a = random_pose(random, 2), pose_b = random_pose(random, 2);
     if (!(separation(a, pose_a, b, pose_b).distance > 0.01)) continue;
     const Placed placed{a, pose_a, b, pose_b};
