@@ -5,7 +5,7 @@
 #include <array>
 
 #include "narrowphase/core_separation.h"
-#include "narrowphase/relative.h"
+#include "narrowphase/search.h"
 
 namespace throng::narrowphase {
 
@@ -25,18 +25,18 @@ bool precedes(const Convex& a, const Pose& pose_a, const Convex& b, const Pose& 
                                       b.vertices.end(), before);
 }
 
-CoreSeparation cores(const Convex& a, const Convex& b, const Pose& b_in_a) {
-  if (b.vertices.size() > 1) return polygon_polygon(a, b, b_in_a);
-  const Vec centre = b_in_a * b.vertices[0];
-  return a.vertices.size() > 1 ? polygon_disc(a, centre) : disc_disc(a.vertices[0], centre - a.vertices[0]);
+Separation with_disc(const Convex& a, const Pose& pose_a, const Convex& disc, const Pose& pose) {
+  const Vec centre = relative(pose_a, pose) * disc.vertices[0];
+  return in_world(
+      a, pose_a, disc,
+      a.normals.empty() ? disc_disc(a.vertices[0], centre - a.vertices[0]) : polygon_disc(a, centre));
 }
 
 Separation ordered(const Convex& a, const Pose& pose_a, const Convex& b, const Pose& pose_b) {
-  const CoreSeparation core = cores(a, b, relative(pose_a, pose_b));
-  const double distance = core.distance - (a.radius + b.radius);
-  const Vec normal = pose_a.rotate(core.normal);
-  const Vec point = pose_a * (core.point + a.radius * core.normal);
-  return {distance, normal, point, point + distance * normal};
+  if (b.normals.empty()) return with_disc(a, pose_a, b, pose_b);
+  ClosestFeatures features;
+  SearchStatistics statistics;
+  return search({a, pose_a, b, pose_b}, false, features, statistics);
 }
 
 }  // namespace

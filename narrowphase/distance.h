@@ -17,8 +17,9 @@ struct Separation {
 /// to each other. Swapping a and b swaps the points and flips the normal, to the bit (two equal shapes in
 /// equal places apart). Segments have no inside: where two cross, or one crosses a polygon, the depth is the
 /// shortest way out; the centre of a disc exactly on a segment takes its first normal; coincident discs take
-/// the x axis. O(n + m) where few vertices may be nearest, as nearly always, O(n m) at worst; allocates
-/// nothing.
+/// the x axis. For pairs that meet once; `track` of tracker.h remembers. O(n + m) for few vertices, O(log n +
+/// log m) for many that are apart, O(n + m) for the depth of those that overlap; where hardly anything parts
+/// the two, O(n m) at worst. Allocates nothing.
 Separation separation(const Convex& a, const Pose& pose_a, const Convex& b, const Pose& pose_b);
 
 }  // namespace throng::narrowphase

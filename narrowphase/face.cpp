@@ -106,4 +106,8 @@ Face widest_face(const Convex& a, const Convex& b, const Pose& b_in_a) {
   return b.vertices.size() <= kFew ? scan(a, b, b_in_a) : walk(a, b, b_in_a);
 }
 
+Faces widest_faces(const Convex& a, const Convex& b, const Pose& b_in_a, const Pose& a_in_b) {
+  return {widest_face(a, b, b_in_a), widest_face(b, a, a_in_b)};
+}
+
 }  // namespace throng::narrowphase

@@ -18,6 +18,16 @@ struct Face {
 /// + m), and O(n m) of a fraction of a nanosecond where b has 32 vertices or fewer.
 Face widest_face(const Convex& a, const Convex& b, const Pose& b_in_a);
 
+/// The widest face of each of two shapes.
+struct Faces {
+  Face of_a, of_b;
+
+  bool a_is_wider() const { return of_a.separation >= of_b.separation; }
+  const Face& widest() const { return a_is_wider() ? of_a : of_b; }
+};
+
+Faces widest_faces(const Convex& a, const Convex& b, const Pose& b_in_a, const Pose& a_in_b);
+
 /// The edge of `a` that looks most towards b's origin: mostly enough to see that the two are apart. O(n + m).
 Face facing_face(const Convex& a, const Convex& b, const Pose& b_in_a);
 

@@ -206,8 +206,10 @@ Manifold disc_manifold(const Convex& a, const Pose& pose_a, const Convex& b, con
 Manifold polygon_disc_manifold(const Roles& roles, double reach) {
   const Convex& polygon = roles.reference;
   const Vec centre = roles.incident_in_reference * roles.incident.vertices[0];
-  const CoreSeparation core = polygon_disc(polygon, centre);
+  const double enough = reach + polygon.radius + roles.incident.radius;
+  const CoreSeparation core = polygon_disc(polygon, centre, enough);
   Manifold m;
+  if (core.distance > enough) return m;
   add(m, roles, core.point, core.normal, core.distance, feature(Touch::points, 0, 0), reach);
   if (m.count > 0) set_normal(m, roles, core.normal);
   return m;

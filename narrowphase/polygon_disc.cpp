@@ -77,11 +77,11 @@ CoreSeparation nearest(const Convex& polygon, const Vec& point) {
   return best;
 }
 
-CoreSeparation polygon_disc(const Convex& polygon, const Vec& point) {
+CoreSeparation polygon_disc(const Convex& polygon, const Vec& point, double enough) {
   const auto [s, edge] = widest_edge(polygon, point);
   const Vec& normal = polygon.normals[edge];
   const CoreSeparation face{s, normal, point - s * normal};
-  if (s < -8.0 * kUnitRoundoff * extent(polygon, point)) return face;
+  if (s > enough || s < -8.0 * kUnitRoundoff * extent(polygon, point)) return face;
   const CoreSeparation outside = nearest(polygon, point);
   return proves_outside(polygon, point, outside) ? outside : face;
 }

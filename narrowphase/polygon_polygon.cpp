@@ -14,7 +14,7 @@ constexpr double kUnitRoundoff = 0x1p-53;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Two polygons in the frame of the first.
-struct Placed {
+struct Relative {
   const Convex& a;
   const Convex& b;
   const Pose b_in_a, a_in_b;
@@ -24,11 +24,11 @@ CoreSeparation flipped(const CoreSeparation& s, const Pose& frame) {
   return {s.distance, -frame.rotate(s.normal), frame * (s.point + s.distance * s.normal)};
 }
 
-CoreSeparation vertex_of_b(const Placed& p, std::size_t j) {
+CoreSeparation vertex_of_b(const Relative& p, std::size_t j) {
   return nearest(p.a, p.b_in_a * p.b.vertices[j]);
 }
 
-CoreSeparation vertex_of_a(const Placed& p, std::size_t i) {
+CoreSeparation vertex_of_a(const Relative& p, std::size_t i) {
   return flipped(nearest(p.b, p.a_in_b * p.a.vertices[i]), p.b_in_a);
 }
 
@@ -38,7 +38,7 @@ struct Supports {
   double gap() const { return b - a; }
 };
 
-Supports supports(const Placed& p, const Vec& normal) {
+Supports supports(const Relative& p, const Vec& normal) {
   Supports s{-kInfinity, kInfinity};
   for (const Vec& v : p.a.vertices) s.a = std::max(s.a, dot(normal, v));
   const Vec in_b = p.b_in_a.unrotate(normal);
@@ -47,7 +47,7 @@ Supports supports(const Placed& p, const Vec& normal) {
   return s;
 }
 
-double extent(const Placed& p) {
+double extent(const Relative& p) {
   double a = 0.0, b = 0.0;
   for (const Vec& v : p.a.vertices) a = std::max({a, std::abs(v.x()), std::abs(v.y())});
   for (const Vec& v : p.b.vertices) b = std::max({b, std::abs(v.x()), std::abs(v.y())});
@@ -57,7 +57,7 @@ double extent(const Placed& p) {
 /// The nearest points of two polygons that are apart, from any vertex's: an upper bound. Its normal's
 /// supports bound the distance from below, and only vertices within the difference of the supports can do
 /// better.
-CoreSeparation closest(const Placed& p, CoreSeparation best) {
+CoreSeparation closest(const Relative& p, CoreSeparation best) {
   const Vec normal = best.normal;
   const Supports limit = supports(p, normal);
   const double slack = std::max(0.0, best.distance - limit.gap()) + 8.0 * kUnitRoundoff * extent(p);
@@ -82,25 +82,24 @@ Vec on_face(const Convex& polygon, const Face& face, const Vec& vertex) {
   return tail + std::clamp(dot(vertex - tail, edge.unit), 0.0, edge.length) * edge.unit;
 }
 
-CoreSeparation face_of_a(const Placed& p, const Face& face) {
+CoreSeparation face_of_a(const Relative& p, const Face& face) {
   return {face.separation, p.a.normals[face.edge], on_face(p.a, face, p.b_in_a * p.b.vertices[face.vertex])};
 }
 
-CoreSeparation face_of_b(const Placed& p, const Face& face) {
+CoreSeparation face_of_b(const Relative& p, const Face& face) {
   const Vec point = on_face(p.b, face, p.a_in_b * p.a.vertices[face.vertex]);
   return flipped({face.separation, p.b.normals[face.edge], point}, p.b_in_a);
 }
 
 }  // namespace
 
-CoreSeparation polygon_polygon(const Convex& a, const Convex& b, const Pose& b_in_a) {
-  const Placed p{a, b, b_in_a, inverse(b_in_a)};
-  const Face of_a = widest_face(a, b, p.b_in_a), of_b = widest_face(b, a, p.a_in_b);
-  const bool first = of_a.separation >= of_b.separation;
-  const double s = first ? of_a.separation : of_b.separation;
-  const CoreSeparation face = first ? face_of_a(p, of_a) : face_of_b(p, of_b);
-  if (s < -8.0 * kUnitRoundoff * extent(p)) return face;
-  const CoreSeparation apart = closest(p, first ? vertex_of_b(p, of_a.vertex) : vertex_of_a(p, of_b.vertex));
+CoreSeparation polygon_polygon(const Convex& a, const Convex& b, const Pose& b_in_a, const Faces& faces) {
+  const Relative p{a, b, b_in_a, inverse(b_in_a)};
+  const bool first = faces.a_is_wider();
+  const CoreSeparation face = first ? face_of_a(p, faces.of_a) : face_of_b(p, faces.of_b);
+  if (face.distance < -8.0 * kUnitRoundoff * extent(p)) return face;
+  const CoreSeparation apart =
+      closest(p, first ? vertex_of_b(p, faces.of_a.vertex) : vertex_of_a(p, faces.of_b.vertex));
   const bool proven = 2.0 * supports(p, apart.normal).gap() > apart.distance;
   return proven ? apart : face;
 }

@@ -29,7 +29,8 @@ TEST_F(BenchCommand, WritesTheRowsOfTheContractForEveryEngineOfACase) {
 }
 
 TEST_F(BenchCommand, AsksAllEnginesTheSameQuestions) {
-  const Result result = throng("bench broadphase_queries --quick --blocks 1 --json " + path("rows.json"));
+  const Result result =
+      throng("bench broadphase --quick --only radius --only nearest --blocks 1 --json " + path("rows.json"));
   ASSERT_EQ(result.exit_code, 0) << result.err;
   std::map<std::string, std::set<std::string>> engines;
   for (const auto& row : nlohmann::json::parse(read(path("rows.json")))) {
@@ -55,6 +56,30 @@ TEST_F(BenchCommand, FindsTheSamePairsWithEveryEngine) {
     for (const char* engine : {"throng", "plain", "nanoflann", "box2d_tree"})
       EXPECT_TRUE(engines[kind + std::string(" n=1000 k=10 random")].contains(engine))
           << kind << ", " << engine;
+}
+
+// The engines' answers are compared before any time is taken: exit code 0 says that they agree.
+TEST_F(BenchCommand, ComparesTheNarrowphaseWithItsPeersBeforeItTimesThem) {
+  const Result result = throng(
+      "bench narrowphase --quick --blocks 1 --only '8 vertices 0.01 rad near' --only discs "
+      "--json " +
+      path("rows.json"));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  std::set<std::string> engines;
+  for (const auto& row : nlohmann::json::parse(read(path("rows.json")))) {
+    engines.insert(row["engine"].get<std::string>());
+    EXPECT_EQ(row["check"], "distances agree");
+    EXPECT_TRUE(row["error"].contains("max_ulp"));
+  }
+  for (const char* engine : {"tracker", "gjk warm", "gjk cold", "separation", "sat", "exhaustive",
+                             "box2d warm", "box2d cold", "cgal", "find_gaps"})
+    EXPECT_TRUE(engines.contains(engine)) << engine;
+}
+
+TEST_F(BenchCommand, RefusesWhatWouldDoNothing) {
+  for (const char* arguments :
+       {"step --quick --large", "recording --engine throng", "step --quick --only nosuch"})
+    EXPECT_EQ(throng(std::string("bench ") + arguments).exit_code, 2) << arguments;
 }
 
 TEST_F(BenchCommand, RefusesABenchmarkThatDoesNotExist) {

@@ -20,13 +20,21 @@ struct Options {
 /// The gallery's scenes step by step: native, Box2D, and for discs the minimal loop of minimal_discs.h.
 std::vector<Row> bench_step(const Options& options);
 
+/// How far apart convex polygons are, moving and not: throng's engines, Box2D's and CGAL's. Times are for a
+/// million queries; errors in ulp of the coordinates' scale, against long double.
+std::vector<Row> bench_narrowphase(const Options& options);
+
+/// The case of bench_narrowphase that is about discs.
+std::vector<Row> bench_disc_gaps(const Options& options);
+
 /// What recording each step costs.
 std::vector<Row> bench_recording(const Options& options);
 
 /// All pairs of clouds: throng, a plain grid, nanoflann and Box2D's tree.
 std::vector<Row> bench_broadphase(const Options& options);
 
-/// Who is near every point of a cloud: throng, nanoflann, Box2D's tree, and all pairs at once.
+/// The cases of bench_broadphase that ask who is near every point: throng, nanoflann, Box2D's tree, and all
+/// pairs at once.
 std::vector<Row> bench_broadphase_queries(const Options& options);
 
 }  // namespace throng::bench

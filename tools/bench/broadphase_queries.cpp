@@ -3,6 +3,7 @@
 // anew each time; beside it what all pairs at once cost.
 #include <box2d/b2_dynamic_tree.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nanoflann.hpp>
 
@@ -225,6 +226,8 @@ void add_rows(const std::string& name, const Cloud& cloud, const Near& near, boo
   std::vector<std::pair<int, std::function<Check()>>> checks;
   const auto add = [&](const char* engine, int threads, std::function<void()> find,
                        std::function<Check()> check) {
+    if (!options.engines.empty() && std::ranges::find(options.engines, engine) == options.engines.end())
+      return;
     contestants.push_back({engine, std::move(find)});
     checks.emplace_back(threads, std::move(check));
   };

@@ -8,18 +8,27 @@
 #include "sim/input_error.h"
 #include "tools/bench/benchmarks.h"
 
+namespace {
+
+void refuse_what_does_nothing(const std::string& name, const throng::bench::Options& options) {
+  if (name != "broadphase" && (options.large || !options.engines.empty()))
+    throw throng::InputError(name + ": --large and --engine are for broadphase");
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   using namespace throng::bench;
   const std::map<std::string, std::vector<Row> (*)(const Options&)> benchmarks = {
       {"step", bench_step},
       {"recording", bench_recording},
       {"broadphase", bench_broadphase},
-      {"broadphase_queries", bench_broadphase_queries}};
+      {"narrowphase", bench_narrowphase}};
   Options options;
   std::string name, json;
   CLI::App app{"The benchmarks of throng: time and error beside each other, engines in turn in one run."};
   app.name("throng bench");
-  app.add_option("NAME", name, "step, recording, broadphase or broadphase_queries")
+  app.add_option("NAME", name, "step, recording, broadphase or narrowphase")
       ->required()
       ->check(CLI::IsMember(benchmarks));
   app.add_option("--scenarios", options.scenarios, "folder of the gallery")->default_val(THRONG_SCENARIOS);
@@ -36,7 +45,9 @@ int main(int argc, char** argv) {
   app.footer("Example: throng bench step --only pile --json step.json");
   try {
     app.parse(argc, argv);
+    refuse_what_does_nothing(name, options);
     const std::vector<Row> rows = benchmarks.at(name)(options);
+    if (rows.empty()) throw throng::InputError(name + ": no case has a name with what --only holds");
     expect_agreement(rows);
     print_table(rows);
     if (!json.empty()) write_json(rows, json);
