@@ -17,11 +17,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace throng::broadphase::HWY_NAMESPACE {
 
-/// Keeps all, as met.
+/// Keeps all, as met, with room for a vector behind the last one.
 struct KeepAll {
   double limit() const { return limit_; }
   HWY_INLINE void take(Mask mask, Reals key, Rows rows) {
-    if (count + kLanes > answers.key.size()) grow();
+    if (count + 2 * kLanes > answers.key.size()) grow();
     hn::CompressBlendedStore(key, mask, D(), answers.key.data() + count);
     count += hn::CompressBlendedStore(rows, hn::RebindMask(U(), mask), U(), answers.who.data() + count);
   }

@@ -186,6 +186,24 @@ TEST(NeighbourSearch, AnswersNothingToNobody) {
   EXPECT_EQ(lists.row, (std::vector<std::uint32_t>{1, 0}));
 }
 
+/// What stands behind the last answer was once written beyond the memory that had been taken for them: seen
+/// with the address sanitizer.
+TEST(NeighbourSearch, HasRoomForAnyNumberOfAnswers) {
+  Random random{20261121};
+  for (std::size_t n = 1; n <= 400; ++n) {
+    Sample s = sample(random, Kind::points, Spread::uniform, n, Point(0.0, 0.0), 1.0, false, false);
+    for (const std::size_t most : {n / 2 + 1, n + 1}) {
+      NeighbourSearch search;
+      NeighbourLists lists;
+      const Point at(0.5, 0.5);
+      search.find(s.tree, {.at = {&at, 1}}, {.most = most}, lists);
+      const Neighbours expected = s.near({at}, {.most = most});
+      ASSERT_EQ(lists.row.size(), expected.size());
+      for (std::size_t i = 0; i < expected.size(); ++i) ASSERT_EQ(lists.row[i], expected[i].row) << n;
+    }
+  }
+}
+
 TEST(NeighbourSearch, GivesThePermutedRowsOfPermutedPoints) {
   Random random(11);
   const Points points = cloud(random, 600, 20.0);
