@@ -30,8 +30,8 @@ struct Thing {
   double margin = 0.0;    ///< m
 };
 
-/// A place in the tree. An inner node's children stand at `first` and `first + 1`; a leaf holds `count` things
-/// from `first` on.
+/// A place in the tree. An inner node's children stand at `first` and `first + 1`; a leaf holds `count`
+/// things from `first` on.
 struct Branch {
   std::uint32_t first = 0, count = 0;  ///< count 0: inner
 };

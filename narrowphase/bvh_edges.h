@@ -27,7 +27,8 @@ inline EdgePoint nearest_on_edge(const Vec& x, const Vec& p, const Vec& q) {
   return {height / length2 * height, p + along / length2 * edge};
 }
 
-/// The nearest points of two edges; where they meet, or the nearest is 0, squared is 0 and both are one point.
+/// The nearest points of two edges; where they meet, or the nearest is 0, squared is 0 and both are one
+/// point.
 struct EdgePairPoints {
   double squared;
   Vec on_a, on_b;

@@ -81,9 +81,8 @@ bool visit_meetings(const Placed<Volume>& p, Order order, Visit visit, Counters&
     }
     return false;
   };
-  return order == Order::depth_first
-             ? visit_overlaps(p.a.tree, p.b.tree, p.frame, leaf, counters)
-             : visit_overlaps_best_first(p.a.tree, p.b.tree, p.frame, leaf, counters);
+  return order == Order::depth_first ? visit_overlaps(p.a.tree, p.b.tree, p.frame, leaf, counters)
+                                     : visit_overlaps_best_first(p.a.tree, p.b.tree, p.frame, leaf, counters);
 }
 
 /// Whether a point lies in a solid that stands at `pose`: the even-odd rule over the edges that a ray passes.
@@ -95,8 +94,7 @@ bool holds(const Outline<Volume>& shape, const Pose& pose, const Frame<2>& frame
   while (!stack.empty()) {
     const auto& node = shape.tree.nodes[stack.pop()];
     const Box<2> box = bounds(node.volume, frame);
-    if (std::abs(point.y() - box.centre.y()) > box.half.y() ||
-        point.x() > box.centre.x() + box.half.x())
+    if (std::abs(point.y() - box.centre.y()) > box.half.y() || point.x() > box.centre.x() + box.half.x())
       continue;
     if (node.branch.count == 0) {
       stack.push(node.branch.first + 1);
@@ -118,8 +116,7 @@ Frame<2> at_rest(const Outline<Volume>& shape) {
 template <class Volume>
 bool one_holds_the_other(const Placed<Volume>& p) {
   if (apart(p.a.tree.root(), p.b.tree.root(), p.frame)) return false;
-  return holds(p.a, Pose{}, at_rest(p.a), p.b_in_a * p.b.start) ||
-         holds(p.b, p.b_in_a, p.frame, p.a.start);
+  return holds(p.a, Pose{}, at_rest(p.a), p.b_in_a * p.b.start) || holds(p.b, p.b_in_a, p.frame, p.a.start);
 }
 
 /// A vertex in the other solid, its nearest place on that one's outline, as places of edges.
@@ -178,14 +175,21 @@ OutlineProximity overlapping(const Placed<Volume>& p, const Nearest& nearest_edg
   const Deepest of_b = deepest_vertex(p.a, p.b, p.b_in_a, p.frame.slack);
   const Deepest of_a = deepest_vertex(p.b, p.a, a_in_b, p.frame.slack);
   if (of_b.found && of_b.depth >= of_a.depth)
-    return {std::min(parted, -of_b.depth), -of_b.depth,           of_b.on_outline, of_b.at,
-            p.a.edges[of_b.edge].index,    p.b.edges[of_b.vertex].index};
+    return {std::min(parted, -of_b.depth), -of_b.depth, of_b.on_outline, of_b.at, p.a.edges[of_b.edge].index,
+            p.b.edges[of_b.vertex].index};
   if (of_a.found)
-    return {std::min(parted, -of_a.depth), -of_a.depth,
-            p.b_in_a * of_a.at,            p.b_in_a * of_a.on_outline,
-            p.a.edges[of_a.vertex].index,  p.b.edges[of_a.edge].index};
+    return {std::min(parted, -of_a.depth),
+            -of_a.depth,
+            p.b_in_a * of_a.at,
+            p.b_in_a * of_a.on_outline,
+            p.a.edges[of_a.vertex].index,
+            p.b.edges[of_a.edge].index};
   const EdgePairPoints points = compare(p, nearest_edges.a, nearest_edges.b);
-  return {parted, 0.0, points.on_a, points.on_a, p.a.edges[nearest_edges.a].index,
+  return {parted,
+          0.0,
+          points.on_a,
+          points.on_a,
+          p.a.edges[nearest_edges.a].index,
           p.b.edges[nearest_edges.b].index};
 }
 
@@ -306,15 +310,15 @@ bool contains(const Outline<Volume>& shape, const Vec& point) {
   return holds(shape, Pose{}, at_rest(shape), point);
 }
 
-#define THRONG_OUTLINE(VOLUME)                                                                             \
-  template Outline<VOLUME> outline<VOLUME>(std::span<const std::vector<Vec>>, const BvhConfig&);           \
-  template OutlineProximity proximity(const Outline<VOLUME>&, const Pose&, const Outline<VOLUME>&,         \
-                                      const Pose&, const OutlineQuestion&);                                \
-  template bool collide(const Outline<VOLUME>&, const Pose&, const Outline<VOLUME>&, const Pose&, Order,   \
-                        BvhCounters*);                                                                     \
-  template void find_meetings(const Outline<VOLUME>&, const Pose&, const Outline<VOLUME>&, const Pose&,    \
-                              std::vector<std::pair<std::uint32_t, std::uint32_t>>&, BvhCounters*);        \
-  template OutlinePoint nearest(const Outline<VOLUME>&, const Vec&, OutlineCache*, BvhCounters*);          \
+#define THRONG_OUTLINE(VOLUME)                                                                           \
+  template Outline<VOLUME> outline<VOLUME>(std::span<const std::vector<Vec>>, const BvhConfig&);         \
+  template OutlineProximity proximity(const Outline<VOLUME>&, const Pose&, const Outline<VOLUME>&,       \
+                                      const Pose&, const OutlineQuestion&);                              \
+  template bool collide(const Outline<VOLUME>&, const Pose&, const Outline<VOLUME>&, const Pose&, Order, \
+                        BvhCounters*);                                                                   \
+  template void find_meetings(const Outline<VOLUME>&, const Pose&, const Outline<VOLUME>&, const Pose&,  \
+                              std::vector<std::pair<std::uint32_t, std::uint32_t>>&, BvhCounters*);      \
+  template OutlinePoint nearest(const Outline<VOLUME>&, const Vec&, OutlineCache*, BvhCounters*);        \
   template bool contains(const Outline<VOLUME>&, const Vec&);
 THRONG_OUTLINE(Ball<2>)
 THRONG_OUTLINE(Box<2>)

@@ -29,7 +29,8 @@ struct Outline {
 template <class Volume>
 Outline<Volume> outline(std::span<const std::vector<Vec>> rings, const BvhConfig& config = {});
 
-/// Where a pair's last answer was: keep one per pair and pass it again. Any value is right, a near one is fast.
+/// Where a pair's last answer was: keep one per pair and pass it again. Any value is right, a near one is
+/// fast.
 struct OutlineCache {
   std::uint32_t a = 0, b = 0;  ///< places in `edges`
 };
@@ -44,9 +45,9 @@ struct OutlineQuestion {
 /// the other: upper <= 0 is minus how deep the deepest vertex lies in the other solid, a lower bound of the
 /// penetration depth, and the points show that depth; a translation by -lower surely parts the two.
 struct OutlineProximity {
-  double lower, upper;          ///< m, signed
-  Vec point_a, point_b;         ///< m, world, on the outlines; where the two overlap one is the deepest vertex
-  std::uint32_t edge_a, edge_b; ///< an edge of each that has the point
+  double lower, upper;   ///< m, signed
+  Vec point_a, point_b;  ///< m, world, on the outlines; where the two overlap one is the deepest vertex
+  std::uint32_t edge_a, edge_b;  ///< an edge of each that has the point
 };
 
 /// Swapping a and b swaps the answer, to the bit. Edges are compared in one frame, b's vertices rounded once:

@@ -89,8 +89,7 @@ class Splitter {
     if (plane.axis >= 0) {
       const auto middle = std::partition(
           begin, end, [&](std::uint32_t thing) { return centre(thing, plane.axis) < plane.at; });
-      if (middle != begin && middle != end)
-        return static_cast<std::uint32_t>(middle - result_.order.begin());
+      if (middle != begin && middle != end) return static_cast<std::uint32_t>(middle - result_.order.begin());
     }
     return halve(task, longest(box));
   }

@@ -55,8 +55,8 @@ class TraversalStack {
 template <class Volume>
 std::array<NodePair, 2> opened(const Bvh<Volume>& a, const Bvh<Volume>& b, const NodePair& pair) {
   const auto &node_a = a.nodes[pair.a], &node_b = b.nodes[pair.b];
-  const bool open_a = node_a.branch.count == 0 &&
-                      (node_b.branch.count > 0 || radius(node_a.volume) > radius(node_b.volume));
+  const bool open_a =
+      node_a.branch.count == 0 && (node_b.branch.count > 0 || radius(node_a.volume) > radius(node_b.volume));
   if (open_a) return {NodePair{node_a.branch.first, pair.b}, NodePair{node_a.branch.first + 1, pair.b}};
   return {NodePair{pair.a, node_b.branch.first}, NodePair{pair.a, node_b.branch.first + 1}};
 }
@@ -89,7 +89,8 @@ bool visit_overlaps(const Bvh<Volume>& a, const Bvh<Volume>& b, const Frame<kDim
   return false;
 }
 
-/// The same, greedily: of all open pairs the one whose volumes are deepest in each other. Allocates its queue.
+/// The same, greedily: of all open pairs the one whose volumes are deepest in each other. Allocates its
+/// queue.
 template <class Volume, int kDim, class Leaf, class Counters>
 bool visit_overlaps_best_first(const Bvh<Volume>& a, const Bvh<Volume>& b, const Frame<kDim>& b_in_a,
                                Leaf leaf, Counters& counters) {
@@ -126,14 +127,15 @@ bool visit_overlaps_best_first(const Bvh<Volume>& a, const Bvh<Volume>& b, const
   return false;
 }
 
-/// Below what bound a pair must be opened, when `upper` is known and the answer may be off by `relative_error`.
+/// Below what bound a pair must be opened, when `upper` is known and the answer may be off by
+/// `relative_error`.
 inline double worth_opening(double upper, double relative_error) {
   return upper > 0.0 ? upper / (1.0 + relative_error) : upper;
 }
 
 /// The least of what `upper = leaf(branch of a, branch of b, upper)` finds over all pairs of leaves: depth
-/// first, the closer pair first, nothing opened whose bound is not below upper / (1 + relative_error). `upper`
-/// comes in as what is already known. Returns a lower bound of the least, `upper` itself where
+/// first, the closer pair first, nothing opened whose bound is not below upper / (1 + relative_error).
+/// `upper` comes in as what is already known. Returns a lower bound of the least, `upper` itself where
 /// relative_error is 0. Stops where the least is `enough` or less. Allocates nothing.
 template <class Volume, int kDim, class Leaf, class Counters>
 double minimise(const Bvh<Volume>& a, const Bvh<Volume>& b, const Frame<kDim>& b_in_a, double relative_error,

@@ -135,7 +135,8 @@ Case random_case(Random& random, std::size_t trial) {
     c.a = scaled(c.a, c.scale, inner), c.b = scaled(c.b, c.scale, inner);
     c.pose_a.position *= c.scale, c.pose_b.position *= c.scale;
     const Vec offset = trial % 4 < 2 ? Vec(0, 0) : Vec(1e6 * c.scale, 1e6 * c.scale);
-    c.pose_a.position += offset - c.pose_a.rotate(inner), c.pose_b.position += offset - c.pose_b.rotate(inner);
+    c.pose_a.position += offset - c.pose_a.rotate(inner),
+        c.pose_b.position += offset - c.pose_b.rotate(inner);
     if (trial % 4 != 0) c.scale *= 1e6;
   }
   return c;

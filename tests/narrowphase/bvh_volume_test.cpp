@@ -78,8 +78,7 @@ TYPED_TEST(BoundingVolume, HoldsThePointsThatItWasFittedTo) {
     const TypeParam volume = around<TypeParam>(points);
     double reach = 0.0;
     for (const auto& p : points) reach = std::max(reach, p.template lpNorm<1>());
-    for (const auto& p : points)
-      EXPECT_LE(std::sqrt(squared_bound(volume, p)), 0x1p-47 * reach) << trial;
+    for (const auto& p : points) EXPECT_LE(std::sqrt(squared_bound(volume, p)), 0x1p-47 * reach) << trial;
   }
 }
 
@@ -104,8 +103,7 @@ TYPED_TEST(BoundingVolume, IsNeverFartherAwayThanWhatItHolds) {
     double nearest = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 60; ++i) {
       const Point<kDim> p = sample(random, a);
-      for (int j = 0; j < 4; ++j)
-        nearest = std::min(nearest, (turn * sample(random, b) + shift - p).norm());
+      for (int j = 0; j < 4; ++j) nearest = std::min(nearest, (turn * sample(random, b) + shift - p).norm());
     }
     EXPECT_LE(least, nearest) << trial;
     EXPECT_TRUE(least <= 0.0 || apart(a, b, place)) << trial;
@@ -143,7 +141,8 @@ TYPED_TEST(BoundingVolume, StandsInABoxWhereverItIsPlaced) {
     const TypeParam volume = around<TypeParam>(random_points<kDim>(random));
     const Rotation<kDim> turn = random_turn(random, Rotation<kDim>());
     const Point<kDim> shift = random_point<kDim>(random, 3.0);
-    const Frame<kDim> place = frame<kDim>(turn, shift, volume.centre.template lpNorm<1>() + 3 * radius(volume));
+    const Frame<kDim> place =
+        frame<kDim>(turn, shift, volume.centre.template lpNorm<1>() + 3 * radius(volume));
     const Box<kDim> box = bounds(volume, place);
     const Point<kDim> p = turn * sample(random, volume) + shift;
     EXPECT_LE(((p - box.centre).cwiseAbs() - box.half).maxCoeff(), 0.0) << trial;
@@ -158,11 +157,11 @@ TEST(BoundingVolumes, AreAsFarApartAsOnPaper) {
   const Ball<2> disc{{0, 0}, 1.0};
   EXPECT_NEAR(bound(disc, disc, turned(1.0, {3, 4})), 3.0, 1e-12);
   const Box<2> square{{0, 0}, {1, 1}};
-  EXPECT_NEAR(bound(square, square, turned(0.0, {5, 6})), 5.0, 1e-12);                  // corners: 3, 4
+  EXPECT_NEAR(bound(square, square, turned(0.0, {5, 6})), 5.0, 1e-12);  // corners: 3, 4
   EXPECT_NEAR(bound(square, square, turned(0.25 * std::numbers::pi, {4, 0})), 3 - std::sqrt(2.0), 1e-12);
   EXPECT_NEAR(bound(square, square, turned(0.0, {1.5, 0})), -0.5, 1e-12);
-  EXPECT_FALSE(apart(square, square, turned(0.0, {2, 2})));                             // corners touch
-  EXPECT_TRUE(apart(square, square, turned(0.25 * std::numbers::pi, {1.8, 1.8})));      // only b's axes show it
+  EXPECT_FALSE(apart(square, square, turned(0.0, {2, 2})));                         // corners touch
+  EXPECT_TRUE(apart(square, square, turned(0.25 * std::numbers::pi, {1.8, 1.8})));  // only b's axes show it
 }
 
 /// Two long boxes across each other, one above the other: only the axis across both edges parts them.
@@ -199,7 +198,8 @@ TEST(OrientedBoxes, InThePlaneHaveTheLeastAreaOfAll) {
   Random random(7);
   for (int trial = 0; trial < 2000; ++trial) {
     Points<2> points;
-    for (std::size_t i = 0, count = 3 + random() % 40; i < count; ++i) points.push_back(random_vec(random, 2, 1));
+    for (std::size_t i = 0, count = 3 + random() % 40; i < count; ++i)
+      points.push_back(random_vec(random, 2, 1));
     reduce_to_hull<2>(points);
     double least = 1e300;
     for (std::size_t i = 0; i < points.size(); ++i) {
