@@ -29,7 +29,7 @@ TEST(PartsBvh, SaysWhatAllPairsOfPartsSay) {
     const auto a = parts(random, trial), b = parts(random, random());
     const Vec at = random_vec(random, 5.0, 5.0) + Vec(far, far);
     const Pose pose_a = pose(at, uniform(random, -4, 4));
-    const Pose pose_b = pose(at + random_vec(random, 7.0, 7.0), uniform(random, -4, 4));
+    const Pose pose_b = pose(at + random_vec(random, 6.0, 6.0), uniform(random, -4, 4));
     const Separation expected = separation(a, pose_a, b, pose_b);
     const Separation found =
         separation(parts_bvh(a, {Split::sah, 2}), pose_a, parts_bvh(b, {Split::middle, 3}), pose_b);
