@@ -9,8 +9,8 @@
 #include <limits>
 #include <memory>
 
+#include "narrowphase/bvh_parts.h"
 #include "narrowphase/manifold.h"
-#include "narrowphase/nearest_parts.h"
 #include "sim/input_error.h"
 #include "tools/commands.h"
 #include "tools/pair_query.h"
@@ -65,7 +65,7 @@ Json json(const narrowphase::Manifold& m) {
 }
 
 Json answer(const PairQuery& q) {
-  const Separation s = separation(q.a.parts, q.a.pose, q.b.parts, q.b.pose);
+  const Separation s = separation(parts_bvh(q.a.parts), q.a.pose, parts_bvh(q.b.parts), q.b.pose);
   const bool convex = q.a.parts.size() == 1 && q.b.parts.size() == 1;
   Json result;
   if (!q.id.is_null()) result["id"] = q.id;

@@ -82,6 +82,22 @@ TEST_F(BenchCommand, RefusesWhatWouldDoNothing) {
     EXPECT_EQ(throng(std::string("bench ") + arguments).exit_code, 2) << arguments;
 }
 
+TEST_F(BenchCommand, FindsTheSameInEveryHierarchyAndWithout) {
+  const Result result = throng("bench bvh --quick --blocks 1 --json " + path("rows.json"));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  std::map<std::string, std::set<std::string>> engines;
+  for (const auto& row : nlohmann::json::parse(read(path("rows.json")))) {
+    engines[row["case"]].insert(row["engine"]);
+    EXPECT_TRUE(!std::string(row["case"]).starts_with("within a") || row["check"] == "1") << row;
+  }
+  EXPECT_EQ(engines["point coast n=256"], (std::set<std::string>{"aabb", "disc", "obb", "cgal", "brute"}));
+  EXPECT_EQ(
+      engines["distance interlocked coast n=256"],
+      (std::set<std::string>{"aabb", "disc", "obb", "aabb cached", "disc cached", "obb cached", "brute"}));
+  EXPECT_EQ(engines["first hit touching coast n=256"].size(), 6u);
+  EXPECT_EQ(engines["volume star n=256"], (std::set<std::string>{"aabb", "disc", "obb"}));
+}
+
 TEST_F(BenchCommand, RefusesABenchmarkThatDoesNotExist) {
   const Result result = throng("bench nonsense");
   EXPECT_EQ(result.exit_code, 2);

@@ -37,4 +37,7 @@ std::vector<Row> bench_broadphase(const Options& options);
 /// pairs at once.
 std::vector<Row> bench_broadphase_queries(const Options& options);
 
+/// Hierarchies over large polygons: what their volumes are worth, building, points, collisions, distances.
+std::vector<Row> bench_bvh(const Options& options);
+
 }  // namespace throng::bench

@@ -23,12 +23,13 @@ int main(int argc, char** argv) {
       {"step", bench_step},
       {"recording", bench_recording},
       {"broadphase", bench_broadphase},
-      {"narrowphase", bench_narrowphase}};
+      {"narrowphase", bench_narrowphase},
+      {"bvh", bench_bvh}};
   Options options;
   std::string name, json;
   CLI::App app{"The benchmarks of throng: time and error beside each other, engines in turn in one run."};
   app.name("throng bench");
-  app.add_option("NAME", name, "step, recording, broadphase or narrowphase")
+  app.add_option("NAME", name, "step, recording, broadphase, narrowphase or bvh")
       ->required()
       ->check(CLI::IsMember(benchmarks));
   app.add_option("--scenarios", options.scenarios, "folder of the gallery")->default_val(THRONG_SCENARIOS);
