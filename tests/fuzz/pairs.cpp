@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// A line of `throng pairs`: refused by InputError, or answered in finite numbers that fit together.
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "sim/input_error.h"
+#include "tests/fuzz/fuzz.h"
+#include "tools/pair_answer.h"
+
+namespace throng::fuzz {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using narrowphase::Convex;
+using narrowphase::Vec;
+using tools::PairQuery;
+using tools::Solid;
+
+double scale(const Solid& solid) {
+  double size = solid.pose.position.cwiseAbs().maxCoeff();
+  for (const Convex& part : solid.parts)
+    for (const Vec& v : part.vertices) size = std::max(size, v.cwiseAbs().maxCoeff() + part.radius);
+  return size;
+}
+
+Vec vec(const Json& value) {
+  return {value[0].get<double>(), value[1].get<double>()};
+}
+
+bool is_finite(const Json& value) {
+  if (value.is_structured()) return std::all_of(value.begin(), value.end(), is_finite);
+  return !value.is_number_float() || std::isfinite(value.get<double>());
+}
+
+void check(const Json& answer, double size) {
+  expect(is_finite(answer), "all figures are finite");
+  const double distance = answer["distance"], lower = answer["lower"], upper = answer["upper"];
+  expect(lower <= upper && upper == distance, "lower <= upper == distance");
+  expect(answer["collide"] == (distance <= 0.0), "what is not apart collides");
+  const Vec normal = vec(answer["normal"]);
+  expect(std::abs(normal.norm() - 1.0) <= 1e-15, "the normal has length 1");
+  const Vec off = vec(answer["point_a"]) + distance * normal - vec(answer["point_b"]);
+  expect(off.cwiseAbs().maxCoeff() <= 1e-14 * size, "the points are the distance apart");
+}
+
+}  // namespace
+
+}  // namespace throng::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace throng;
+  try {
+    tools::PairQuery query = tools::read_pair({reinterpret_cast<const char*>(data), size});
+    const double length = fuzz::scale(query.a) + fuzz::scale(query.b);
+    const fuzz::Json one = answer(query);
+    fuzz::check(one, length);
+    std::swap(query.a, query.b);
+    const fuzz::Json other = answer(query);
+    fuzz::check(other, length);
+    fuzz::expect(one["distance"] == other["distance"], "swapped solids are as far apart");
+  } catch (const InputError&) {
+  }
+  return 0;
+}
