@@ -35,6 +35,14 @@ void enclose(const Points<kDim>& points, OrientedBox<kDim>& volume);
 template <int kDim>
 void enclose_by_svd(const Points<kDim>& points, OrientedBox<kDim>& volume);
 
+/// The oriented box above, and the least ball around its centre. O(n).
+template <int kDim>
+void enclose(const Points<kDim>& points, BoxAndBall<kDim>& volume) {
+  enclose(points, static_cast<OrientedBox<kDim>&>(volume));
+  volume.radius = 0.0;
+  for (const Point<kDim>& p : points) volume.radius = std::max(volume.radius, (p - volume.centre).norm());
+}
+
 /// Makes room for what is rounded by `margin` (m).
 template <int kDim>
 void grow(Ball<kDim>& volume, double margin) {
@@ -43,6 +51,11 @@ void grow(Ball<kDim>& volume, double margin) {
 template <class Boxes>
 void grow(Boxes& volume, double margin) {
   volume.half.array() += margin;
+}
+template <int kDim>
+void grow(BoxAndBall<kDim>& volume, double margin) {
+  volume.half.array() += margin;
+  volume.radius += margin;
 }
 
 }  // namespace throng::narrowphase

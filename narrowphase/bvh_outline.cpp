@@ -57,6 +57,23 @@ EdgePairPoints compare(const Placed<Volume>& p, std::uint32_t i, std::uint32_t j
   return nearest_of_edges(e.p, e.q, p.b_in_a * f.p, p.b_in_a * f.q);
 }
 
+template <class Volume>
+bool meet(const Placed<Volume>& p, std::uint32_t i, std::uint32_t j) {
+  const OutlineEdge &e = p.a.edges[i], &f = p.b.edges[j];
+  return segments_meet(e.p, e.q, p.b_in_a * f.p, p.b_in_a * f.q);
+}
+
+OutlineCache swapped(const OutlineCache& cache) {
+  return {cache.b, cache.a};
+}
+
+/// The same place, or where there is none the last one.
+template <class Volume>
+OutlineCache within(const OutlineCache& cache, const Placed<Volume>& p) {
+  return {std::min(cache.a, static_cast<std::uint32_t>(p.a.edges.size() - 1)),
+          std::min(cache.b, static_cast<std::uint32_t>(p.b.edges.size() - 1))};
+}
+
 template <class Volume, class Counters>
 double find_nearest(const Placed<Volume>& p, double relative_error, Nearest& best, Counters& counters) {
   best.consider(compare(p, best.a, best.b).squared, best.a, best.b);
@@ -123,9 +140,8 @@ template <class Volume, class Counters>
 OutlineProximity ordered(const Outline<Volume>& a, const Pose& pose_a, const Outline<Volume>& b,
                          const Pose& pose_b, double relative_error, OutlineCache& cache, Counters& counters) {
   const Placed<Volume> p = placed(a, pose_a, b, pose_b);
-  Nearest best;
-  best.a = std::min(cache.a, static_cast<std::uint32_t>(a.edges.size() - 1));
-  best.b = std::min(cache.b, static_cast<std::uint32_t>(b.edges.size() - 1));
+  const OutlineCache last = within(cache, p);
+  Nearest best{kInfinity, last.a, last.b};
   const double lower = find_nearest(p, relative_error, best, counters);
   cache = {best.a, best.b};
   OutlineProximity result;
@@ -140,14 +156,6 @@ OutlineProximity ordered(const Outline<Volume>& a, const Pose& pose_a, const Out
   result.point_a = pose_a * result.point_a;
   result.point_b = pose_a * result.point_b;
   return result;
-}
-
-/// Calls `ask(counters)`, with those that cost nothing where none are wanted.
-template <class Ask>
-auto counting(BvhCounters* counters, Ask ask) {
-  if (counters != nullptr) return ask(*counters);
-  NoCounters none;
-  return ask(none);
 }
 
 }  // namespace
@@ -180,20 +188,27 @@ OutlineProximity proximity(const Outline<Volume>& a, const Pose& pose_a, const O
   return counting(question.counters, [&](auto& counters) -> OutlineProximity {
     if (!precedes(b, pose_b, a, pose_a))
       return ordered(a, pose_a, b, pose_b, question.relative_error, cache, counters);
-    OutlineCache swapped{cache.b, cache.a};
-    const OutlineProximity s = ordered(b, pose_b, a, pose_a, question.relative_error, swapped, counters);
-    cache = {swapped.b, swapped.a};
+    OutlineCache other = swapped(cache);
+    const OutlineProximity s = ordered(b, pose_b, a, pose_a, question.relative_error, other, counters);
+    cache = swapped(other);
     return {s.lower, s.upper, s.point_b, s.point_a, s.edge_b, s.edge_a};
   });
 }
 
 template <class Volume>
 bool collide(const Outline<Volume>& a, const Pose& pose_a, const Outline<Volume>& b, const Pose& pose_b,
-             Order order, BvhCounters* counters) {
+             const CollisionQuestion& question) {
   const bool swap = precedes(b, pose_b, a, pose_a);
   const Placed<Volume> p = swap ? placed(b, pose_b, a, pose_a) : placed(a, pose_a, b, pose_b);
-  const auto stop = [](std::uint32_t, std::uint32_t) { return true; };
-  return counting(counters, [&](auto& c) { return visit_meetings(p, order, stop, c); }) ||
+  OutlineCache own;
+  OutlineCache& cache = question.cache != nullptr ? *question.cache : own;
+  const OutlineCache last = within(swap ? swapped(cache) : cache, p);
+  if (question.cache != nullptr && meet(p, last.a, last.b)) return true;
+  const auto stop = [&](std::uint32_t i, std::uint32_t j) {
+    cache = swap ? OutlineCache{j, i} : OutlineCache{i, j};
+    return true;
+  };
+  return counting(question.counters, [&](auto& c) { return visit_meetings(p, question.order, stop, c); }) ||
          one_holds_the_other(p);
 }
 
@@ -236,19 +251,20 @@ bool contains(const Outline<Volume>& shape, const Vec& point) {
   return holds(shape, Pose{}, at_rest(shape), point);
 }
 
-#define THRONG_OUTLINE(VOLUME)                                                                           \
-  template Outline<VOLUME> outline<VOLUME>(std::span<const std::vector<Vec>>, const BvhConfig&);         \
-  template OutlineProximity proximity(const Outline<VOLUME>&, const Pose&, const Outline<VOLUME>&,       \
-                                      const Pose&, const OutlineQuestion&);                              \
-  template bool collide(const Outline<VOLUME>&, const Pose&, const Outline<VOLUME>&, const Pose&, Order, \
-                        BvhCounters*);                                                                   \
-  template void find_meetings(const Outline<VOLUME>&, const Pose&, const Outline<VOLUME>&, const Pose&,  \
-                              std::vector<std::pair<std::uint32_t, std::uint32_t>>&, BvhCounters*);      \
-  template OutlinePoint nearest(const Outline<VOLUME>&, const Vec&, OutlineCache*, BvhCounters*);        \
+#define THRONG_OUTLINE(VOLUME)                                                                          \
+  template Outline<VOLUME> outline<VOLUME>(std::span<const std::vector<Vec>>, const BvhConfig&);        \
+  template OutlineProximity proximity(const Outline<VOLUME>&, const Pose&, const Outline<VOLUME>&,      \
+                                      const Pose&, const OutlineQuestion&);                             \
+  template bool collide(const Outline<VOLUME>&, const Pose&, const Outline<VOLUME>&, const Pose&,       \
+                        const CollisionQuestion&);                                                      \
+  template void find_meetings(const Outline<VOLUME>&, const Pose&, const Outline<VOLUME>&, const Pose&, \
+                              std::vector<std::pair<std::uint32_t, std::uint32_t>>&, BvhCounters*);     \
+  template OutlinePoint nearest(const Outline<VOLUME>&, const Vec&, OutlineCache*, BvhCounters*);       \
   template bool contains(const Outline<VOLUME>&, const Vec&);
 THRONG_OUTLINE(Ball<2>)
 THRONG_OUTLINE(Box<2>)
 THRONG_OUTLINE(OrientedBox<2>)
+THRONG_OUTLINE(BoxAndBall<2>)
 #undef THRONG_OUTLINE
 
 }  // namespace throng::narrowphase

@@ -15,8 +15,8 @@ struct OutlineEdge {
   std::uint32_t index;  ///< among all edges as given, ring after ring
 };
 
-/// `Volume`: Ball<2>, Box<2> or OrientedBox<2>. Boxes are the quickest to build and to ask for points,
-/// oriented ones for what is long and near; see `throng bench bvh`.
+/// `Volume`: Ball<2>, Box<2>, OrientedBox<2> or BoxAndBall<2>. Boxes are the quickest to build and to ask for
+/// points, oriented ones for what is long and near; see `throng bench bvh`.
 template <class Volume>
 struct Outline {
   Bvh<Volume> tree;
@@ -57,10 +57,17 @@ template <class Volume>
 OutlineProximity proximity(const Outline<Volume>& a, const Pose& pose_a, const Outline<Volume>& b,
                            const Pose& pose_b, const OutlineQuestion& question = {});
 
-/// Whether the two solids share a point: at the first pair of edges that meet, or by containment.
+struct CollisionQuestion {
+  Order order = Order::depth_first;
+  OutlineCache* cache = nullptr;  ///< read, and written where edges meet
+  BvhCounters* counters = nullptr;
+};
+
+/// Whether the two solids share a point: at the first pair of edges that meet, the last step's before all
+/// others, or by containment.
 template <class Volume>
 bool collide(const Outline<Volume>& a, const Pose& pose_a, const Outline<Volume>& b, const Pose& pose_b,
-             Order order = Order::depth_first, BvhCounters* counters = nullptr);
+             const CollisionQuestion& question = {});
 
 /// Replaces `meetings` by all pairs of edges (their indices) that share a point, ascending.
 template <class Volume>

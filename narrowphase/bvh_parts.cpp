@@ -9,25 +9,35 @@ namespace throng::narrowphase {
 
 namespace {
 
-template <class Counters>
-Separation nearest(const PartsBvh& a, const Pose& pose_a, const PartsBvh& b, const Pose& pose_b,
-                   Counters& counters) {
-  std::uint32_t first = 0, second = 0;
-  Separation best = separation(a.parts[0], pose_a, b.parts[0], pose_b);
+/// The nearest pair of parts so far.
+struct Nearest {
+  Separation separation;
+  std::uint32_t a, b;
+};
+
+/// Improves on `best`; `ask(i, j)` says how far two parts are.
+template <class Ask, class Counters>
+void find_nearest(const PartsBvh& a, const PartsBvh& b, const Pose& b_in_a, Nearest& best, Ask ask,
+                  Counters& counters) {
   const auto leaf = [&](const Branch& of_a, const Branch& of_b, double) {
     for (std::uint32_t k = of_a.first; k < of_a.first + of_a.count; ++k)
       for (std::uint32_t l = of_b.first; l < of_b.first + of_b.count; ++l) {
         const std::uint32_t i = a.tree.order[k], j = b.tree.order[l];
-        const Separation s = separation(a.parts[i], pose_a, b.parts[j], pose_b);
-        if (std::tuple(s.distance, i, j) < std::tuple(best.distance, first, second))
-          best = s, first = i, second = j;
+        const Separation s = ask(i, j);
+        if (std::tuple(s.distance, i, j) < std::tuple(best.separation.distance, best.a, best.b))
+          best = {s, i, j};
       }
-    return best.distance;
+    return best.separation.distance;
   };
-  const Frame<2> b_in_a = frame(relative(pose_a, pose_b), a.tree.reach + b.tree.reach);
-  double upper = best.distance;
-  minimise(a.tree, b.tree, b_in_a, 0.0, -std::numeric_limits<double>::infinity(), upper, leaf, counters);
-  return best;
+  double upper = best.separation.distance;
+  minimise(a.tree, b.tree, frame(b_in_a, a.tree.reach + b.tree.reach), 0.0,
+           -std::numeric_limits<double>::infinity(), upper, leaf, counters);
+}
+
+PartsMemory::Features& place(PartsMemory& memory, std::uint32_t i, std::uint32_t j) {
+  PartsMemory::Features& found = memory.features[(i * 37 + j) % memory.features.size()];
+  if (found.a != i || found.b != j) found = {i, j, {}};
+  return found;
 }
 
 }  // namespace
@@ -42,14 +52,30 @@ PartsBvh parts_bvh(std::span<const Convex> parts, const BvhConfig& config) {
   const auto append = [&](std::uint32_t i, Points<2>& points) {
     points.insert(points.end(), parts[i].vertices.begin(), parts[i].vertices.end());
   };
-  return {parts, build_bvh<Box<2>>(things, append, config)};
+  return {parts, build_bvh<BoxAndBall<2>>(things, append, config)};
 }
 
 Separation separation(const PartsBvh& a, const Pose& pose_a, const PartsBvh& b, const Pose& pose_b,
                       BvhCounters* counters) {
-  if (counters != nullptr) return nearest(a, pose_a, b, pose_b, *counters);
-  NoCounters none;
-  return nearest(a, pose_a, b, pose_b, none);
+  const auto ask = [&](std::uint32_t i, std::uint32_t j) {
+    return separation(a.parts[i], pose_a, b.parts[j], pose_b);
+  };
+  Nearest best{ask(0, 0), 0, 0};
+  counting(counters, [&](auto& c) { find_nearest(a, b, relative(pose_a, pose_b), best, ask, c); });
+  return best.separation;
+}
+
+Separation track(const PartsBvh& a, const Pose& pose_a, const PartsBvh& b, const Pose& pose_b,
+                 PartsMemory& memory, BvhCounters* counters, SearchStatistics* statistics) {
+  const auto ask = [&](std::uint32_t i, std::uint32_t j) {
+    return track(a.parts[i], pose_a, b.parts[j], pose_b, place(memory, i, j).features, statistics);
+  };
+  const std::uint32_t i = memory.a < a.parts.size() ? memory.a : 0,
+                      j = memory.b < b.parts.size() ? memory.b : 0;
+  Nearest best{ask(i, j), i, j};
+  counting(counters, [&](auto& c) { find_nearest(a, b, relative(pose_a, pose_b), best, ask, c); });
+  memory.a = best.a, memory.b = best.b;
+  return best.separation;
 }
 
 }  // namespace throng::narrowphase

@@ -25,6 +25,14 @@ struct NoCounters {
   } nodes, leaves;
 };
 
+/// Calls `ask(counters)`, with those that cost nothing where none are wanted.
+template <class Ask>
+auto counting(BvhCounters* counters, Ask ask) {
+  if (counters != nullptr) return ask(*counters);
+  NoCounters none;
+  return ask(none);
+}
+
 enum class Order {
   depth_first,  ///< the closer child first
   best_first    ///< of all pairs the one that overlaps most: f = d / (rX + rY), d between centres
@@ -147,7 +155,8 @@ double minimise(const Bvh<Volume>& a, const Bvh<Volume>& b, const Frame<kDim>& b
   double least_skipped = std::numeric_limits<double>::infinity();
   const auto bounded = [&](const NodePair& pair) {
     ++counters.nodes;
-    return Bounded{bound(a.nodes[pair.a].volume, b.nodes[pair.b].volume, b_in_a), pair};
+    const double enough_to_skip = worth_opening(upper, relative_error);
+    return Bounded{bound(a.nodes[pair.a].volume, b.nodes[pair.b].volume, b_in_a, enough_to_skip), pair};
   };
   if (upper <= enough) return upper;
   TraversalStack<Bounded> stack;

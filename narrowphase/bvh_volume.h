@@ -8,7 +8,8 @@
 #include "narrowphase/convex.h"
 
 /// The bounding volumes of a hierarchy, in the plane and in space: ball (disc), axis-parallel box, oriented
-/// box. Each kind answers the same questions about two of itself, one placed in the frame of the other.
+/// box, oriented box with a ball. Each kind answers the same questions about two of itself, one placed in the
+/// frame of the other.
 namespace throng::narrowphase {
 
 template <int kDim>
@@ -36,6 +37,13 @@ struct OrientedBox {
   Rotation<kDim> axes;  ///< a column a side
 };
 
+/// An oriented box and a ball around its centre, which both hold the same: where the balls show enough, the
+/// boxes aren't compared.
+template <int kDim>
+struct BoxAndBall : OrientedBox<kDim> {
+  double radius;
+};
+
 /// Where hierarchy b stands in the frame of hierarchy a, and what rounding may do there.
 template <int kDim>
 struct Frame {
@@ -58,13 +66,6 @@ inline Frame<2> frame(const Pose& b_in_a, double reach) {
   return frame<2>(turn, b_in_a.position, reach);
 }
 
-/// The length of the gaps that are open; where none is, the one that is nearest to it, below 0.
-template <int kDim>
-double gap(const Point<kDim>& along_axes) {
-  const double widest = along_axes.maxCoeff();
-  return widest <= 0.0 ? widest : along_axes.cwiseMax(0.0).norm();
-}
-
 /// Two boxes, each in its own axes: `turn` takes b's axes to a's, `offset` goes from a's centre to b's.
 template <int kDim>
 struct BoxPair {
@@ -77,7 +78,14 @@ struct BoxPair {
   Point<kDim> gaps_of_b() const {
     return (turn.transpose() * offset).cwiseAbs() - half_b - turn_sizes.transpose() * half_a;
   }
-  double bound() const { return std::max(gap<kDim>(gaps_of_a()), gap<kDim>(gaps_of_b())); }
+  /// The length of the gaps that are open, seen from a or from b, whichever is longer; where none is, the one
+  /// that is nearest to it, below 0.
+  double bound() const {
+    const Point<kDim> of_a = gaps_of_a(), of_b = gaps_of_b();
+    const double widest = std::max(of_a.maxCoeff(), of_b.maxCoeff());
+    if (widest <= 0.0) return widest;
+    return std::sqrt(std::max(of_a.cwiseMax(0.0).squaredNorm(), of_b.cwiseMax(0.0).squaredNorm()));
+  }
 
   /// By the faces' axes, in space also by the nine that are across two edges. The axis of parallel edges is
   /// null and shows nothing: turn_sizes is rounded up.
@@ -124,6 +132,17 @@ double bound(const Boxes& a, const Boxes& b, const Frame<kDim>& b_in_a) {
   return box_pair(a, b, b_in_a).bound() - b_in_a.slack;
 }
 
+/// The same for who asks only whether it reaches `enough`: then it may be any bound that does.
+template <class Volume, int kDim>
+double bound(const Volume& a, const Volume& b, const Frame<kDim>& b_in_a, double) {
+  return bound(a, b, b_in_a);
+}
+template <int kDim>
+double bound(const BoxAndBall<kDim>& a, const BoxAndBall<kDim>& b, const Frame<kDim>& b_in_a, double enough) {
+  const double of_balls = (b_in_a.turn * b.centre + b_in_a.shift - a.centre).norm() - (a.radius + b.radius);
+  return of_balls - b_in_a.slack >= enough ? of_balls - b_in_a.slack : bound(a, b, b_in_a);
+}
+
 /// Whether the two certainly share no point: the separating axes of the kind, 4 in the plane and 15 in space
 /// (Gottschalk, Lin and Manocha 1996).
 template <int kDim>
@@ -136,6 +155,13 @@ bool apart(const Boxes& a, const Boxes& b, const Frame<kDim>& b_in_a) {
   return box_pair(a, b, b_in_a).apart(b_in_a.slack);
 }
 
+template <int kDim>
+bool apart(const BoxAndBall<kDim>& a, const BoxAndBall<kDim>& b, const Frame<kDim>& b_in_a) {
+  const double reach = a.radius + b.radius + b_in_a.slack;
+  return (b_in_a.turn * b.centre + b_in_a.shift - a.centre).squaredNorm() > reach * reach ||
+         box_pair(a, b, b_in_a).apart(b_in_a.slack);
+}
+
 /// The radius of a ball around the volume's centre that holds it. m.
 template <int kDim>
 double radius(const Ball<kDim>& volume) {
@@ -144,6 +170,10 @@ double radius(const Ball<kDim>& volume) {
 template <class Boxes>
 double radius(const Boxes& volume) {
   return volume.half.norm();
+}
+template <int kDim>
+double radius(const BoxAndBall<kDim>& volume) {
+  return volume.radius;
 }
 
 /// The axis-parallel box, in the frame of a, of a volume in the frame of b.

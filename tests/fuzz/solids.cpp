@@ -82,7 +82,7 @@ void check_outlines(const Placed& a, const Placed& b, double scale, double of_pa
   if (of_parts < -rounding) expect(found.upper <= 0.0, "parts that overlap are outlines that do");
   const bool collides = collide(shape_a, a.pose, shape_b, b.pose);
   expect(collides == (found.upper <= 0.0), "what collides has no distance");
-  expect(collides == collide(shape_b, b.pose, shape_a, a.pose, Order::best_first), "in any order");
+  expect(collides == collide(shape_b, b.pose, shape_a, a.pose, {Order::best_first}), "in any order");
   const OutlineProximity rough = proximity(shape_a, a.pose, shape_b, b.pose, {0.5, nullptr, nullptr});
   expect(found.upper <= 0.0 || (rough.lower <= found.upper && found.upper <= rough.upper &&
                                 rough.upper <= 1.5 * rough.lower * (1.0 + 1e-15)),

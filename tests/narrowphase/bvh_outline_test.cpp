@@ -31,7 +31,7 @@ Rings with_hole(const std::vector<double>& inner) {
 
 template <class Volume>
 class OutlineOf : public ::testing::Test {};
-using Volumes = ::testing::Types<Ball<2>, Box<2>, OrientedBox<2>>;
+using Volumes = ::testing::Types<Ball<2>, Box<2>, OrientedBox<2>, BoxAndBall<2>>;
 TYPED_TEST_SUITE(OutlineOf, Volumes);
 
 TYPED_TEST(OutlineOf, SquaresIsAsFarAsOnPaper) {
@@ -55,7 +55,7 @@ TYPED_TEST(OutlineOf, ASolidHoldsWhatLiesInsideIt) {
   EXPECT_LE(inside.lower, -5.0);  // to the right, no less parts them
   EXPECT_GE(inside.lower, -8.0);
   EXPECT_TRUE(collide(large, Pose{}, small, Pose{{1, 0}}));
-  EXPECT_TRUE(collide(small, Pose{{1, 0}}, large, Pose{}, Order::best_first));
+  EXPECT_TRUE(collide(small, Pose{{1, 0}}, large, Pose{}, {Order::best_first}));
 }
 
 TYPED_TEST(OutlineOf, AHoleIsNotInside) {
@@ -166,8 +166,11 @@ TYPED_TEST(OutlineOf, TwoPolygonsIsWhatAllEdgesAgainstAllSay) {
       EXPECT_EQ(collides, expected.lower <= 0.0);
     }
     EXPECT_EQ(collides, found.upper <= 0.0);
-    EXPECT_EQ(collides, collide(a, c.pose_a, b, c.pose_b, Order::best_first));
+    EXPECT_EQ(collides, collide(a, c.pose_a, b, c.pose_b, {Order::best_first}));
     overlapping += collides;
+    for (int i = 0; i < 2; ++i) {
+      EXPECT_EQ(collides, collide(a, c.pose_a, b, c.pose_b, {Order::depth_first, &cache}));
+    }
 
     const OutlineProximity again = proximity(a, c.pose_a, b, c.pose_b, {0.0, &cache});
     EXPECT_EQ(again.upper, found.upper);
@@ -180,6 +183,28 @@ TYPED_TEST(OutlineOf, TwoPolygonsIsWhatAllEdgesAgainstAllSay) {
   }
   EXPECT_GT(overlapping, 450);
   EXPECT_LT(overlapping, 1300);
+}
+
+/// Where edges met, the next step is asked of these alone.
+TYPED_TEST(OutlineOf, ACollisionIsFoundWhereItWas) {
+  const auto a = outline<TypeParam>(Rings{bench::around(bench::coast_radii(256, 1))});
+  const auto b = outline<TypeParam>(Rings{bench::around(bench::coast_radii(128, 2))});
+  OutlineCache cache;
+  BvhCounters counters;
+  for (const bool swap : {false, true}) {
+    const auto ask = [&](const Vec& at) {
+      const CollisionQuestion question{Order::depth_first, &cache, &counters};
+      return swap ? collide(a, Pose{}, b, Pose{at}, question) : collide(b, Pose{at}, a, Pose{}, question);
+    };
+    cache = {};
+    EXPECT_TRUE(ask({1.0, 0.2}));
+    counters = {};
+    EXPECT_TRUE(ask({1.0, 0.2}));
+    EXPECT_TRUE(ask({1.0, 0.2 + 1e-6}));
+    EXPECT_EQ(counters.nodes, 0u);
+    EXPECT_FALSE(ask({3.0, 0.2}));
+    EXPECT_GT(counters.nodes, 0u);
+  }
 }
 
 TYPED_TEST(OutlineOf, TwoPolygonsMeetsWhereAllEdgesAgainstAllSay) {

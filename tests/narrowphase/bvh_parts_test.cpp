@@ -6,6 +6,7 @@
 #include "narrowphase/decompose.h"
 #include "narrowphase/nearest_parts.h"
 #include "polygons.h"
+#include "tools/bench/outlines.h"
 
 namespace throng::narrowphase {
 namespace {
@@ -62,6 +63,47 @@ TEST(PartsBvh, LooksAtFewPairs) {
   EXPECT_GT(separation(tree, Pose{}, tree, Pose{{2.5, 0.5}}, &counters).distance, 0.4);
   EXPECT_GT(counters.leaves, 0u);
   EXPECT_LT(counters.leaves, 60u);
+}
+
+/// Steps small and large, so that what is remembered is nearly right, or wrong, or of other shapes.
+TEST(PartsBvh, RemembersWhereAPairWasWithoutBeingMisled) {
+  Random random(4);
+  int overlapping = 0;
+  PartsMemory memory;
+  for (std::size_t trial = 0; trial < 200; ++trial) {
+    const auto a = parts(random, trial), b = parts(random, random());
+    const PartsBvh tree_a = parts_bvh(a, {Split::sah, 1}), tree_b = parts_bvh(b, {Split::sah, 2});
+    Vec at = random_vec(random, 6.0, 6.0);
+    double angle = uniform(random, -4, 4);
+    for (int step = 0; step < 30; ++step) {
+      const double size = step % 10 == 9 ? 1.0 : 0.01;
+      at += size * random_vec(random, 1.0, 1.0);
+      angle += size * uniform(random, -1, 1);
+      const Separation found = track(tree_a, Pose{}, tree_b, pose(at, angle), memory);
+      const Separation expected = separation(a, Pose{}, b, pose(at, angle));
+      EXPECT_NEAR(found.distance, expected.distance, 1e-14) << trial;
+      EXPECT_NEAR((found.point_b - found.point_a - found.distance * found.normal).norm(), 0.0, 1e-14);
+      overlapping += found.distance < 0.0;
+    }
+  }
+  EXPECT_GT(overlapping, 1500);
+  EXPECT_LT(overlapping, 4500);
+}
+
+/// A gear that turns beside another: nearly all questions are answered by what is remembered.
+TEST(PartsBvh, GoesOnWhereItWas) {
+  const auto gear = decompose(bench::around(bench::gear_radii(64)));
+  const PartsBvh tree = parts_bvh(gear, {Split::sah, 1});
+  PartsMemory memory;
+  BvhCounters all, some;
+  SearchStatistics statistics;
+  for (int step = 0; step < 1000; ++step) {
+    const Pose turned = pose({2.02, 0.0}, 0.001 * step);
+    track(tree, Pose{}, tree, turned, memory, &some, &statistics);
+    separation(tree, Pose{}, tree, turned, &all);
+  }
+  EXPECT_LT(some.leaves, all.leaves);
+  EXPECT_LT(statistics.cold_starts, static_cast<std::int64_t>(some.leaves / 5));
 }
 
 }  // namespace

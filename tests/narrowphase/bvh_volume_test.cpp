@@ -49,7 +49,10 @@ Points<kDim> random_points(Random& random) {
 template <class Volume, int kDim = Volume::kDimension>
 Point<kDim> sample(Random& random, const Volume& volume) {
   const Point<kDim> p = random_point<kDim>(random, 1.0);
-  if constexpr (requires { volume.axes; })
+  if constexpr (requires { volume.axes.norm() + volume.radius; }) {
+    const Point<kDim> off = volume.axes * p.cwiseProduct(volume.half);
+    return volume.centre + off * std::min(1.0, volume.radius / (1e-300 + off.norm()));
+  } else if constexpr (requires { volume.axes; })
     return volume.centre + volume.axes * p.cwiseProduct(volume.half);
   else if constexpr (requires { volume.half; })
     return volume.centre + p.cwiseProduct(volume.half);
@@ -67,7 +70,8 @@ Volume around(Points<Volume::kDimension> points) {
 
 template <class Volume>
 class BoundingVolume : public ::testing::Test {};
-using Volumes = ::testing::Types<Ball<2>, Box<2>, OrientedBox<2>, Ball<3>, Box<3>, OrientedBox<3>>;
+using Volumes = ::testing::Types<Ball<2>, Box<2>, OrientedBox<2>, BoxAndBall<2>, Ball<3>, Box<3>,
+                                 OrientedBox<3>, BoxAndBall<3>>;
 TYPED_TEST_SUITE(BoundingVolume, Volumes);
 
 TYPED_TEST(BoundingVolume, HoldsThePointsThatItWasFittedTo) {
@@ -78,7 +82,10 @@ TYPED_TEST(BoundingVolume, HoldsThePointsThatItWasFittedTo) {
     const TypeParam volume = around<TypeParam>(points);
     double reach = 0.0;
     for (const auto& p : points) reach = std::max(reach, p.template lpNorm<1>());
-    for (const auto& p : points) EXPECT_LE(std::sqrt(squared_bound(volume, p)), 0x1p-47 * reach) << trial;
+    for (const auto& p : points) {
+      EXPECT_LE(std::sqrt(squared_bound(volume, p)), 0x1p-47 * reach) << trial;
+      EXPECT_LE((p - volume.centre).norm(), radius(volume) + 0x1p-47 * reach) << trial;
+    }
   }
 }
 
@@ -107,6 +114,9 @@ TYPED_TEST(BoundingVolume, IsNeverFartherAwayThanWhatItHolds) {
     }
     EXPECT_LE(least, nearest) << trial;
     EXPECT_TRUE(least <= 0.0 || apart(a, b, place)) << trial;
+    const double enough = uniform(random, -1.0, 2.0) * size, quick = bound(a, b, place, enough);
+    EXPECT_TRUE(quick == least || (quick >= enough && quick <= nearest)) << trial;
+    EXPECT_TRUE(least < enough || quick >= enough) << trial;
     parted += least > 0.0;
     tight += least > 0.5 * nearest;
   }

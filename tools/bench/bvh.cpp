@@ -103,7 +103,8 @@ struct Built {
 
   double collisions(const Pair& pair, Order order, BvhCounters* counters = nullptr) const {
     double count = 0.0;
-    for (const auto& [at_a, at_b] : pair.places) count += collide(a, at_a, b, at_b, order, counters);
+    for (const auto& [at_a, at_b] : pair.places)
+      count += collide(a, at_a, b, at_b, {order, nullptr, counters});
     return count;
   }
   double meetings(const Pair& pair, BvhCounters* counters = nullptr) const {
