@@ -2,6 +2,7 @@
 #include "tools/pair_answer.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -68,8 +69,11 @@ Json checked(Json result) {
 
 }  // namespace
 
-Json answer(const PairQuery& q) {
-  const Separation s = separation(parts_bvh(q.a.parts), q.a.pose, parts_bvh(q.b.parts), q.b.pose);
+Json answer(const PairQuery& q, bool work) {
+  narrowphase::BvhCounters counters;
+  const auto begin = std::chrono::steady_clock::now();
+  const Separation s = separation(parts_bvh(q.a.parts), q.a.pose, parts_bvh(q.b.parts), q.b.pose, &counters);
+  const std::chrono::duration<double, std::micro> spent = std::chrono::steady_clock::now() - begin;
   const bool convex = q.a.parts.size() == 1 && q.b.parts.size() == 1;
   Json result;
   if (!q.id.is_null()) result["id"] = q.id;
@@ -83,6 +87,7 @@ Json answer(const PairQuery& q) {
   if (convex && s.distance <= 0.0)
     result["manifold"] = json(manifold(q.a.parts[0], q.a.pose, q.b.parts[0], q.b.pose, 0.0));
   if (!q.repairs.empty()) result["repairs"] = q.repairs;
+  if (work) result["work"] = {{"nodes", counters.nodes}, {"leaves", counters.leaves}, {"us", spent.count()}};
   return checked(std::move(result));
 }
 

@@ -90,12 +90,15 @@ TEST_F(BenchCommand, FindsTheSameInEveryHierarchyAndWithout) {
     engines[row["case"]].insert(row["engine"]);
     EXPECT_TRUE(!std::string(row["case"]).starts_with("within a") || row["check"] == "1") << row;
   }
-  EXPECT_EQ(engines["point coast n=256"], (std::set<std::string>{"aabb", "disc", "obb", "cgal", "brute"}));
-  EXPECT_EQ(
-      engines["distance interlocked coast n=256"],
-      (std::set<std::string>{"aabb", "disc", "obb", "aabb cached", "disc cached", "obb cached", "brute"}));
-  EXPECT_EQ(engines["first hit touching coast n=256"].size(), 6u);
-  EXPECT_EQ(engines["volume star n=256"], (std::set<std::string>{"aabb", "disc", "obb"}));
+  EXPECT_EQ(engines["point coast n=256"],
+            (std::set<std::string>{"aabb", "disc", "obb", "mixed", "cgal", "brute"}));
+  EXPECT_EQ(engines["distance interlocked coast n=256"],
+            (std::set<std::string>{"aabb", "disc", "obb", "mixed", "aabb cached", "disc cached", "obb cached",
+                                   "mixed cached", "brute"}));
+  EXPECT_EQ(engines["first hit touching coast n=256"].size(), 8u);
+  EXPECT_EQ(engines["volume star n=256"], (std::set<std::string>{"aabb", "disc", "obb", "mixed"}));
+  EXPECT_EQ(engines["parts gear n=64 near 0.01 rad"],
+            (std::set<std::string>{"from nothing", "last parts", "last parts and features"}));
 }
 
 TEST_F(BenchCommand, RefusesABenchmarkThatDoesNotExist) {

@@ -114,6 +114,20 @@ TEST_F(Pairs, FindsTheNearestOfManyParts) {
   EXPECT_EQ(answer["point_b"], json::parse("[1.5,0.0]"));
 }
 
+TEST_F(Pairs, SaysWhatAnAnswerTookWhereAsked) {
+  std::string discs;
+  for (int i = 0; i < 100; ++i) discs += (i > 0 ? ",[" : "[") + std::to_string(2 * i) + ",0,0.5]";
+  const std::string line = R"({"a":)" + kDisc + R"(,"b":{"discs":[)" + discs + R"(],"at":[5,0]}})";
+  const Answers answers = answers_of(throng("pairs --work " + write("pairs.jsonl", line)));
+  const json work = answers.lines.at(0).at("work");
+  EXPECT_GE(work["leaves"], 1);
+  EXPECT_LT(work["leaves"], 5);
+  EXPECT_GT(work["nodes"], work["leaves"]);
+  EXPECT_LT(work["nodes"], 50);
+  EXPECT_GT(work["us"], 0.0);
+  EXPECT_FALSE(ask_one(line).contains("work"));
+}
+
 TEST_F(Pairs, TakesTouchingForACollision) {
   const json answer =
       ask_one(R"({"a":)" + kSquare + R"(,"b":{"disc":{"at":[2,0],"radius":1}},"epsilon":0.1})");

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 // throng bench bvh: polygons of up to a million edges in hierarchies of discs, boxes and oriented boxes.
-#include <cstdio>
-
 #include "tools/bench/benchmarks.h"
-#include "tools/bench/bvh_pairs.h"
-#include "tools/bench/bvh_volumes.h"
+#include "tools/bench/bvh_built.h"
+#include "tools/bench/bvh_case.h"
+#include "tools/bench/bvh_rows.h"
 #include "tools/bench/cgal_segments.h"
-#include "tools/bench/interleave.h"
 
 namespace throng::bench {
 
@@ -15,55 +13,6 @@ namespace {
 using namespace narrowphase;
 
 constexpr std::size_t kMostForBrutePairs = 1024;  // edges a side
-constexpr int kPlaces = 8;                        // turned poses a block asks about
-
-bool chosen(const std::string& name, const Options& options) {
-  for (const std::string& part : options.only)
-    if (name.find(part) != std::string::npos) return true;
-  return options.only.empty();
-}
-
-std::string text(double value) {
-  char result[32];
-  std::snprintf(result, sizeof result, "%.9g", value);
-  return result;
-}
-
-/// The rows of one case: each engine answers `work` questions in `ask`, whose sum all must agree on.
-class Case {
- public:
-  Case(std::string name, double work) : name_(std::move(name)), work_(work) {}
-
-  void add(std::string engine, std::function<double()> ask, nlohmann::ordered_json error = {}) {
-    sums_.push_back(ask());
-    errors_.push_back(std::move(error));
-    const auto begin = std::chrono::steady_clock::now();
-    ask();
-    const std::chrono::duration<double> once = std::chrono::steady_clock::now() - begin;
-    repeats_.push_back(std::clamp(static_cast<int>(kBlockSeconds / (once.count() + 1e-9)), 1, 10000));
-    contestants_.push_back({std::move(engine), [ask = std::move(ask), repeats = repeats_.back()] {
-                              for (int i = 0; i < repeats; ++i) ask();
-                            }});
-  }
-  void finish(const Options& options, std::vector<Row>& rows) {
-    interleave(contestants_, options.blocks, work_);
-    for (std::size_t i = 0; i < contestants_.size(); ++i) {
-      Contestant& one = contestants_[i];
-      for (double& ms : one.ms) ms /= repeats_[i];
-      errors_[i]["ns"] = 1e6 * median(one.ms);
-      rows.push_back({"bvh", name_, one.engine, 1, one.ms, work_, text(sums_[i]), errors_[i]});
-    }
-  }
-
- private:
-  static constexpr double kBlockSeconds = 0.002;
-  const std::string name_;
-  const double work_;
-  std::vector<Contestant> contestants_;
-  std::vector<int> repeats_;
-  std::vector<double> sums_;
-  std::vector<nlohmann::ordered_json> errors_;
-};
 
 using Brute = double (*)(const std::vector<OutlineEdge>&, const std::vector<OutlineEdge>&,
                          const std::pair<Pose, Pose>&);
@@ -91,49 +40,6 @@ void add_extrapolated(const Pair& pair, Brute brute, const Options& options, std
                   kPlaces,
                   rows.back().check,
                   {{"ns_of_a_pair", 1e6 * median(sample[0].ms)}, {"finite", std::isfinite(sink)}}});
-}
-
-template <class Volume>
-struct Built {
-  std::string name;
-  Outline<Volume> a, b;
-
-  Built(std::string engine, const Pair& pair)
-      : name(std::move(engine)), a(outline<Volume>(pair.a)), b(outline<Volume>(pair.b)) {}
-
-  double collisions(const Pair& pair, Order order, BvhCounters* counters = nullptr) const {
-    double count = 0.0;
-    for (const auto& [at_a, at_b] : pair.places)
-      count += collide(a, at_a, b, at_b, {order, nullptr, counters});
-    return count;
-  }
-  double meetings(const Pair& pair, BvhCounters* counters = nullptr) const {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
-    double count = 0.0;
-    for (const auto& [at_a, at_b] : pair.places) {
-      find_meetings(a, at_a, b, at_b, found, counters);
-      count += static_cast<double>(found.size());
-    }
-    return count;
-  }
-  double distances(const Pair& pair, double relative_error, BvhCounters* counters = nullptr) const {
-    double sum = 0.0;
-    for (const auto& [at_a, at_b] : pair.places)
-      sum += proximity(a, at_a, b, at_b, {relative_error, nullptr, counters}).upper;
-    return sum;
-  }
-  /// The distance of the next step, from the last one's closest edges.
-  double coherent_distances(const Pair& pair, std::vector<OutlineCache>& caches) const {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < pair.places.size(); ++i)
-      sum += proximity(a, pair.places[i].first, b, pair.places[i].second, {0.0, &caches[i], nullptr}).upper;
-    return sum;
-  }
-};
-
-nlohmann::ordered_json counted(const BvhCounters& counters) {
-  return {{"nodes", static_cast<double>(counters.nodes) / kPlaces},
-          {"leaves", static_cast<double>(counters.leaves) / kPlaces}};
 }
 
 template <class... Volumes>
@@ -175,15 +81,15 @@ void distance_rows(const Pair& pair, const Options& options, std::vector<Row>& r
   const std::string name = "distance " + pair.name;
   if (!chosen(name, options)) return;
   Case exact(name, kPlaces);
-  std::vector<std::vector<OutlineCache>> caches(sizeof...(built), std::vector<OutlineCache>(kPlaces));
+  std::vector<OutlineCache> caches(sizeof...(built));
   std::size_t next_cache = 0;
   const auto add = [&](const auto& one) {
     BvhCounters counters;
     one.distances(pair, 0.0, &counters);
     exact.add(
         one.name, [&] { return one.distances(pair, 0.0); }, counted(counters));
-    std::vector<OutlineCache>& cache = caches[next_cache++];
-    exact.add(one.name + " cached", [&] { return one.coherent_distances(pair, cache); });
+    OutlineCache& cache = caches[next_cache++];
+    exact.add(one.name + " cached", [&] { return one.coherent_distances(pair, 0.0, cache); });
   };
   (add(built), ...);
   const auto of_a = outline_edges(pair.a), of_b = outline_edges(pair.b);
@@ -222,6 +128,13 @@ void approximate_rows(const Pair& pair, const Options& options, std::vector<Row>
     within.add(
         "a=" + text(error), [&, error, kept] { return one.distances(pair, error) > 0.0 && kept ? 1.0 : 0.0; },
         figures);
+    BvhCounters coherent;
+    OutlineCache cache;
+    one.coherent_distances(pair, error, cache, &coherent);
+    within.add(
+        "a=" + text(error) + " cached",
+        [&, error, cache]() mutable { return one.coherent_distances(pair, error, cache) > 0.0 ? 1.0 : 0.0; },
+        counted(coherent));
   }
   within.finish(options, rows);
 }
@@ -241,6 +154,7 @@ void build_rows(const Pair& pair, const Options& options, std::vector<Row>& rows
   add_builder<Ball<2>>(build, "disc", pair.a);
   add_builder<Box<2>>(build, "aabb", pair.a);
   add_builder<OrientedBox<2>>(build, "obb", pair.a);
+  add_builder<BoxAndBall<2>>(build, "mixed", pair.a);
   Options few = options;
   few.blocks = std::min(options.blocks, pair.a[0].size() > 100000 ? 2 : 5);
   build.finish(few, rows);
@@ -284,7 +198,7 @@ void point_rows(const Pair& pair, bool close, const Options& options, std::vecto
 
 bool any_chosen(const Pair& pair, const Options& options) {
   const std::string shape = pair.name.substr(pair.name.find(' ') + 1);
-  for (const char* query : {"first hit ", "all meetings ", "distance ", "within a aabb ", "within a obb "})
+  for (const char* query : {"first hit ", "all meetings ", "distance ", "within a mixed ", "within a obb "})
     if (chosen(query + pair.name, options)) return true;
   return pair.name.starts_with("near") &&
          (chosen("build " + shape, options) || chosen("close point " + shape, options));
@@ -305,6 +219,7 @@ std::vector<Size> sizes(bool quick) {
 
 std::vector<Row> bench_bvh(const Options& options) {
   std::vector<Row> rows = bvh_volume_rows(options);
+  for (Row& row : bvh_part_rows(options)) rows.push_back(std::move(row));
   for (const Size& size : sizes(options.quick))
     for (const char* situation : {"near", "touching", "interlocked"}) {
       const Pair pair = make_pair(size.family, situation, size.n);
@@ -313,13 +228,15 @@ std::vector<Row> bench_bvh(const Options& options) {
       const Built<Ball<2>> discs("disc", pair);
       const Built<Box<2>> boxes("aabb", pair);
       const Built<OrientedBox<2>> oriented("obb", pair);
+      const Built<BoxAndBall<2>> mixed("mixed", pair);
       if (situation == std::string("near"))
-        for (const bool close : {false, true}) point_rows(pair, close, options, rows, boxes, discs, oriented);
-      collision_rows(pair, options, rows, boxes, discs, oriented);
-      distance_rows(pair, options, rows, boxes, discs, oriented);
+        for (const bool close : {false, true})
+          point_rows(pair, close, options, rows, boxes, discs, oriented, mixed);
+      collision_rows(pair, options, rows, boxes, discs, oriented, mixed);
+      distance_rows(pair, options, rows, boxes, discs, oriented, mixed);
       if (situation == std::string("touching")) continue;
-      approximate_rows(pair, options, rows, boxes);
       approximate_rows(pair, options, rows, oriented);
+      approximate_rows(pair, options, rows, mixed);
     }
   return rows;
 }

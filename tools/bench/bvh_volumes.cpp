@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/bench/bvh_volumes.h"
+#include "tools/bench/bvh_rows.h"
 
 #include "narrowphase/bvh_outline.h"
 #include "narrowphase/relative.h"
@@ -122,6 +122,7 @@ std::vector<Row> bvh_volume_rows(const Options& options) {
     add_rows<Ball<2>>(family, "disc", ring, options, rows);
     add_rows<Box<2>>(family, "aabb", ring, options, rows);
     add_rows<OrientedBox<2>>(family, "obb", ring, options, rows);
+    add_rows<BoxAndBall<2>>(family, "mixed", ring, options, rows);
   }
   return rows;
 }
