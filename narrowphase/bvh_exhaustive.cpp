@@ -35,14 +35,6 @@ Deepest deepest_vertex(std::span<const OutlineEdge> solid, std::span<const Outli
 
 }  // namespace
 
-std::vector<OutlineEdge> outline_edges(std::span<const std::vector<Vec>> rings) {
-  std::vector<OutlineEdge> edges;
-  for (const std::vector<Vec>& ring : rings)
-    for (std::size_t i = 0; i < ring.size(); ++i)
-      edges.push_back({ring[i], ring[next(i, ring.size())], static_cast<std::uint32_t>(edges.size())});
-  return edges;
-}
-
 OutlineProximity exhaustive_proximity(std::span<const OutlineEdge> a, const Pose& pose_a,
                                       std::span<const OutlineEdge> b, const Pose& pose_b) {
   const std::vector<OutlineEdge> in_a = placed(b, relative(pose_a, pose_b));

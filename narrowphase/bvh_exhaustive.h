@@ -6,8 +6,6 @@
 /// What the hierarchies' answers mean, without a hierarchy: all edges against all. For tests and benchmarks.
 namespace throng::narrowphase {
 
-std::vector<OutlineEdge> outline_edges(std::span<const std::vector<Vec>> rings);
-
 /// As `proximity`, with lower == upper where the two are apart; lower is minus infinity where they aren't.
 /// O(n m).
 OutlineProximity exhaustive_proximity(std::span<const OutlineEdge> a, const Pose& pose_a,

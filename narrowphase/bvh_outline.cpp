@@ -160,12 +160,17 @@ OutlineProximity ordered(const Outline<Volume>& a, const Pose& pose_a, const Out
 
 }  // namespace
 
-template <class Volume>
-Outline<Volume> outline(std::span<const std::vector<Vec>> rings, const BvhConfig& config) {
-  std::vector<OutlineEdge> given;
+std::vector<OutlineEdge> outline_edges(std::span<const std::vector<Vec>> rings) {
+  std::vector<OutlineEdge> edges;
   for (const std::vector<Vec>& ring : rings)
     for (std::size_t i = 0; i < ring.size(); ++i)
-      given.push_back({ring[i], ring[next(i, ring.size())], static_cast<std::uint32_t>(given.size())});
+      edges.push_back({ring[i], ring[next(i, ring.size())], static_cast<std::uint32_t>(edges.size())});
+  return edges;
+}
+
+template <class Volume>
+Outline<Volume> outline(std::span<const std::vector<Vec>> rings, const BvhConfig& config) {
+  const std::vector<OutlineEdge> given = outline_edges(rings);
   std::vector<Thing<2>> things;
   things.reserve(given.size());
   for (const OutlineEdge& edge : given)

@@ -15,6 +15,9 @@ struct OutlineEdge {
   std::uint32_t index;  ///< among all edges as given, ring after ring
 };
 
+/// The rings' edges in order, each from a vertex to the next.
+std::vector<OutlineEdge> outline_edges(std::span<const std::vector<Vec>> rings);
+
 /// `Volume`: Ball<2>, Box<2>, OrientedBox<2> or BoxAndBall<2>. Boxes are the quickest to build and to ask for
 /// points, oriented ones for what is long and near; see `throng bench bvh`.
 template <class Volume>

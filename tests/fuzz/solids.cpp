@@ -114,9 +114,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const double radius = bytes.byte() % 4 == 3 ? scale * bytes.byte() / 64.0 : 0.0;
   check_parts(a, b, radius);
   const double distance = check_parts(a, b, 0.0), reach = 64.0 * scale;
-  check_outlines<Ball<2>>(a, b, reach, distance);
-  check_outlines<Box<2>>(a, b, reach, distance);
-  check_outlines<OrientedBox<2>>(a, b, reach, distance);
+  constexpr decltype(&check_outlines<Box<2>>) kVolumes[] = {&check_outlines<Ball<2>>, &check_outlines<Box<2>>,
+                                                            &check_outlines<OrientedBox<2>>,
+                                                            &check_outlines<BoxAndBall<2>>};
+  kVolumes[bytes.byte() % 4](a, b, reach, distance);
   check_tracking(a, b, bytes, reach);
   return 0;
 }

@@ -16,8 +16,8 @@ bool chosen(const std::string& name, const Options& options);
 /// Nine digits: what two orders of a sum agree on.
 std::string text(double value);
 
-/// The rows of one case of throng bench bvh: each engine answers `work` questions in `ask`, whose sum all must
-/// agree on. Quick ones are asked several times a block.
+/// The rows of one case of throng bench bvh: each engine answers `work` questions in `ask`, whose sum all
+/// must agree on. Quick ones are asked several times a block.
 class Case {
  public:
   Case(std::string name, double work) : name_(std::move(name)), work_(work) {}
