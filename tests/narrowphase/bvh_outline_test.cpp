@@ -174,11 +174,15 @@ TYPED_TEST(OutlineOf, TwoPolygonsIsWhatAllEdgesAgainstAllSay) {
 
     const OutlineProximity again = proximity(a, c.pose_a, b, c.pose_b, {0.0, &cache});
     EXPECT_EQ(again.upper, found.upper);
-    const OutlineProximity swapped = proximity(b, c.pose_b, a, c.pose_a);
+    OutlineCache swapped_cache;
+    const OutlineProximity swapped = proximity(b, c.pose_b, a, c.pose_a, {0.0, &swapped_cache});
     EXPECT_EQ(swapped.upper, found.upper);
     EXPECT_EQ(swapped.lower, found.lower);
     if (found.upper > 0.0) {
       EXPECT_FALSE(collide(b, c.pose_b, a, c.pose_a));
+      EXPECT_EQ(a.edges[cache.a].index, again.edge_a);
+      EXPECT_EQ(b.edges[swapped_cache.a].index, swapped.edge_a);
+      EXPECT_EQ(a.edges[swapped_cache.b].index, swapped.edge_b);
     }
   }
   EXPECT_GT(overlapping, 450);

@@ -100,6 +100,9 @@ TEST(PartsBvh, GoesOnWhereItWas) {
   for (int step = 0; step < 1000; ++step) {
     const Pose turned = pose({2.02, 0.0}, 0.001 * step);
     track(tree, Pose{}, tree, turned, memory, &some, &statistics);
+    const std::pair nearest(memory.a, memory.b);
+    track(tree, Pose{}, tree, turned, memory);
+    EXPECT_EQ(std::pair(memory.a, memory.b), nearest);
     separation(tree, Pose{}, tree, turned, &all);
   }
   EXPECT_LT(some.leaves, all.leaves);
