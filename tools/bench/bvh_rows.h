@@ -5,8 +5,8 @@
 
 namespace throng::bench {
 
-/// The table of the bounding volumes on real shapes: area over that of the hull of what they hold, as built
-/// and with the shape turned (1 is tight; equal figures don't mind turns), and what a test of two takes.
+/// The table of the lectures on real shapes: how tight each kind of volume is, how much a turn of the shape
+/// changes it, and what a million tests take, whether two are apart and, `bound_ms`, how far.
 std::vector<Row> bvh_volume_rows(const Options& options);
 
 /// Two polygons of convex parts that turn a little between questions: from nothing, from the parts that were
