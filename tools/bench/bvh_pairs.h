@@ -46,7 +46,7 @@ inline Pair make_pair(const std::string& family, const std::string& situation, s
   pair.a = {around(own)};
   if (situation == "interlocked") {
     pair.b = {turned(around(std::vector<double>(64, 3.0)), 0.4), turned(around(widened(own, 1e-3)), 0.4)};
-    place(pair, {0.0, 0.0}, -0.4, 1e-4);
+    place(pair, {0.0, 0.0}, -0.4, family == "star" ? 1e-5 : 1e-4);
     return pair;
   }
   pair.b = {around(radii(family, n, 2))};
