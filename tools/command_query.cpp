@@ -12,6 +12,7 @@
 #include "sim/input_error.h"
 #include "tools/commands.h"
 #include "tools/crowd.h"
+#include "tools/sight.h"
 
 namespace throng::tools {
 
@@ -34,7 +35,6 @@ struct Options {
 };
 
 void check(const Options& options) {
-  if (options.sight) throw InputError("not supported yet: --sight");
   if (options.id.has_value() + options.point.has_value() + options.all != 1)
     throw InputError("query: give one of --id I, --point X,Y and --all");
   if (!options.radius && !options.nearest) throw InputError("query: give --radius R, --nearest K or both");
@@ -167,25 +167,49 @@ class Printer {
   const char* separator_ = "";
 };
 
+using Neighbours = std::vector<broadphase::Neighbour>;
+
+/// What is asked of whom.
+struct Query {
+  const Crowd& crowd;
+  const ProximityTree& tree;
+  const Sight* sight;  ///< null: nobody looks
+  const Near& near;
+
+  /// Replaces `neighbours` by those of a place. Where some are out of sight asks for ever more, until as many
+  /// as are wanted are in sight, or no more are left.
+  void find(const Place& place, Neighbours& neighbours) const {
+    for (Near more = near;; more.most *= 2) {
+      find_near(tree, place, more, neighbours);
+      if (!sight) return;
+      const bool are_all = neighbours.size() < more.most;
+      std::erase_if(neighbours, [&](const auto& n) { return !sight->sees(place.at, crowd.position[n.row]); });
+      if (neighbours.size() < near.most && !are_all) continue;
+      if (neighbours.size() > near.most) neighbours.resize(near.most);
+      return;
+    }
+  }
+};
+
 /// Of one body, or of a place.
-void print_one(const ProximityTree& tree, const Place& place, const Near& near, Printer& printer) {
-  std::vector<broadphase::Neighbour> neighbours;
-  find_near(tree, place, near, neighbours);
+void print_one(const Query& query, const Place& place, Printer& printer) {
+  Neighbours neighbours;
+  query.find(place, neighbours);
   printer.begin(place.except);
   for (const broadphase::Neighbour& n : neighbours) printer.add(n.row, n.distance);
   printer.end();
 }
 
 /// Of every body, some at a time so that memory stays small.
-void print_all(const ProximityTree& tree, const Crowd& crowd, const std::vector<Vec>& heading,
-               const Near& near, Printer& printer) {
+void print_all(const Query& query, const std::vector<Vec>& heading, Printer& printer) {
+  const Crowd& crowd = query.crowd;
   broadphase::NeighbourSearch search;
   broadphase::NeighbourLists lists;
   for (std::uint32_t first = 0; first < crowd.id.size(); first += kBlock) {
     const std::size_t count = std::min<std::size_t>(kBlock, crowd.id.size() - first);
     broadphase::Places places{.at = std::span(crowd.position).subspan(first, count), .own = first};
     if (!heading.empty()) places.heading = std::span(heading).subspan(first, count);
-    search.find(tree, places, near, lists);
+    search.find(query.tree, places, query.near, lists);
     for (std::uint32_t i = 0; i < count; ++i) {
       printer.begin(first + i);
       for (std::size_t k = lists.begin[i]; k < lists.begin[i + 1]; ++k)
@@ -193,6 +217,13 @@ void print_all(const ProximityTree& tree, const Crowd& crowd, const std::vector<
       printer.end();
     }
   }
+}
+
+/// The same between walls, one body after the other.
+void print_all_in_sight(const Query& query, const std::vector<Vec>& heading, Printer& printer) {
+  for (std::uint32_t row = 0; row < query.crowd.id.size(); ++row)
+    print_one(query, {query.crowd.position[row], heading.empty() ? Vec(0.0, 0.0) : heading[row], row},
+              printer);
 }
 
 void query(const Options& options) {
@@ -217,10 +248,15 @@ void query(const Options& options) {
   ProximityTree tree;
   tree.build(crowd.position, period);
   Printer printer(options.format, crowd);
-  if (options.all)
-    print_all(tree, crowd, heading, near, printer);
+  std::optional<Sight> sight;
+  if (options.sight) sight.emplace(crowd.walls, crowd.period, near.radius);
+  const Query ask{crowd, tree, sight ? &*sight : nullptr, near};
+  if (!options.all)
+    print_one(ask, place, printer);
+  else if (sight)
+    print_all_in_sight(ask, heading, printer);
   else
-    print_one(tree, place, near, printer);
+    print_all(ask, heading, printer);
   printer.finish();
 }
 
@@ -241,9 +277,11 @@ void add_query(CLI::App& app, int&) {
       "Tells who is within a radius, or nearest, of a body, a point, or every body: from centre to centre,\n"
       "in a periodic domain to the nearest image; nearest first, then by id");
   command->add_option("SOURCE", options->source, "scenario or recording (.h5)")->required();
-  command->add_option("--radius", options->radius, "how far away neighbours may be (m); any without it")
+  command
+      ->add_option("--radius", options->radius,
+                   "how far away neighbours may be, centre to centre (m), 0 or more; any distance without it")
       ->check(something());
-  command->add_option("--nearest", options->nearest, "at most so many, the nearest")
+  command->add_option("--nearest", options->nearest, "at most so many, the nearest: 1 or more")
       ->transform(whole_number());
   command->add_option("--id", options->id, "of the body with this id")->transform(whole_number());
   command->add_option("--point", options->point, "X,Y (m): of a place")->check(something());
@@ -259,7 +297,8 @@ void add_query(CLI::App& app, int&) {
                    "what the view is centred on: velocity (default; who rests sees all around), angle, or\n"
                    "degrees from the x axis, which --point needs")
       ->check(something());
-  command->add_flag("--sight", options->sight, "not supported yet");
+  command->add_flag("--sight", options->sight,
+                    "only whom no wall hides: none that the line from centre to centre touches");
   command
       ->add_option("--format", options->format,
                    "csv (id,neighbour,distance) or json ([{id, neighbours: [{id, distance}]}])")

@@ -51,8 +51,12 @@ Crowd crowd_of_recording(const std::string& source, std::optional<double> wanted
   if (frame.position.size() != frame.id.size())
     throw InputError(source + ": positions were not recorded (record.fields)");
   scene = recording.geometry();
-  return {
-      std::move(frame.id), std::move(frame.position), std::move(frame.velocity), std::move(frame.angle), {}};
+  return {.id = std::move(frame.id),
+          .position = std::move(frame.position),
+          .velocity = std::move(frame.velocity),
+          .angle = std::move(frame.angle),
+          .period = {},
+          .walls = {}};
 }
 
 }  // namespace
@@ -72,6 +76,7 @@ Crowd read_crowd(const std::string& source, std::optional<double> at) {
       is_recording(source) ? crowd_of_recording(source, at, scene) : crowd_of_scenario(source, at, scene);
   if (scene.domain.kind == DomainKind::periodic)
     crowd.period = {scene.domain.min, scene.domain.max - scene.domain.min};
+  crowd.walls = std::move(scene.walls);
   for (std::size_t row = 0; row < crowd.id.size(); ++row) {
     if (!crowd.position[row].allFinite() || crowd.position[row].cwiseAbs().maxCoeff() > kFarthestBody)
       throw InputError(source + ": body " + std::to_string(crowd.id[row]) +

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "broadphase/brute_force.h"
+#include "narrowphase/crossing.h"
 #include "sim/recording/recording.h"
 #include "tests/tools/program.h"
 
@@ -121,6 +122,29 @@ TEST_F(Query, SeesWhatIsInView) {
             none + ",1,1.4142135623730951\n");
 }
 
+TEST_F(Query, SeesNobodyBehindAWall) {
+  const std::string walls = "[[walls]]\nsegment = [[2, -1], [2, 3]]\n[[walls]]\nsegment = [[2, 3], [2, 9]]\n";
+  const std::string none = "id,neighbour,distance\n";
+  const std::string scene = write("s.toml", kPlane + walls);
+  EXPECT_EQ(throng("query " + scene + " --radius 12 --all --sight").out,
+            none +
+                "2,3,1\n2,4,8.06225774829855\n3,2,1\n3,4,8.602325267042627\n"
+                "4,2,8.06225774829855\n4,3,8.602325267042627\n");
+  EXPECT_EQ(throng("query " + scene + " --nearest 1 --id 4 --sight").out, none + "4,2,8.06225774829855\n");
+  EXPECT_EQ(throng("query " + scene + " --nearest 1 --id 1 --sight").out, none);
+  // From where the line to body 1 passes below the wall, and from where it touches its end.
+  EXPECT_EQ(throng("query " + scene + " --nearest 9 --point 3.5,-2.6 --sight --radius 4.4").out,
+            none + ",1,4.313930922024598\n");
+  EXPECT_EQ(throng("query " + scene + " --nearest 1 --point 3.5,-2.5 --sight --radius 4.4").out, none);
+  // Round the period body 4 is 2 to the left of body 1, and no wall is there.
+  const std::string torus = write("t.toml", kTorus + walls);
+  EXPECT_EQ(throng("query " + torus + " --radius 2 --id 1 --sight").out, none + "1,4,2\n");
+  EXPECT_EQ(throng("query " + torus + " --radius 6 --id 1 --sight --fov 90 --heading 180").out,
+            none + "1,4,2\n");
+  const std::string seam = write("u.toml", kTorus + "[[walls]]\nsegment = [[11.5, 0], [11.5, 1]]\n");
+  EXPECT_EQ(throng("query " + seam + " --radius 2 --id 1 --sight").out, none);
+}
+
 TEST_F(Query, NeedsTheHeadingToBeRecorded) {
   const std::string recording = path("bare.h5");
   const Result run =
@@ -179,6 +203,69 @@ TEST_F(Query, AgreesWithBruteForceOnRecordedFrames) {
   }
 }
 
+// 300 between walls in a periodic box, some of which reach beyond it: whom none of a wall's images hides.
+TEST_F(Query, AgreesWithBruteForceOnWhoIsInSight) {
+  const std::string scene = kHead + R"(
+domain = { periodic = [[-5, -5], [5, 5]] }
+walls = [ { polyline = [[-4, -4], [-1, -3], [-1, 2]] }, { polygon = [[1, 1], [2, 1], [2, 2]] },
+          { segment = [[4, -2], [7, -1]] }, { segment = [[-2, 4.5], [3, 5.25]] } ]
+[shapes]
+ball = { disc = { radius = 0.02 } }
+[[bodies]]
+shape = "ball"
+count = 300
+place = { random = { within = [[-5, -5], [5, 5]] } }
+velocity = { maxwell = 1.0 }
+)";
+  const std::string file = path("walls.h5");
+  const Result run = throng("run " + write("walls.toml", scene) + " --until 0.5 -o " + file);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Recording recording(file);
+  const Scene geometry = recording.geometry();
+  const Vec size(10.0, 10.0);
+  const broadphase::Period period{{-5, -5}, size};
+  const auto hidden = [&](const Vec& p, const Vec& q) {
+    for (const Wall& wall : geometry.walls)
+      for (std::size_t i = 0; i + (wall.closed ? 0 : 1) < wall.points.size(); ++i)
+        for (int x = -1; x <= 1; ++x)
+          for (int y = -1; y <= 1; ++y) {
+            const Vec shift(x * size.x(), y * size.y());
+            if (narrowphase::segments_meet(p, q, wall.points[i] + shift,
+                                           wall.points[(i + 1) % wall.points.size()] + shift))
+              return true;
+          }
+    return false;
+  };
+  for (const std::size_t frame : {std::size_t{0}, recording.frames() - 1}) {
+    const Frame f = recording.frame(frame);
+    std::ostringstream expected;
+    expected << "id,neighbour,distance\n";
+    std::size_t near = 0, seen = 0;
+    for (std::uint32_t row = 0; row < f.id.size(); ++row) {
+      std::size_t wanted = 20;
+      for (const auto& n : broadphase::brute_force::near(
+               f.position, broadphase::Place{f.position[row], {0, 0}, row}, {.radius = 4.0}, &period)) {
+        const Vec d = f.position[n.row] - f.position[row];
+        const Vec to = f.position[n.row] - (d - broadphase::brute_force::displacement(
+                                                    f.position[row], f.position[n.row], &period));
+        if (wanted == 0) break;
+        ++near;
+        if (hidden(f.position[row], to)) continue;
+        ++seen;
+        --wanted;
+        char digits[32];
+        *std::to_chars(digits, digits + 31, n.distance).ptr = 0;
+        expected << f.id[row] << ',' << f.id[n.row] << ',' << digits << '\n';
+      }
+    }
+    EXPECT_GT(seen, near / 2);
+    EXPECT_LT(seen, near - near / 20);
+    char at[64];
+    std::snprintf(at, sizeof at, " --at %.17g", recording.times()[frame]);
+    EXPECT_EQ(throng("query " + file + " --all --radius 4 --nearest 20 --sight" + at).out, expected.str());
+  }
+}
+
 TEST_F(Query, RefusesWhatMakesNoSense) {
   const std::string scene = write("s.toml", kPlane);
   expect_refused(scene + " --radius -1 --id 1", "--radius must be 0 or more");
@@ -213,7 +300,6 @@ TEST_F(Query, RefusesWhatMakesNoSense) {
   expect_refused(scene + " --radius 1 --id 1 --heading 90", "--heading needs --fov");
   expect_refused(scene + " --radius 1 --point 0,0 --fov 90", "--point with --fov needs --heading DEG");
   expect_refused(scene + " --radius 1 --point 0,0 --fov 90 --heading angle", "--point with --fov needs");
-  expect_refused(scene + " --radius 1 --id 1 --sight", "not supported yet: --sight");
   expect_refused(scene + " --radius 1 --id 1 --format xml", "xml");
 }
 
