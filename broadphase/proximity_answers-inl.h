@@ -12,27 +12,11 @@
 #include <limits>
 
 #include "broadphase/best_few.h"
+#include "broadphase/proximity_keep-inl.h"
 #include "broadphase/proximity_search-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace throng::broadphase::HWY_NAMESPACE {
-
-/// Keeps all, as met, with room for a vector behind the last one.
-struct KeepAll {
-  double limit() const { return limit_; }
-  HWY_INLINE void take(Mask mask, Reals key, Rows rows) {
-    if (count + 2 * kLanes > answers.key.size()) grow();
-    hn::CompressBlendedStore(key, mask, D(), answers.key.data() + count);
-    count += hn::CompressBlendedStore(rows, hn::RebindMask(U(), mask), U(), answers.who.data() + count);
-  }
-  HWY_NOINLINE void grow() {
-    answers.key.resize(2 * count + 64);
-    answers.who.resize(2 * count + 64);
-  }
-  double limit_;
-  Answers& answers;
-  std::size_t count = 0;
-};
 
 /// Calls for all, as met.
 template <class S>
@@ -75,81 +59,28 @@ struct KeepBest {
   BestFew best;
 };
 
-/// Appends what was found in order of (distance, row), by counting for each how many come before it, which
-/// takes no branches. False where two are equally near: then what was written is to be written again.
-HWY_INLINE bool append_ranked(std::size_t count, const double* distance, const std::uint64_t* who,
-                              std::uint32_t* row_out, double* distance_out) {
-  constexpr double kSelf = 4096.0;  // more than any rank
-  const Reals one = hn::Set(D(), 1.0), self = hn::Set(D(), kSelf);
-  bool distinct = true;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Reals own = hn::Set(D(), distance[i]);
-    Reals sum = hn::Zero(D());
-    for (std::size_t j = 0; j < count; j += kLanes) {
-      const Reals other = hn::LoadU(D(), distance + j);
-      const Reals equal = hn::IfThenElseZero(hn::Eq(other, own), self);
-      sum = hn::Add(sum, hn::IfThenElse(hn::Lt(other, own), one, equal));
-    }
-    const double rank = hn::GetLane(hn::SumOfLanes(D(), sum)) - kSelf;
-    distinct = distinct && rank < kSelf;
-    const auto place = static_cast<std::size_t>(rank) % count;
-    row_out[place] = static_cast<std::uint32_t>(who[i]);
-    distance_out[place] = distance[i];
-  }
-  return distinct;
-}
-
-void reserve(Answers& answers, std::size_t more) {
-  if (answers.size + more <= answers.row.size()) return;
-  answers.row.resize(2 * (answers.size + more));
-  answers.distance.resize(2 * (answers.size + more));
-}
-
-void append(const Neighbour* list, std::size_t count, Answers& answers) {
-  reserve(answers, count);
-  for (std::size_t i = 0; i < count; ++i) {
-    answers.row[answers.size + i] = list[i].row;
-    answers.distance[answers.size + i] = list[i].distance;
-  }
-  answers.size += count;
-}
-
-template <class S>
-void append_sorted(std::size_t count, Answers& answers) {
-  constexpr std::size_t kFewToRank = 128;  // counting is quadratic
-  double* const keys = answers.key.data();
-  if (count == 0) return;
-  for (std::size_t i = count; i % kLanes != 0; ++i) keys[i] = std::numeric_limits<double>::infinity();
-  if constexpr (S::kSquares)
-    for (std::size_t i = 0; i < count; i += kLanes)
-      hn::StoreU(hn::Sqrt(hn::LoadU(D(), keys + i)), D(), keys + i);
-  reserve(answers, count);
-  if (count <= kFewToRank && append_ranked(count, keys, answers.who.data(), answers.row.data() + answers.size,
-                                           answers.distance.data() + answers.size)) {
-    answers.size += count;
-    return;
-  }
-  answers.best.resize(std::max(answers.best.size(), count));
-  for (std::size_t i = 0; i < count; ++i)
-    answers.best[i] = {static_cast<std::uint32_t>(answers.who[i]), keys[i]};
-  std::sort(answers.best.begin(), answers.best.begin() + static_cast<std::ptrdiff_t>(count), nearer);
-  append(answers.best.data(), count, answers);
-}
-
-/// The k-th smallest of a list, k > 0, by counting for each how many are no larger. Expects a list of at
-/// least k, with room for a vector behind it.
-HWY_INLINE double smallest(std::size_t k, double* list, std::size_t count) {
+/// About the k-th smallest of a list of squares or distances, and no less, by halving an interval: its end
+/// always has k below it. Expects a list of at least k > 0, with room for a vector behind it.
+HWY_INLINE double about_smallest(std::size_t k, double* list, std::size_t count) {
+  constexpr int kHalvings = 12;
   for (std::size_t i = count; i % kLanes != 0; ++i) list[i] = std::numeric_limits<double>::infinity();
-  const Reals one = hn::Set(D(), 1.0);
-  double result = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < count; ++i) {
-    Reals sum = hn::Zero(D());
-    for (std::size_t j = 0; j < count; j += kLanes)
-      sum = hn::Add(sum, hn::IfThenElseZero(hn::Le(hn::LoadU(D(), list + j), hn::Set(D(), list[i])), one));
-    const bool enough = hn::GetLane(hn::SumOfLanes(D(), sum)) >= static_cast<double>(k);
-    result = enough && list[i] < result ? list[i] : result;
+  Reals least = hn::LoadU(D(), list), most = hn::Set(D(), list[0]);
+  for (std::size_t i = 0; i < count; i += kLanes) {
+    const Reals own = hn::LoadU(D(), list + i);
+    least = hn::Min(least, own);
+    most = hn::Max(most,
+                   hn::IfThenElse(hn::Le(own, hn::Set(D(), std::numeric_limits<double>::max())), own, most));
   }
-  return result;
+  double low = hn::GetLane(hn::MinOfLanes(D(), least)), high = hn::GetLane(hn::MaxOfLanes(D(), most));
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = low + 0.5 * (high - low);
+    std::size_t below = 0;
+    for (std::size_t j = 0; j < count; j += kLanes)
+      below += hn::CountTrue(D(), hn::Le(hn::LoadU(D(), list + j), hn::Set(D(), middle)));
+    (below >= k ? high : low) = middle;
+    if (below >= k && below <= k + k / 16) break;
+  }
+  return high;
 }
 
 constexpr double kUnknown = -std::numeric_limits<double>::infinity();
@@ -166,7 +97,7 @@ double last_key(const ProximityTree& tree, const Question& question, const Near&
   KeepAll sink{radius_key, answers};
   S(tree, question, near).meet_around(question.leaf, near.most, sink);
   if (sink.count < near.most) return kUnknown;
-  const double farthest = S::distance(smallest(near.most, answers.key.data(), sink.count));
+  const double farthest = S::distance(about_smallest(near.most, answers.key.data(), sink.count));
   return std::min(radius_key, S::distance_key(farthest));
 }
 
@@ -205,7 +136,7 @@ void answer(const ProximityTree& tree, std::span<const Question> questions, cons
         search.run(answers.parents, sink);
       else
         search.run(sink);
-      append_sorted<S>(sink.count, answers);
+      append_sorted<S::kSquares>(sink.count, answers);
       answers.size = std::min(answers.size, before + std::min(near.most, tree.size()));
     }
     answers.count.push_back(static_cast<std::uint32_t>(answers.size - before));
@@ -228,8 +159,8 @@ HWY_INLINE void choose(const ProximityTree& tree, F&& f) {
     f(static_cast<Search<Plane, Kind::points>*>(nullptr));
 }
 
-void SearchMany(const ProximityTree& tree, std::span<const Question> questions, const Near& near,
-                Answers& answers) {
+void SearchMany(const ProximityTree& tree, const Near& near, Answers& answers) {
+  const std::span<const Question> questions = answers.questions;
   choose(tree, [&]<class S>(S*) HWY_ATTR {
     for (std::size_t i = 0; i < questions.size(); i += kTogether)
       answer<S>(tree, questions.subspan(i, std::min(kTogether, questions.size() - i)), near, answers);

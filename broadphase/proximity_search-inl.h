@@ -29,7 +29,7 @@ class Search {
 
   Search(const ProximityTree& tree, const Question& question, const Near& near)
       : tree_(tree),
-        space_(tree),
+        space_(tree.period),
         x_(hn::Set(D(), question.at.x())),
         y_(hn::Set(D(), question.at.y())),
         heading_x_(hn::Set(D(), question.heading.x())),

@@ -16,9 +16,8 @@ HWY_EXPORT(SearchMany);
 HWY_EXPORT(SearchAll);
 HWY_EXPORT(SearchBest);
 
-void search(const ProximityTree& tree, std::span<const Question> questions, const Near& near,
-            Answers& answers) {
-  HWY_DYNAMIC_DISPATCH(SearchMany)(tree, questions, near, answers);
+void search(const ProximityTree& tree, const Near& near, Answers& answers) {
+  HWY_DYNAMIC_DISPATCH(SearchMany)(tree, near, answers);
 }
 
 void search(const ProximityTree& tree, const Question& question, const Near& near, NeighbourCall call,

@@ -22,8 +22,9 @@ struct Question {
   std::size_t leaf = kNoLeaf;  ///< where it is asked, if known: decides speed only
 };
 
-/// The answers to questions, one after the other.
+/// Questions, and the answers to them, one after the other.
 struct Answers {
+  std::vector<Question> questions;
   std::vector<std::uint32_t> row;
   std::vector<double> distance;
   std::vector<std::uint32_t> count;  ///< of each question
@@ -35,9 +36,8 @@ struct Answers {
   std::vector<std::uint32_t> parents;  ///< of the leaves near some questions
 };
 
-/// Appends the answers to all questions to `answers`, in order.
-void search(const ProximityTree& tree, std::span<const Question> questions, const Near& near,
-            Answers& answers);
+/// Appends the answers to all of `answers.questions`, in order.
+void search(const ProximityTree& tree, const Near& near, Answers& answers);
 
 /// Calls `call` for all that is found.
 void search(const ProximityTree& tree, const Question& question, const Near& near, NeighbourCall call,

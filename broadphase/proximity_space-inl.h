@@ -24,7 +24,7 @@ constexpr std::size_t kLanes = hn::MaxLanes(D());
 
 /// From a place to an item, and from an interval of places to one of items.
 struct Plane {
-  explicit Plane(const ProximityTree&) {}
+  explicit Plane(const Period&) {}
   template <int>
   HWY_INLINE Reals to(Reals p, Reals q) const {
     return hn::Sub(q, p);
@@ -42,8 +42,7 @@ struct Plane {
 /// The same where lengths repeat; see `fold`. Within half the period a folded length grows with the length,
 /// beyond it falls: over an interval it is least at an end, or 0.
 struct Torus {
-  explicit Torus(const ProximityTree& tree)
-      : size{hn::Set(D(), tree.period.size.x()), hn::Set(D(), tree.period.size.y())} {}
+  explicit Torus(const Period& period) : size{hn::Set(D(), period.size.x()), hn::Set(D(), period.size.y())} {}
   template <int kAxis>
   HWY_INLINE Reals fold(Reals d) const {
     const Reals half = hn::Mul(hn::Set(D(), 0.5), size[kAxis]);

@@ -21,7 +21,7 @@ template <class Space, ProximityTree::Kind kKind>
 class Upper {
  public:
   Upper(const ProximityTree& tree, const Box& places, double limit, std::vector<std::uint32_t>& parents)
-      : tree_(tree), space_(tree), limit_(limit), parents_(parents) {
+      : tree_(tree), space_(tree.period), limit_(limit), parents_(parents) {
     for (int axis = 0; axis < 2; ++axis) {
       low_[axis] = hn::Set(D(), places.min()[axis]);
       high_[axis] = hn::Set(D(), places.max()[axis]);

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <new>
 
+#include "broadphase/all_lists.h"
 #include "broadphase/box_index.h"
 #include "broadphase/disc_pairs.h"
 #include "broadphase/neighbours.h"
@@ -117,6 +118,23 @@ TEST(Allocation, HappensOnceForNeighbours) {
               }
             }),
             0);
+  EXPECT_GT(lists.row.size(), points.size());
+}
+
+TEST(Allocation, HappensOnceInAllLists) {
+  Random random(6);
+  const Points points = cloud(random, 3000, 50.0), sparse = cloud(random, 3000, 1e6);
+  const std::vector<double> radius(3000, 2.0);
+  AllLists search;
+  NeighbourLists lists;
+  EXPECT_EQ(allocations_of([&] {
+              for (const Points* some : {&points, &sparse}) {
+                search.find(*some, 2.0, nullptr, lists);
+                search.find(*some, radius, nullptr, lists);
+              }
+            }),
+            0);
+  search.find(points, 2.0, nullptr, lists);
   EXPECT_GT(lists.row.size(), points.size());
 }
 

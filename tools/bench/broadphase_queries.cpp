@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nanoflann.hpp>
 
+#include "broadphase/all_lists.h"
 #include "broadphase/all_pairs.h"
 #include "broadphase/neighbours.h"
 #include "tools/bench/benchmarks.h"
@@ -43,7 +44,19 @@ Check check_of(const NeighbourLists& lists) {
   return result;
 }
 
+/// Everyone within a radius, of all at once.
 struct Throng {
+  explicit Throng(int threads) : search(threads) {}
+
+  broadphase::AllLists search;
+  NeighbourLists lists;
+
+  void find(const Points& points, const Near& near) { search.find(points, near.radius, nullptr, lists); }
+  Check check() const { return check_of(lists); }
+};
+
+/// The tree, which answers any question.
+struct Tree {
   broadphase::ProximityTree tree;
   broadphase::NeighbourSearch search;
   NeighbourLists lists;
@@ -218,7 +231,8 @@ void add_rows(const std::string& name, const Cloud& cloud, const Near& near, boo
               const Options& options, std::vector<Row>& rows) {
   if (!chosen(name, options)) return;
   const Points& points = cloud.points;
-  Throng one, two;
+  Throng one(1), two(2);
+  Tree tree_one, tree_two;
   Pairs pairs;
   Nanoflann nanoflann;
   Box2dTree box2d;
@@ -231,10 +245,17 @@ void add_rows(const std::string& name, const Cloud& cloud, const Near& near, boo
     contestants.push_back({engine, std::move(find)});
     checks.emplace_back(threads, std::move(check));
   };
+  if (pairs_too) {
+    add(
+        "throng", 1, [&] { one.find(points, near); }, [&] { return one.check(); });
+    add(
+        "throng", 2, [&] { two.find(points, near); }, [&] { return two.check(); });
+  }
+  const char* tree = pairs_too ? "throng_tree" : "throng";
   add(
-      "throng", 1, [&] { one.find(points, near, 1); }, [&] { return one.check(); });
+      tree, 1, [&] { tree_one.find(points, near, 1); }, [&] { return tree_one.check(); });
   add(
-      "throng", 2, [&] { two.find(points, near, 2); }, [&] { return two.check(); });
+      tree, 2, [&] { tree_two.find(points, near, 2); }, [&] { return tree_two.check(); });
   add(
       "nanoflann", 1, [&] { nanoflann.find(points, near); }, [&] { return nanoflann.check(); });
   if (pairs_too) {

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "broadphase/all_lists.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "broadphase/list_chunks.h"
+#include "broadphase/list_kernel.h"
+
+namespace throng::broadphase {
+
+namespace {
+constexpr std::size_t kPart = 2048;   // points: enough work for a thread
+constexpr std::size_t kTogether = 256;  // lists that are copied at once: small enough to be still at hand
+constexpr double kLargest = 1e140;  // m: cells of this size can be told apart from those beside them
+}
+
+struct AllLists::Scratch {
+  explicit Scratch(int threads) : team(threads) {}
+
+  Team team;
+  CellOrder cells;
+  std::vector<std::uint32_t> count;  // of each place's neighbours
+  std::vector<Answers> found;        // of each part, before they are brought to their rows
+  ProximityTree tree;
+  NeighbourSearch search;
+
+  void find(std::span<const Point> points, double radius, std::span<const double> own, bool alike,
+            const Period* period, NeighbourLists& lists);
+  void find(const ListQuestion& question, NeighbourLists& lists);
+};
+
+AllLists::AllLists(int threads) : scratch_(std::make_unique<Scratch>(threads)) {}
+AllLists::~AllLists() = default;
+AllLists::AllLists(AllLists&&) noexcept = default;
+AllLists& AllLists::operator=(AllLists&&) noexcept = default;
+
+void AllLists::find(std::span<const Point> points, double radius, const Period* period,
+                    NeighbourLists& lists) {
+  assert(radius >= 0.0);
+  scratch_->find(points, radius, {}, true, period, lists);
+}
+
+void AllLists::find(std::span<const Point> points, std::span<const double> radius, const Period* period,
+                    NeighbourLists& lists) {
+  assert(radius.size() == points.size());
+  double largest = 0.0, squares = 0.0;
+  for (const double r : radius) {
+    assert(r >= 0.0);
+    largest = std::max(largest, r);
+    squares += r * r;
+  }
+  const bool alike = 4.0 * squares >= static_cast<double>(radius.size()) * largest * largest;
+  scratch_->find(points, largest, radius, alike, period, lists);
+}
+
+void AllLists::Scratch::find(std::span<const Point> points, double radius, std::span<const double> own,
+                             bool alike, const Period* period, NeighbourLists& lists) {
+  if (!points.empty() && alike && radius < kLargest && cells.rebuild(points, radius, period, team)) {
+    find({cells, period, radius, own}, lists);
+    return;
+  }
+  tree.build(points, period);
+  search.find(tree, {.at = points, .radius = own, .own = 0}, {.radius = radius}, lists,
+              static_cast<int>(team.threads()));
+}
+
+/// Counts first, so that nothing but some hundred lists is held twice.
+void AllLists::Scratch::find(const ListQuestion& question, NeighbourLists& lists) {
+  const std::size_t n = cells.size(), parts = team.threads() == 1 ? 1 : (n + kPart - 1) / kPart;
+  if (found.size() < parts) found.resize(parts);
+  count.resize(n);
+  lists.begin.assign(n + 1, 0);
+  team.for_each(parts, [&](std::size_t part) {
+    const std::size_t first = n * part / parts, end = n * (part + 1) / parts;
+    count_neighbours(question, first, end, count.data());
+    for (std::size_t i = first; i < end; ++i) lists.begin[cells.row()[i] + std::size_t{1}] = count[i];
+  });
+  for (std::size_t i = 0; i < n; ++i) lists.begin[i + 1] += lists.begin[i];
+  lists.row.resize(lists.begin[n]);
+  lists.distance.resize(lists.begin[n]);
+  team.for_each(parts, [&](std::size_t part) {
+    const std::size_t end = n * (part + 1) / parts;
+    for (std::size_t i = n * part / parts; i < end; i += kTogether) {
+      const std::size_t next = std::min(i + kTogether, end);
+      found[part].size = 0;
+      gather_neighbours(question, i, next, found[part]);
+      copy_lists(found[part], {cells.row() + i, next - i}, lists);
+    }
+  });
+}
+
+}  // namespace throng::broadphase
