@@ -25,8 +25,8 @@ TEST(Sight, EndsAtAWall) {
 
 TEST(Sight, EndsWhereItTouchesAWall) {
   const Sight sight = sight_of({{0, -1}, {0, 1}});
-  EXPECT_FALSE(sight.sees({-1, 2}, {1, 0}));        // the wall's end, by the way
-  EXPECT_FALSE(sight.sees({-1, 0}, {0, 0}));        // who stands on the wall is hidden
+  EXPECT_FALSE(sight.sees({-1, 2}, {1, 0}));         // the wall's end, by the way
+  EXPECT_FALSE(sight.sees({-1, 0}, {0, 0}));         // who stands on the wall is hidden
   EXPECT_FALSE(sight.sees({0, 2}, {0, 1.5 - 0.5}));  // along the wall up to it
   EXPECT_FALSE(sight.sees({0, 3}, {0, -3}));
   EXPECT_TRUE(sight.sees({0, 3}, {0, 1.0000000000000002}));
@@ -61,7 +61,8 @@ std::int64_t side(const Vec& a, const Vec& b, const Vec& c) {  // of whole numbe
 }
 bool meet(const Vec& p, const Vec& q, const Vec& r, const Vec& s) {
   for (const int axis : {0, 1})
-    if (std::max(p[axis], q[axis]) < std::min(r[axis], s[axis]) || std::max(r[axis], s[axis]) < std::min(p[axis], q[axis]))
+    if (std::max(p[axis], q[axis]) < std::min(r[axis], s[axis]) ||
+        std::max(r[axis], s[axis]) < std::min(p[axis], q[axis]))
       return false;
   return side(p, q, r) * side(p, q, s) <= 0 && side(r, s, p) * side(r, s, q) <= 0;
 }
@@ -75,7 +76,9 @@ TEST(Sight, AgreesWithTheDefinitionOnWholeNumbers) {
   for (int round = 0; round < 400; ++round) {
     const bool far = round % 2;
     const double span = round % 3 ? 12.0 : 4000.0;
-    const auto place = [&]() -> Vec { return Vec(below(static_cast<std::uint64_t>(span)), below(static_cast<std::uint64_t>(span))); };
+    const auto place = [&]() -> Vec {
+      return Vec(below(static_cast<std::uint64_t>(span)), below(static_cast<std::uint64_t>(span)));
+    };
     std::vector<Wall> walls;
     for (std::uint64_t i = 0; i < 1 + random() % 40; ++i) {
       const Vec a = place();
@@ -85,7 +88,8 @@ TEST(Sight, AgreesWithTheDefinitionOnWholeNumbers) {
     const Sight sight(walls, {}, far ? span : 1.0);
     for (int i = 0; i < 50; ++i) {
       const Vec p = place(), q = place();
-      const bool blocked = std::ranges::any_of(walls, [&](const Wall& wall) { return meet(p, q, wall.points[0], wall.points[1]); });
+      const bool blocked = std::ranges::any_of(
+          walls, [&](const Wall& wall) { return meet(p, q, wall.points[0], wall.points[1]); });
       EXPECT_EQ(sight.sees(p, q), !blocked) << p.transpose() << " to " << q.transpose();
       EXPECT_EQ(sight.sees(q, p), !blocked);
       seen += !blocked;
