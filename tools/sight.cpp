@@ -44,17 +44,19 @@ void Sight::add(const Vec& a, const Vec& b) {
 
 bool Sight::sees(const Vec& p, const Vec& q) const {
   if (!period_) return !blocked(p, q);
-  const Vec d = q - p, nearest(broadphase::fold(d.x(), period_->size.x()), broadphase::fold(d.y(), period_->size.y()));
+  const Vec d = q - p,
+            nearest(broadphase::fold(d.x(), period_->size.x()), broadphase::fold(d.y(), period_->size.y()));
   return !blocked(p, q - (d - nearest));
 }
 
-/// Asks for what is near the segment piece by piece, so that a long slanting one doesn't meet all walls of its
-/// box. The pieces' ends are rounded: their boxes are larger by more than that.
+/// Asks for what is near the segment piece by piece, so that a long slanting one doesn't meet all walls of
+/// its box. The pieces' ends are rounded: their boxes are larger by more than that.
 bool Sight::blocked(const Vec& p, const Vec& q) const {
   if (!bounds_.intersects(Box(Vec(p.cwiseMin(q)), Vec(p.cwiseMax(q))))) return false;
   const double length = (q - p).cwiseAbs().maxCoeff();
   const double steps = std::clamp(std::ceil(0.5 * length / index_.cell_size()), 1.0, kMostSteps);
-  const double slack = 8.0 * std::numeric_limits<double>::epsilon() * p.cwiseAbs().cwiseMax(q.cwiseAbs()).maxCoeff();
+  const double slack =
+      8.0 * std::numeric_limits<double>::epsilon() * p.cwiseAbs().cwiseMax(q.cwiseAbs()).maxCoeff();
   bool hit = false;
   Vec from = p;
   for (double i = 1.0; i <= steps && !hit; ++i) {

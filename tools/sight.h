@@ -28,7 +28,7 @@ class Sight {
 
   std::optional<broadphase::Period> period_;
   std::vector<broadphase::Extent> walls_;  // with their images
-  broadphase::Box bounds_;  // m, of all walls
+  broadphase::Box bounds_;                 // m, of all walls
   broadphase::BoxIndex index_;
 };
 
