@@ -10,10 +10,10 @@
 namespace throng::broadphase {
 
 namespace {
-constexpr std::size_t kPart = 2048;   // points: enough work for a thread
+constexpr std::size_t kPart = 2048;     // points: enough work for a thread
 constexpr std::size_t kTogether = 256;  // lists that are copied at once: small enough to be still at hand
-constexpr double kLargest = 1e140;  // m: cells of this size can be told apart from those beside them
-}
+constexpr double kLargest = 1e140;      // m: cells of this size can be told apart from those beside them
+}  // namespace
 
 struct AllLists::Scratch {
   explicit Scratch(int threads) : team(threads) {}

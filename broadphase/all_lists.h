@@ -7,8 +7,8 @@
 #include "broadphase/neighbours.h"
 #include "broadphase/point.h"
 
-/// Who is near whom, of all points at once: the lists that sensing within a radius needs. Each list is that of
-/// `find_near`, to the last bit; for views, groups, the few nearest, or other places ask `neighbours.h`.
+/// Who is near whom, of all points at once: the lists that sensing within a radius needs. Each list is that
+/// of `find_near`, to the last bit; for views, groups, the few nearest, or other places ask `neighbours.h`.
 namespace throng::broadphase {
 
 class AllLists {
@@ -28,8 +28,8 @@ class AllLists {
   /// Expects points as `ProximityTree::build` does. Allocates only to grow.
   void find(std::span<const Point> points, double radius, const Period* period, NeighbourLists& lists);
 
-  /// The same where point i looks radius[i] (m) far. In a grid as wide as the largest, if the radii are alike:
-  /// if their mean square is at least a quarter of the largest's.
+  /// The same where point i looks radius[i] (m) far. In a grid as wide as the largest, if the radii are
+  /// alike: if their mean square is at least a quarter of the largest's.
   void find(std::span<const Point> points, std::span<const double> radius, const Period* period,
             NeighbourLists& lists);
 

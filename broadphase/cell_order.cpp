@@ -12,7 +12,7 @@ constexpr double kMostMeetings = 4.0;  // a point, within the larger cells: a cl
 }  // namespace
 
 bool CellOrder::rebuild(std::span<const Point> points, double radius, const Period* period, Team& team) {
-  row_.resize(points.size());
+  row_.resize(points.size() + kPadding);
   x_.resize(points.size() + kPadding);
   y_.resize(points.size() + kPadding);
   if (!choose_cells(points, radius, period)) return false;

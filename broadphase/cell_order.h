@@ -20,11 +20,11 @@ class CellOrder {
   bool rebuild(std::span<const Point> points, double radius, const Period* period, Team& team);
 
   const Cells& cells() const { return cells_; }
-  std::size_t size() const { return row_.size(); }
+  std::size_t size() const { return row_.size() - kPadding; }
 
   /// The places of a cell's points go from start()[bucket] to start()[bucket + 1].
   const std::uint32_t* start() const { return start_.data(); }
-  const std::uint32_t* row() const { return row_.data(); }  ///< ascending in each cell
+  const std::uint32_t* row() const { return row_.data(); }  ///< ascending in each cell; padded, as x and y
   const double* x() const { return x_.data(); }             ///< m
   const double* y() const { return y_.data(); }
 
@@ -35,7 +35,8 @@ class CellOrder {
   bool count(std::span<const Point> points, bool enlarged);
 
   Cells cells_;
-  std::vector<std::uint32_t> start_, bucket_, row_;
+  std::vector<std::uint32_t> start_, bucket_;
+  std::vector<std::uint32_t> row_ = std::vector<std::uint32_t>(kPadding);
   std::vector<double> x_, y_;
 };
 

@@ -40,8 +40,8 @@ struct Around {
   }
 };
 
-/// The squared distances from place `at` to those of the vector that begins at `other`, and which of these are
-/// before `end` and at most the root of `limit` away.
+/// The squared distances from place `at` to those of the vector that begins at `other`, and which of these
+/// are before `end` and at most the root of `limit` away.
 template <class Space>
 struct Near {
   HWY_INLINE Near(const CellOrder& order, const Space& space, std::size_t at, double limit)
@@ -121,7 +121,8 @@ HWY_INLINE void choose_space(const Period* period, F&& f) {
 void CountNeighbours(const ListQuestion& question, std::size_t first, std::size_t end, std::uint32_t* count) {
   choose_space(question.period, [&]<class Space>(const Space& space) HWY_ATTR {
     for_each_place(question, first, end, [&](std::size_t at, const Around& around, double limit) HWY_ATTR {
-      count[at] = static_cast<std::uint32_t>(count_near(Near<Space>(question.cells, space, at, limit), around));
+      count[at] =
+          static_cast<std::uint32_t>(count_near(Near<Space>(question.cells, space, at, limit), around));
     });
   });
 }
@@ -146,7 +147,8 @@ namespace throng::broadphase {
 HWY_EXPORT(CountNeighbours);
 HWY_EXPORT(GatherNeighbours);
 
-void count_neighbours(const ListQuestion& question, std::size_t first, std::size_t end, std::uint32_t* count) {
+void count_neighbours(const ListQuestion& question, std::size_t first, std::size_t end,
+                      std::uint32_t* count) {
   HWY_DYNAMIC_DISPATCH(CountNeighbours)(question, first, end, count);
 }
 

@@ -8,9 +8,9 @@
 
 namespace throng::broadphase {
 
-/// What is asked: who is within `radius` (m) of each point of `cells`, which are at least as wide; where `own`
-/// isn't empty, row i looks own[i] far instead. The functions are compiled for each width of vectors and chosen
-/// at run time; the answers are the same for each.
+/// What is asked: who is within `radius` (m) of each point of `cells`, which are at least as wide; where
+/// `own` isn't empty, row i looks own[i] far instead. The functions are compiled for each width of vectors
+/// and chosen at run time; the answers are the same for each.
 struct ListQuestion {
   const CellOrder& cells;
   const Period* period;

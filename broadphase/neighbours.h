@@ -13,7 +13,8 @@
 #include "broadphase/proximity_tree.h"
 
 /// Who is near a place, who is nearest, and who of those is seen: for sensing, and for questions asked from
-/// outside. For all pairs within one distance `AllPairs` is faster.
+/// outside. For all pairs within one distance `AllPairs` is faster, for everyone's list within one
+/// `AllLists`.
 ///
 /// The distance of a point is the root of `squared_distance`, and it is within a radius r where that square
 /// is at most r * r; that of a disc goes to its rim, |p - c| - r, below 0 inside; that of a box to its

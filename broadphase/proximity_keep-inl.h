@@ -31,8 +31,8 @@ constexpr std::array<std::array<std::uint32_t, 8>, 256> lanes_of_masks() {
 }
 constexpr auto kLanesOfMask = lanes_of_masks();
 
-/// Writes what `mask` says to `key` and `who`, and rubbish up to a vector behind it; returns how many. (Highway
-/// 1.0.3 would compress 64 bits by a table that it copies to the stack each time: 2 kB.)
+/// Writes what `mask` says to `key` and `who`, and rubbish up to a vector behind it; returns how many.
+/// (Highway 1.0.3 would compress 64 bits by a table that it copies to the stack each time: 2 kB.)
 HWY_INLINE std::size_t keep(Mask mask, Reals keys, Rows rows, double* key, std::uint64_t* who) {
   std::uint8_t bits[8] = {};
   hn::StoreMaskBits(D(), mask, bits);
@@ -63,8 +63,8 @@ struct KeepAll {
 };
 
 /// Writes at most kFewToRank answers in order of their distances, by counting for each how many come before
-/// it: no branch depends on them. They are compared as floats: where two are equal as such, returns false, and
-/// what was written is to be written again. Reads up to a vector behind `distance`.
+/// it: no branch depends on them. They are compared as floats: where two are equal as such, returns false,
+/// and what was written is to be written again. Reads up to a vector behind `distance`.
 HWY_INLINE bool write_ranked(std::size_t count, const double* distance, const std::uint64_t* who,
                              std::uint32_t* row_out, double* distance_out) {
   using F = hn::ScalableTag<float>;

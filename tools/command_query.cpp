@@ -34,17 +34,24 @@ struct Options {
   bool all = false, sight = false;
 };
 
+/// The shortest text that reads back as the same number.
+std::string text_of(double number) {
+  char digits[32];
+  return {digits, std::to_chars(digits, digits + sizeof digits, number).ptr};
+}
+
 void check(const Options& options) {
   if (options.id.has_value() + options.point.has_value() + options.all != 1)
     throw InputError("query: give one of --id I, --point X,Y and --all");
   if (!options.radius && !options.nearest) throw InputError("query: give --radius R, --nearest K or both");
   if (options.radius && !(*options.radius >= 0.0))
-    throw InputError("query: --radius must be 0 or more metres, or inf");
-  if (options.nearest && *options.nearest < 1) throw InputError("query: --nearest must be 1 or more");
+    throw InputError("query: --radius must be 0 or more metres, or inf, not " + text_of(*options.radius));
+  if (options.nearest && *options.nearest < 1)
+    throw InputError("query: --nearest must be 1 or more, not " + std::to_string(*options.nearest));
   if (options.at && !std::isfinite(*options.at))
-    throw InputError("query: --at must be a finite time in seconds");
+    throw InputError("query: --at must be a finite time in seconds, not " + text_of(*options.at));
   if (options.fov && !(*options.fov > 0.0 && *options.fov <= 360.0))
-    throw InputError("query: --fov must be above 0 and at most 360 degrees");
+    throw InputError("query: --fov must be above 0 and at most 360 degrees, not " + text_of(*options.fov));
   if (options.heading && !options.fov) throw InputError("query: --heading needs --fov DEG");
 }
 

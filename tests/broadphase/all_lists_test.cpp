@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
 
-#include <limits>
 #include <rapidcheck/gtest.h>
+#include <limits>
 
 #include "broadphase/brute_force.h"
 #include "broadphase/cell_order.h"
@@ -136,7 +136,8 @@ TEST_P(AllListsOnEachTarget, AgreeWithTheDefinition) {
             two.find(points, radius, where, again);
             expect_equal(lists, again);
             const std::vector<double> same(n, radius);
-            found += static_cast<double>(expect_definition(points, same, where, lists)) / static_cast<double>(n * n);
+            found += static_cast<double>(expect_definition(points, same, where, lists)) /
+                     static_cast<double>(n * n);
             asked += 1.0;
             one.find(points, own, where, lists);
             two.find(points, own, where, again);
