@@ -31,14 +31,17 @@ inline Vec along(const Vec& unit, const Vec& v) {
 struct Look {
   const Convex *x, *y;  ///< the shape of the vertex, and that of the edge
   const Pose *pose_x, *pose_y;
-  Vec arm;         ///< m, in the world's directions, from x's origin to the vertex
-  Vec vertex;      ///< m, in the frame of y
-  Vec offset;      ///< to the vertex from the end of the edge beyond which it lies (m), else the edge's unit
-                   ///< normal
-  Vec outward;     ///< the same in the world's directions
-  double height;   ///< m, of the vertex above the edge's line
-  double squared;  ///< m², the offset's length at a corner; must be large enough to keep its digits
-  bool at_corner;  ///< the vertex lies beyond an end of the edge
+  Vec arm;      ///< m, in the world's directions, from x's origin to the vertex
+  Vec vertex;   ///< m, in the frame of y
+  Vec offset;   ///< to the vertex from the end of the edge beyond which it lies (m), else the edge's unit
+                ///< normal
+  Vec outward;  ///< the same in the world's directions
+  Vec inward;   ///< and in those of x
+  double past_tail, past_head;  ///< m, of the vertex along the edge, from its two ends
+  double height;                ///< m, of the vertex above the edge's line
+  double squared;      ///< m², the offset's length at a corner; must be large enough to keep its digits
+  bool at_corner;      ///< the vertex lies beyond an end of the edge
+  std::size_t head;    ///< of the edge
   std::size_t corner;  ///< that end; else any
   std::size_t beyond;  ///< the edge after the corner
   bool edge_holds;     ///< all of y lies behind, up to rounding: none of its edges is closer to the vertex
@@ -64,13 +67,15 @@ struct Look {
   [[gnu::always_inline]] void look_at_edge(std::size_t vertex_of_x, std::size_t edge) {
     arm = pose_x->rotate(x->vertices[vertex_of_x]);
     vertex = pose_y->unrotate(arm + (pose_x->position - pose_y->position));
-    const std::size_t count = y->vertices.size(), head = next(edge, count);
+    const std::size_t count = y->vertices.size();
+    head = next(edge, count);
     const Vec& normal = y->normals[edge];
     const Vec from_tail = vertex - y->vertices[edge], from_head = vertex - y->vertices[head];
     height = dot(normal, from_tail);
-    if (cross(normal, from_tail) < 0.0)
+    past_tail = cross(normal, from_tail), past_head = cross(normal, from_head);
+    if (past_tail < 0.0)
       look_at_corner(from_tail, edge, previous(edge, count), 1.0);
-    else if (cross(normal, from_head) > 0.0)
+    else if (past_head > 0.0)
       look_at_corner(from_head, head, head, -1.0);
     else
       offset = normal, at_corner = false, edge_holds = height > -rounding(vertex);
@@ -94,7 +99,7 @@ struct Look {
     outward = pose_y->rotate(offset);
     next_is_closer = previous_is_closer = false, vertex_holds = true;
     if (x->normals.empty()) return;
-    const Vec inward = pose_x->unrotate(outward);
+    inward = pose_x->unrotate(outward);
     const Vec &before = x->normals[previous(vertex_of_x, x->vertices.size())],
               &after = x->normals[vertex_of_x];
     next_is_closer = cross(after, inward) < 0.0;

@@ -2,6 +2,7 @@
 #include "narrowphase/tracker.h"
 
 #include "narrowphase/search.h"
+#include "narrowphase/walk.h"
 
 namespace throng::narrowphase {
 
@@ -15,11 +16,12 @@ namespace {
   return search(placed, overlap_likely, f, statistics);
 }
 
-[[gnu::noinline]] Separation walk_or_search(const Placed& placed, Look& look, ClosestFeatures& f,
-                                            SearchStatistics* wanted) {
-  SearchStatistics unwanted;
-  if (walk(placed, look, f, wanted ? *wanted : unwanted)) return answer(look, f.vertex_of_b);
-  return search_anew(placed, !look.at_corner, f, wanted);
+[[gnu::noinline]] Separation walk_or_search(const Placed& placed, ClosestFeatures& f,
+                                            SearchStatistics* statistics) {
+  const Walk to = walk(placed, f);
+  if (statistics) statistics->steps += to.steps;
+  if (to.proven) return to.answer;
+  return search_anew(placed, !to.at_corner, f, statistics);
 }
 
 }  // namespace
@@ -32,8 +34,7 @@ Separation track(const Convex& a, const Pose& pose_a, const Convex& b, const Pos
   const Look look(placed, features);
   if (look.proves()) [[likely]]
     return answer(look, features.vertex_of_b);
-  Look reached = look;  // a copy, so that the one above can stay in registers
-  return walk_or_search(placed, reached, features, statistics);
+  return walk_or_search(placed, features, statistics);
 }
 
 }  // namespace throng::narrowphase

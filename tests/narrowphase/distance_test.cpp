@@ -190,6 +190,23 @@ TEST(Separation, FlipsToTheBitWhenTheShapesAreSwapped) {
   }
 }
 
+TEST(Separation, ScalesToTheBitWithPowersOfTwo) {
+  Random random(kSeed + 7);
+  for (int i = 0; i < kPairs; ++i) {
+    const auto [family, a, b, scale, world] = random_pair(random);
+    const double factor = i % 2 ? 0x1p-20 : 0x1p20;
+    const auto larger = [factor](const Placement& p) {
+      return Placement{scaled(p.shape, factor), {factor * p.pose.position, p.pose.cos, p.pose.sin}};
+    };
+    const Placement large_a = larger(a), large_b = larger(b);
+    const Separation s = separation(a.shape, a.pose, b.shape, b.pose);
+    const Separation t = separation(large_a.shape, large_a.pose, large_b.shape, large_b.pose);
+    ASSERT_EQ(t.distance, factor * s.distance) << family << " " << i << " seed " << kSeed + 7;
+    ASSERT_EQ(t.normal, s.normal) << family << " " << i << " seed " << kSeed + 7;
+    ASSERT_EQ(t.point_a, factor * s.point_a) << family << " " << i << " seed " << kSeed + 7;
+  }
+}
+
 TEST(Separation, StaysWhenBothShapesMoveRigidly) {
   Random random(kSeed + 3);
   for (int i = 0; i < kPairs; ++i) {

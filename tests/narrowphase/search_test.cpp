@@ -9,6 +9,7 @@
 
 #include "narrowphase/gjk.h"
 #include "narrowphase/support.h"
+#include "narrowphase/walk.h"
 #include "random_shapes.h"
 
 namespace throng::narrowphase {
@@ -81,14 +82,32 @@ TEST(Walk, EndsInAProofForAnyShapesApart) {
     const Placed placed{a, pose_a, b, pose_b};
     ClosestFeatures f{static_cast<std::uint32_t>(random() % 3), static_cast<std::uint32_t>(random() % 3),
                       random() % 2 == 0, true};
-    Look look(placed, f);
-    if (look.proves() || (!look.at_corner && !look.edge_holds)) continue;
-    SearchStatistics statistics;
+    if (const Look look(placed, f); look.proves() || !leads_on(look)) continue;
+    const Walk to = walk(placed, f);
     ++walked;
-    lost += !walk(placed, look, f, statistics) && statistics.steps == 32;
+    lost += !to.proven && to.steps == 32;
   }
   EXPECT_GT(walked, 3000);
   EXPECT_EQ(lost, 0);
+}
+
+// Not where edges are collinear or parallel, nor in slivers, nor where the shapes overlap or touch.
+TEST(Walk, NeverGoesRoundInCircles) {
+  Random random(kSeed + 4);
+  int proven = 0, given_up = 0;
+  for (int i = 0; i < 120000; ++i) {
+    const auto [family, a, b, scale, world] = random_pair(random);
+    ClosestFeatures f{static_cast<std::uint32_t>(random() % 9), static_cast<std::uint32_t>(random() % 9),
+                      random() % 2 == 0, true};
+    const Placed placed{a.shape, a.pose, b.shape, b.pose};
+    if (!exist(f, placed)) continue;
+    const Walk to = walk(placed, f);
+    ASSERT_LT(to.steps, 32) << family << " " << i << " seed " << kSeed + 4;
+    ASSERT_TRUE(exist(f, placed)) << family << " " << i << " seed " << kSeed + 4;
+    ++(to.proven ? proven : given_up);
+  }
+  EXPECT_GT(proven, 9000);
+  EXPECT_GT(given_up, 9000);
 }
 
 }  // namespace
