@@ -94,11 +94,14 @@ Face walk(const Convex& a, const Convex& b, const Pose& b_in_a) {
 
 }  // namespace
 
-Face facing_face(const Convex& a, const Convex& b, const Pose& b_in_a) {
-  const std::size_t edge = facing_edge(a, b_in_a.position);
+Face face_at(const Convex& a, std::size_t edge, const Convex& b, const Pose& b_in_a) {
   const Vec normal = b_in_a.unrotate(a.normals[edge]);
   const std::size_t vertex = deepest_vertex(b, normal);
   return {height(a, edge, b, vertex, b_in_a, normal), edge, vertex};
+}
+
+Face facing_face(const Convex& a, const Convex& b, const Pose& b_in_a) {
+  return face_at(a, facing_edge(a, b_in_a.position), b, b_in_a);
 }
 
 Face widest_face(const Convex& a, const Convex& b, const Pose& b_in_a) {

@@ -18,6 +18,9 @@ struct Face {
 /// + m), and O(n m) of a fraction of a nanosecond where b has 32 vertices or fewer.
 Face widest_face(const Convex& a, const Convex& b, const Pose& b_in_a);
 
+/// The face of `a` with that edge. O(m).
+Face face_at(const Convex& a, std::size_t edge, const Convex& b, const Pose& b_in_a);
+
 /// The widest face of each of two shapes.
 struct Faces {
   Face of_a, of_b;

@@ -17,10 +17,19 @@ namespace {
 /// roles.
 enum class Touch : std::uint32_t { vertex_of_a, vertex_of_b, two_vertices, points };
 
-std::uint32_t feature(Touch touch, std::size_t of_a, std::size_t of_b) {
-  constexpr std::size_t kMask = 0x7fff;
-  return static_cast<std::uint32_t>(touch) << 30 |
-         static_cast<std::uint32_t>((of_a & kMask) << 15 | (of_b & kMask));
+// A feature, from its highest bit: whether b has the reference (1), whether the vertex of the reference is
+// its face's head, not its tail (1), what touches what (2), the vertex or edge of a (14) and of b (14).
+constexpr std::uint32_t kIndexBits = 14, kIndexMask = (1u << kIndexBits) - 1;
+constexpr std::uint32_t kReferenceIsB = 1u << 31, kHead = 1u << 30, kRole = kReferenceIsB | kHead;
+
+Touch touch_of(std::uint32_t feature) {
+  return static_cast<Touch>(feature >> 2 * kIndexBits & 3u);
+}
+
+std::uint32_t feature(Touch touch, std::size_t of_a, std::size_t of_b, std::uint32_t role) {
+  return role | static_cast<std::uint32_t>(touch) << 2 * kIndexBits |
+         (static_cast<std::uint32_t>(of_a) & kIndexMask) << kIndexBits |
+         (static_cast<std::uint32_t>(of_b) & kIndexMask);
 }
 
 /// Whose face the contact is described on, and the other shape.
@@ -31,12 +40,15 @@ struct Roles {
   const Pose incident_in_reference;
   bool reference_is_a;
 
-  std::uint32_t name(Touch touch_if_a, std::size_t of_reference, std::size_t of_incident) const {
-    if (reference_is_a) return feature(touch_if_a, of_reference, of_incident);
+  /// `head`: the vertex of the reference is its face's head.
+  std::uint32_t name(Touch touch_if_a, std::size_t of_reference, std::size_t of_incident,
+                     bool head = false) const {
+    const std::uint32_t end = head ? kHead : 0;
+    if (reference_is_a) return feature(touch_if_a, of_reference, of_incident, end);
     const Touch touch = touch_if_a == Touch::vertex_of_a   ? Touch::vertex_of_b
                         : touch_if_a == Touch::vertex_of_b ? Touch::vertex_of_a
                                                            : touch_if_a;
-    return feature(touch, of_incident, of_reference);
+    return feature(touch, of_incident, of_reference, kReferenceIsB | end);
   }
 };
 
@@ -113,7 +125,7 @@ struct Clip {
   End high() const {
     if (q_along <= frame.length)
       return {q_along, frame.height(q), roles.name(Touch::vertex_of_b, face.edge, edge)};
-    return {frame.length, gap_at(frame.length), roles.name(Touch::vertex_of_a, face_end, edge)};
+    return {frame.length, gap_at(frame.length), roles.name(Touch::vertex_of_a, face_end, edge, true)};
   }
   /// Whether the two share more than a point along the face.
   bool covers() const { return q_along > p_along && q_along > 0.0 && p_along < frame.length; }
@@ -123,6 +135,7 @@ struct Clip {
 /// Two corners that face each other.
 struct Corners {
   std::size_t of_reference, of_incident;
+  bool head;  // of the reference face
   Vec offset;
 };
 
@@ -130,14 +143,16 @@ struct Corners {
 Corners corners(const Clip& c) {
   const std::size_t corner = c.deepest_along() < 0.0 ? c.face.edge : c.face_end;
   const Vec to_p = c.p - c.roles.reference.vertices[corner], to_q = c.q - c.roles.reference.vertices[corner];
-  return dot(to_p, to_p) < dot(to_q, to_q) ? Corners{corner, c.head, to_p} : Corners{corner, c.edge, to_q};
+  const bool head = corner == c.face_end;
+  return dot(to_p, to_p) < dot(to_q, to_q) ? Corners{corner, c.head, head, to_p}
+                                           : Corners{corner, c.edge, head, to_q};
 }
 
 Manifold corner_manifold(const Roles& roles, const Corners& c, const Vec& fallback, double reach) {
   const Direction d = direction(c.offset, fallback);
   Manifold m;
   add(m, roles, roles.reference.vertices[c.of_reference], d.unit, d.length,
-      roles.name(Touch::two_vertices, c.of_reference, c.of_incident), reach);
+      roles.name(Touch::two_vertices, c.of_reference, c.of_incident, c.head), reach);
   set_normal(m, roles, d.unit);
   return m;
 }
@@ -170,8 +185,30 @@ Manifold clip(const Roles& roles, const Face& face, double reach) {
   return m;
 }
 
+double length(const Convex& shape, std::size_t edge) {
+  return (shape.vertices[next(edge, shape.vertices.size())] - shape.vertices[edge]).norm();
+}
+
+double deepest(const Manifold& m) {
+  return m.count == 1 ? m.points[0].separation : std::min(m.points[0].separation, m.points[1].separation);
+}
+
+/// On the reference's face `edge`, which was the last manifold's; empty where `widest`, a face of `owner`, is
+/// wider by much, or where this one leaves out the deepest place.
+Manifold kept_manifold(const Roles& roles, std::size_t edge, const Face& widest, const Convex& owner,
+                       double reach) {
+  constexpr double kMuch = 0x1p-10;  // of the shorter of the two faces
+  if (edge >= roles.reference.normals.size()) return {};
+  const Face face = face_at(roles.reference, edge, roles.incident, roles.incident_in_reference);
+  const double much = kMuch * std::min(length(roles.reference, edge), length(owner, widest.edge));
+  if (widest.separation > face.separation + much) return {};
+  const Manifold m = clip(roles, face, reach);
+  const double radii = roles.reference.radius + roles.incident.radius;
+  return m.count > 0 && deepest(m) + radii <= widest.separation + much ? m : Manifold{};
+}
+
 Manifold polygon_manifold(const Convex& a, const Pose& pose_a, const Convex& b, const Pose& pose_b,
-                          double reach) {
+                          double reach, const Reference& kept) {
   const double enough = reach + a.radius + b.radius;
   const Pose b_in_a = relative(pose_a, pose_b);
   if (facing_face(a, b, b_in_a).separation > enough) return {};
@@ -179,9 +216,17 @@ Manifold polygon_manifold(const Convex& a, const Pose& pose_a, const Convex& b, 
   Face of_a = widest_face(a, b, b_in_a), of_b = widest_face(b, a, a_in_b);
   const double widest = std::max(of_a.separation, of_b.separation);
   if (widest > enough) return {};
-  if (widest <= 0.0 && is_wall(a) && !is_wall(b)) take_sides(of_a, of_b, a, b, b_in_a, a_in_b);
-  if (widest <= 0.0 && is_wall(b) && !is_wall(a)) take_sides(of_b, of_a, b, a, a_in_b, b_in_a);
-  if (of_b.separation > of_a.separation) return clip({b, a, pose_b, a_in_b, false}, of_b, reach);
+  const bool wall_a = is_wall(a), wall_b = is_wall(b);
+  if (widest <= 0.0 && wall_a && !wall_b) take_sides(of_a, of_b, a, b, b_in_a, a_in_b);
+  if (widest <= 0.0 && wall_b && !wall_a) take_sides(of_b, of_a, b, a, a_in_b, b_in_a);
+  const bool b_is_wider = of_b.separation > of_a.separation;
+  const Face& wider = b_is_wider ? of_b : of_a;
+  if (kept.known && !wall_a && !wall_b && (kept.of_b != b_is_wider || kept.edge != wider.edge)) {
+    const Roles roles = kept.of_b ? Roles{b, a, pose_b, a_in_b, false} : Roles{a, b, pose_a, b_in_a, true};
+    const Manifold m = kept_manifold(roles, kept.edge, wider, b_is_wider ? b : a, reach);
+    if (m.count > 0) return m;
+  }
+  if (b_is_wider) return clip({b, a, pose_b, a_in_b, false}, of_b, reach);
   return clip({a, b, pose_a, b_in_a, true}, of_a, reach);
 }
 
@@ -198,7 +243,7 @@ Manifold disc_manifold(const Convex& a, const Pose& pose_a, const Convex& b, con
   m.normal = d.unit;
   m.count = 1;
   m.points[0] = {pose_a * a.vertices[0] + (a.radius + 0.5 * separation) * d.unit, separation,
-                 feature(Touch::points, 0, 0)};
+                 feature(Touch::points, 0, 0, 0)};
   return m;
 }
 
@@ -210,19 +255,32 @@ Manifold polygon_disc_manifold(const Roles& roles, double reach) {
   const CoreSeparation core = polygon_disc(polygon, centre, enough);
   Manifold m;
   if (core.distance > enough) return m;
-  add(m, roles, core.point, core.normal, core.distance, feature(Touch::points, 0, 0), reach);
+  add(m, roles, core.point, core.normal, core.distance, feature(Touch::points, 0, 0, 0), reach);
   if (m.count > 0) set_normal(m, roles, core.normal);
   return m;
 }
 
 }  // namespace
 
-Manifold manifold(const Convex& a, const Pose& pose_a, const Convex& b, const Pose& pose_b, double reach) {
+Manifold manifold(const Convex& a, const Pose& pose_a, const Convex& b, const Pose& pose_b, double reach,
+                  const Reference& kept) {
   const bool disc_a = a.vertices.size() == 1, disc_b = b.vertices.size() == 1;
   if (disc_a && disc_b) return disc_manifold(a, pose_a, b, pose_b, reach);
   if (disc_b) return polygon_disc_manifold({a, b, pose_a, relative(pose_a, pose_b), true}, reach);
   if (disc_a) return polygon_disc_manifold({b, a, pose_b, relative(pose_b, pose_a), false}, reach);
-  return polygon_manifold(a, pose_a, b, pose_b, reach);
+  return polygon_manifold(a, pose_a, b, pose_b, reach, kept);
+}
+
+Reference reference(std::uint32_t feature, const Convex& a, const Convex& b) {
+  if (touch_of(feature) == Touch::points) return {};
+  const bool of_b = feature & kReferenceIsB;
+  const std::uint32_t place = (of_b ? feature : feature >> kIndexBits) & kIndexMask;
+  const std::size_t edge = feature & kHead ? previous(place, (of_b ? b : a).vertices.size()) : place;
+  return {static_cast<std::uint32_t>(edge), of_b, true};
+}
+
+std::uint32_t without_reference(std::uint32_t feature) {
+  return feature & ~kRole;
 }
 
 }  // namespace throng::narrowphase

@@ -8,11 +8,19 @@
 
 namespace throng::narrowphase {
 
+/// The face on which a manifold is described.
+struct Reference {
+  std::uint32_t edge = 0;
+  bool of_b = false;   ///< the edge is b's, else a's
+  bool known = false;  ///< false: there is none, as where a disc is among the two
+};
+
 /// One point at which two shapes touch or nearly do.
 struct ManifoldPoint {
   Vec point{0.0, 0.0};        ///< m, world, midway between the two surfaces
   double separation = 0.0;    ///< m, along the manifold's normal; below 0 in penetration
-  std::uint32_t feature = 0;  ///< names the pair of features; the same while they stay in touch
+  std::uint32_t feature = 0;  ///< names the pair of features, the same while they stay in touch, and the
+                              ///< reference
 };
 
 /// Up to two points that share a normal: what a contact solver needs of a pair of convex shapes.
@@ -24,6 +32,18 @@ struct Manifold {
 
 /// The contact manifold of two convex shapes; empty where they are more than `reach` apart. Allocates
 /// nothing.
-Manifold manifold(const Convex& a, const Pose& pose_a, const Convex& b, const Pose& pose_b, double reach);
+///
+/// The reference is the face that keeps the other shape farthest outside. Faces that do so equally well would
+/// take turns with each rounding: `kept`, the last manifold's, stays until another is wider by a thousandth
+/// of the shorter of the two. Any value may be passed, of whatever shapes; the manifold depends on nothing
+/// else.
+Manifold manifold(const Convex& a, const Pose& pose_a, const Convex& b, const Pose& pose_b, double reach,
+                  const Reference& kept = {});
+
+/// A point's `feature` but for the reference: what outlives a change of it.
+std::uint32_t without_reference(std::uint32_t feature);
+
+/// The reference of the manifold of a and b that a point belonged to, out of its `feature`.
+Reference reference(std::uint32_t feature, const Convex& a, const Convex& b);
 
 }  // namespace throng::narrowphase

@@ -29,8 +29,9 @@ class Memory {
   void recall(std::uint64_t key, std::uint32_t feature, ContactBase& contact) {
     contact.normal_impulse = contact.tangent_impulse = 0.0;
     while (next_ < kept_.size() && kept_[next_].key < key) ++next_;
+    const std::uint32_t touch = narrowphase::without_reference(feature);
     for (std::size_t i = next_; i < kept_.size() && kept_[i].key == key; ++i)
-      if (kept_[i].feature == feature) {
+      if (narrowphase::without_reference(kept_[i].feature) == touch) {
         contact.normal_impulse = kept_[i].normal;
         contact.tangent_impulse = kept_[i].tangent;
       }

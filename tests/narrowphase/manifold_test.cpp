@@ -26,7 +26,8 @@ Pose at(double x, double y) {
 
 std::set<std::uint32_t> features(const Manifold& m) {
   std::set<std::uint32_t> names;
-  for (int i = 0; i < m.count; ++i) names.insert(m.points[static_cast<std::size_t>(i)].feature);
+  for (int i = 0; i < m.count; ++i)
+    names.insert(without_reference(m.points[static_cast<std::size_t>(i)].feature));
   return names;
 }
 
@@ -137,6 +138,130 @@ TEST(ManifoldOf, TwoSquaresNamesItsPointsAlikeWhoeverIsTheReference) {
   const auto names = features(manifold(kSquare, at(0, 0), small, pose({0.9, 1.49}, 1e-3), 0.05));
   EXPECT_EQ(names.size(), 2u);
   EXPECT_EQ(features(manifold(kSquare, at(0, 0), small, pose({0.9, 1.49}, -1e-3), 0.05)), names);
+}
+
+/// The reference that all points of a manifold tell.
+Reference reference_of(const Manifold& m, const Convex& a, const Convex& b) {
+  const Reference first = reference(m.points[0].feature, a, b);
+  for (int i = 1; i < m.count; ++i) {
+    const Reference other = reference(m.points[static_cast<std::size_t>(i)].feature, a, b);
+    EXPECT_EQ(other.edge, first.edge);
+    EXPECT_EQ(other.of_b, first.of_b);
+  }
+  return first;
+}
+
+// A square that rocks and slides a little on another; its face is now the widest, now the other's.
+TEST(ManifoldOf, ARockingSquareKeepsItsReference) {
+  const double angles[] = {0.0, 1e-3, -1e-3, 1e-9, -1e-9, 1e-16, -1e-16, 5e-4, -5e-4};
+  for (double begin : {1e-3, -1e-3}) {
+    Reference kept =
+        reference_of(manifold(kSquare, at(0, 0), kSquare, pose({0.25, 1.99}, begin), 0.05), kSquare, kSquare);
+    const Reference first = kept;
+    ASSERT_TRUE(first.known);
+    int otherwise = 0;
+    for (double angle : angles)
+      for (double slide : {0.25, 0.2500001, -0.1, 0.0}) {
+        const Pose rocked = pose({slide, 1.99}, angle);
+        const Manifold m = manifold(kSquare, at(0, 0), kSquare, rocked, 0.05, kept);
+        ASSERT_EQ(m.count, 2);
+        kept = reference_of(m, kSquare, kSquare);
+        EXPECT_EQ(kept.of_b, first.of_b) << begin << " " << angle << " " << slide;
+        EXPECT_EQ(kept.edge, first.edge) << begin << " " << angle << " " << slide;
+        const Vec normal = first.of_b ? Vec(-rocked.rotate(kSquare.normals[kept.edge])) : Vec(0, 1);
+        EXPECT_NEAR((m.normal - normal).norm(), 0.0, 1e-15);
+        const Manifold afresh = manifold(kSquare, at(0, 0), kSquare, rocked, 0.05);
+        otherwise += reference_of(afresh, kSquare, kSquare).of_b != first.of_b;
+      }
+    EXPECT_GT(otherwise, 4) << "nothing to hold against";
+  }
+}
+
+// A corner as deep behind two faces of one square: rounding must not turn the normal by a right angle.
+TEST(ManifoldOf, ACornerBetweenTwoFacesKeepsTheOneThatItTouches) {
+  for (std::uint32_t edge : {1u, 2u})
+    for (double by : {1e-4, 1e-16, 0.0, -1e-16, -1e-4}) {
+      const Manifold m =
+          manifold(kSquare, at(0, 0), kSquare, at(1.9 + by, 1.9 - by), 0.0, {edge, false, true});
+      EXPECT_EQ(reference_of(m, kSquare, kSquare).edge, edge) << by;
+      EXPECT_EQ(m.normal, kSquare.normals[edge]) << by;
+    }
+}
+
+TEST(ManifoldOf, AFaceThatIsClearlyWiderTakesOver) {
+  const Reference right{1, false, true};
+  EXPECT_EQ(manifold(kSquare, at(0, 0), kSquare, at(1.9, 1.9019), 0.0, right).normal, Vec(1, 0));
+  EXPECT_EQ(manifold(kSquare, at(0, 0), kSquare, at(1.9, 1.9020), 0.0, right).normal, Vec(0, 1));
+}
+
+TEST(ManifoldOf, AnyPairWithAnyKeptReferenceIsRightWithinTheHold) {
+  Random random(kSeed + 3);
+  int changed = 0, touching = 0;
+  for (int i = 0; i < kPairs; ++i) {
+    const auto [family, a, b, scale, world] = random_pair(random);
+    const Reference kept{static_cast<std::uint32_t>(random() % 9), random() % 2 == 0, true};
+    if (family == "sliver") continue;
+    const Manifold afresh = manifold(a.shape, a.pose, b.shape, b.pose, 0.0);
+    const Manifold m = manifold(a.shape, a.pose, b.shape, b.pose, 0.0, kept);
+    if ((m.count > 0) != (afresh.count > 0)) {
+      ASSERT_NEAR(least(m.count > 0 ? m : afresh), 0.0, 16 * kUnitRoundoff * world) << family << " " << i;
+      continue;
+    }
+    if (m.count == 0) continue;
+    ++touching;
+    changed += m.normal != afresh.normal;
+    ASSERT_NEAR(m.normal.norm(), 1.0, 8 * kUnitRoundoff);
+    // No face is longer than 3/8 of the coordinates' scale.
+    ASSERT_NEAR(least(m), least(afresh), 0x1p-10 * 3 * scale / 8 + 16 * kUnitRoundoff * world)
+        << family << " " << i << " seed " << kSeed + 3;
+  }
+  EXPECT_GT(touching, kPairs / 4);
+  EXPECT_GT(changed, 30);
+}
+
+TEST(ManifoldOf, AnyPairTellsTheFaceItIsDescribedOn) {
+  Random random(kSeed + 4);
+  int of_a = 0, of_b = 0;
+  for (int i = 0; i < kPairs; ++i) {
+    const auto [family, a, b, scale, world] = random_pair(random);
+    const Manifold m = manifold(a.shape, a.pose, b.shape, b.pose, 0.0);
+    if (m.count == 0) continue;
+    const bool disc = a.shape.normals.empty() || b.shape.normals.empty();
+    const Reference told = reference_of(m, a.shape, b.shape);
+    ASSERT_EQ(told.known, !disc) << family << " " << i;
+    if (disc || separation(a.shape, a.pose, b.shape, b.pose).distance > -a.shape.radius - b.shape.radius)
+      continue;  // cores apart: the normal may be that of two corners
+    const Vec normal = told.of_b ? Vec(-b.pose.rotate(b.shape.normals[told.edge]))
+                                 : a.pose.rotate(a.shape.normals[told.edge]);
+    ASSERT_EQ(m.normal, normal) << family << " " << i << " seed " << kSeed + 4;
+    ++(told.of_b ? of_b : of_a);
+  }
+  EXPECT_GT(of_a, kPairs / 20);
+  EXPECT_GT(of_b, kPairs / 20);
+}
+
+TEST(ManifoldOf, AnyPairIsMirroredWhenTheShapesAreSwappedWithTheirReference) {
+  Random random(kSeed + 5);
+  int held = 0;
+  for (int i = 0; i < kPairs; ++i) {
+    const auto [family, a, b, scale, world] = random_pair(random);
+    const Manifold first = manifold(a.shape, a.pose, b.shape, b.pose, 0.0);
+    if (first.count == 0) continue;
+    Reference kept = reference_of(first, a.shape, b.shape);
+    const Manifold m = manifold(a.shape, a.pose, b.shape, b.pose, 0.0, kept);
+    const Reference stays = reference_of(m, a.shape, b.shape);
+    ASSERT_EQ(stays.edge, kept.edge) << family << " " << i;
+    ASSERT_EQ(stays.of_b, kept.of_b) << family << " " << i;
+    kept.of_b = !kept.of_b;
+    const Manifold swapped = manifold(b.shape, b.pose, a.shape, a.pose, 0.0, kept);
+    if (is_wall(a.shape) || is_wall(b.shape) || family == "sliver") continue;  // nothing is kept, ties
+    if (!kept.known) continue;
+    ASSERT_EQ(reference_of(swapped, b.shape, a.shape).edge, kept.edge) << family << " " << i;
+    ASSERT_LE((m.normal + swapped.normal).norm(), 1e-9) << family << " " << i;
+    ASSERT_NEAR(least(m), least(swapped), 16 * kUnitRoundoff * world) << family << " " << i;
+    ++held;
+  }
+  EXPECT_GT(held, kPairs / 10);
 }
 
 struct Counts {
