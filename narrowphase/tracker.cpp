@@ -21,7 +21,7 @@ namespace {
   const Walk to = walk(placed, f);
   if (statistics) statistics->steps += to.steps;
   if (to.proven) return to.answer;
-  return search_anew(placed, !to.at_corner, f, statistics);
+  return search_anew(placed, to.seems_to_overlap, f, statistics);
 }
 
 }  // namespace

@@ -12,9 +12,8 @@ namespace throng::narrowphase {
 struct Walk {
   Separation answer;  ///< only where proven
   bool proven;
-  bool at_corner;  ///< the last look's; where nothing is proven and there is no corner, the two seem to
-                   ///< overlap
-  int steps;       ///< further features walked over
+  bool seems_to_overlap;  ///< where nothing is proven: it ended behind a face
+  int steps;              ///< further features walked over
 };
 
 /// Whether features that prove nothing have a neighbour that is closer.
@@ -55,10 +54,10 @@ inline ClosestFeatures closer_features(const Look& look, const ClosestFeatures& 
   for (int step = 0;; ++step) {
     const Look look(placed, f);
     if (look.proves()) [[likely]]
-      return {answer(look, f.vertex_of_b), true, look.at_corner, step};
+      return {answer(look, f.vertex_of_b), true, false, step};
     const double squared = look.at_corner ? look.squared : look.height * look.height;
-    const bool astray = step == kLongest || (step > kFree && squared >= least);
-    if (astray || !leads_on(look)) return {{}, false, look.at_corner, step};
+    if (!leads_on(look)) return {{}, false, !look.at_corner, step};
+    if (step == kLongest || (step > kFree && squared >= least)) return {{}, false, false, step};
     least = squared;
     f = closer_features(look, f);
   }

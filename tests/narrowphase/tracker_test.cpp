@@ -242,5 +242,17 @@ TEST(Track, ReachesTheFarSideOfManyVerticesByASearch) {
   EXPECT_LT(statistics.steps, 40);
 }
 
+// A walk that takes too long is no overlap: nobody scans thousands of faces for a depth.
+TEST(Track, TakesALongWayForNoOverlap) {
+  const Convex shape = regular(4000);
+  ClosestFeatures f;
+  SearchStatistics statistics;
+  for (int i = 0; i < 40; ++i)
+    track(shape, pose({0, 0}, 0.1 * i), shape, pose({2.2, 0.3}, -0.07 * i), f, &statistics);
+  EXPECT_GT(statistics.cold_starts, 10);
+  EXPECT_EQ(statistics.depths, 0);
+  EXPECT_EQ(statistics.fallbacks, 0);
+}
+
 }  // namespace
 }  // namespace throng::narrowphase
