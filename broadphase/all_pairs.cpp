@@ -15,6 +15,16 @@ namespace {
 constexpr std::size_t kOctaves = 40;  // powers of two that are told apart; what is smaller is taken together
 constexpr std::size_t kLeastJob = 4096;  // items: enough work to pay for handing it over
 
+constexpr std::size_t kSample = 2048;  // items from which to tell how crowded cells are
+constexpr double kThin = 8.0;  // others in an item's cell: meeting them costs about as much as a second grid
+
+/// The finaliser of SplitMix64 (Steele, Lea, Flood 2014).
+std::uint64_t mixed(std::uint64_t z) {
+  z = (z + 0x9e3779b97f4a7c15ULL) * 0xbf58476d1ce4e5b9ULL;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
+  return z ^ (z >> 31);
+}
+
 /// How many powers of two a size lies below the largest: 0 for more than a half of it.
 std::size_t octave(double size, double largest) {
   const int exponent = static_cast<int>(std::bit_cast<std::uint64_t>(largest / size) >> 52) - 1023;
@@ -47,7 +57,7 @@ void AllPairs::find_boxes(std::span<const Eigen::AlignedBox2d> boxes, PairList& 
 
 template <class Size>
 void AllPairs::find(const Items& items, const Size& size, PairList& found) {
-  count_ = choose_levels(items.size(), size);
+  count_ = choose_levels(items, size);
   if (count_ == 1)
     levels_[0].grid.rebuild(items, {}, levels_[0].size, team_);
   else
@@ -55,10 +65,11 @@ void AllPairs::find(const Items& items, const Size& size, PairList& found) {
   gather(items, found);
 }
 
-/// Gives two powers of two a level; and the next one too where it has the fewer items: then looking among too
-/// large cells costs less than looking in a second grid.
+/// Gives two powers of two a level; and all the rest too once it is thin: then looking among too large cells
+/// costs less than looking in a second grid.
 template <class Size>
-std::size_t AllPairs::choose_levels(std::size_t n, const Size& size) {
+std::size_t AllPairs::choose_levels(const Items& items, const Size& size) {
+  const std::size_t n = items.size();
   double largest = 0.0, smallest = n == 0 ? 0.0 : size(0);
   for (std::size_t row = 0; row < n; ++row) {
     largest = std::max(largest, size(row));
@@ -73,15 +84,41 @@ std::size_t AllPairs::choose_levels(std::size_t n, const Size& size) {
   for (std::size_t row = 0; row < n; ++row) ++count[octave(size(row), largest)];
   of_octave_.assign(kOctaves, 0);
   std::uint32_t level = 0;
-  for (std::size_t i = 1, first = 0; i < kOctaves; ++i) {
-    const bool joins = count[i] == 0 || i == first + 1 || (i == first + 2 && count[i] <= count[first]);
-    if (!joins) {
+  std::size_t first = 0;
+  bool thin = crowd(items, size, largest, 0) <= kThin;
+  for (std::size_t i = 1; i < kOctaves; ++i) {
+    if (!thin && count[i] != 0 && i > first + 1) {
       ++level;
       first = i;
+      thin = crowd(items, size, largest, i) <= kThin;
     }
     of_octave_[i] = level;
   }
   return level + 1;
+}
+
+/// With how many others an item from an octave on shares a cell that suits it, in the mean: by how many
+/// pairs of a sample do. Drawn at random, since rows may be in an order that an even sample would follow.
+template <class Size>
+double AllPairs::crowd(const Items& items, const Size& size, double largest, std::size_t first) {
+  const std::size_t n = items.size(), draws = std::min(kSample, n / 4);
+  const double cell = std::ldexp(largest, -static_cast<int>(first));
+  sample_.clear();
+  for (std::size_t i = 0; i < draws; ++i) {
+    const std::size_t row = mixed(i) % n;
+    if (octave(size(row), largest) < first) continue;
+    const Point at = items.place(row) / cell;
+    sample_.push_back(mixed(std::bit_cast<std::uint64_t>(std::floor(at.x()) + 0.0) ^
+                            mixed(std::bit_cast<std::uint64_t>(std::floor(at.y()) + 0.0))));
+  }
+  std::sort(sample_.begin(), sample_.end());
+  double shared = 0.0;
+  for (std::size_t i = 0, begin = 0; i < sample_.size(); ++i) {
+    if (sample_[i] != sample_[begin]) begin = i;
+    shared += static_cast<double>(i - begin);
+  }
+  const double drawn = static_cast<double>(draws);
+  return draws < 2 ? static_cast<double>(n) : 2.0 * shared * static_cast<double>(n) / (drawn * drawn);
 }
 
 template <class Size>

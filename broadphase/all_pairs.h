@@ -61,7 +61,9 @@ class AllPairs {
   template <class Size>
   void find(const Items& items, const Size& size, PairList& found);
   template <class Size>
-  std::size_t choose_levels(std::size_t n, const Size& size);
+  std::size_t choose_levels(const Items& items, const Size& size);
+  template <class Size>
+  double crowd(const Items& items, const Size& size, double largest, std::size_t first);
   template <class Size>
   void fill_levels(const Items& items, const Size& size);
   void gather(const Items& items, PairList& found);
@@ -72,6 +74,7 @@ class AllPairs {
   std::vector<Level> levels_;  // from coarse to fine; the first count_ are in use
   std::size_t count_ = 0;
   std::vector<std::uint32_t> of_octave_;  // per power of two below the largest size: its level
+  std::vector<std::uint64_t> sample_;     // cells of some items
   std::vector<Job> jobs_;
 };
 

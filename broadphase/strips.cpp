@@ -2,20 +2,9 @@
 #include "broadphase/strips.h"
 
 #include <algorithm>
-#include <numeric>
+#include <bit>
 
 namespace throng::broadphase {
-
-/// The 64-bit finaliser of MurmurHash3 (Appleby 2011).
-std::uint64_t Strips::hash(const Key& key) {
-  std::uint64_t h =
-      static_cast<std::uint64_t>(key.y) * 0x9e3779b97f4a7c15ULL + static_cast<std::uint64_t>(key.x);
-  h ^= h >> 33;
-  h *= 0xff51afd7ed558ccdULL;
-  h ^= h >> 33;
-  h *= 0xc4ceb9fe1a85ec53ULL;
-  return h ^ (h >> 33);
-}
 
 void Strips::reset(const Cells& cells) {
   dense_ = !cells.shared();
@@ -25,6 +14,7 @@ void Strips::reset(const Cells& cells) {
   keys_.clear();
   if (dense_) return;
   if (slots_.empty()) slots_.resize(1024);
+  slot_shift_ = 64 - std::countr_zero(slots_.size());
   slots_.assign(slots_.size(), kNone);
 }
 
@@ -32,21 +22,17 @@ void Strips::sort() {
   const std::size_t count = keys_.size();
   order_.resize(count);
   place_.resize(count);
-  std::iota(order_.begin(), order_.end(), 0u);
-  std::sort(order_.begin(), order_.end(), [this](auto i, auto j) { return keys_[i] < keys_[j]; });
-  for (std::uint32_t i = 0; i < count; ++i) place_[order_[i]] = i;
+  for (std::uint32_t i = 0; i < count; ++i) order_[i] = {keys_[i], i};
+  std::sort(order_.begin(), order_.end());
+  for (std::uint32_t i = 0; i < count; ++i) {
+    keys_[i] = order_[i].first;
+    place_[order_[i].second] = i;
+  }
   for (std::uint32_t& slot : slots_)
     if (slot != kNone) slot = place_[slot];
-  sorted_keys_.resize(count);
-  for (std::size_t i = 0; i < count; ++i) sorted_keys_[i] = keys_[order_[i]];
-  keys_.swap(sorted_keys_);
 }
 
-std::uint32_t Strips::add(const Key& key) {
-  const std::size_t mask = slots_.size() - 1;
-  std::size_t slot = hash(key) & mask;
-  for (; slots_[slot] != kNone; slot = (slot + 1) & mask)
-    if (keys_[slots_[slot]] == key) return slots_[slot];
+std::uint32_t Strips::append(const Key& key, std::size_t slot) {
   const auto strip = static_cast<std::uint32_t>(keys_.size());
   slots_[slot] = strip;
   keys_.push_back(key);
@@ -55,10 +41,11 @@ std::uint32_t Strips::add(const Key& key) {
 }
 
 void Strips::grow() {
+  --slot_shift_;
   slots_.assign(2 * slots_.size(), kNone);
   const std::size_t mask = slots_.size() - 1;
   for (std::uint32_t strip = 0; strip < keys_.size(); ++strip) {
-    std::size_t slot = hash(keys_[strip]) & mask;
+    std::size_t slot = slot_of(keys_[strip]);
     while (slots_[slot] != kNone) slot = (slot + 1) & mask;
     slots_[slot] = strip;
   }
@@ -66,7 +53,7 @@ void Strips::grow() {
 
 std::uint32_t Strips::find(const Key& key) const {
   const std::size_t mask = slots_.size() - 1;
-  for (std::size_t slot = hash(key) & mask; slots_[slot] != kNone; slot = (slot + 1) & mask)
+  for (std::size_t slot = slot_of(key); slots_[slot] != kNone; slot = (slot + 1) & mask)
     if (keys_[slots_[slot]] == key) return slots_[slot];
   return kNone;
 }

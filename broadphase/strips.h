@@ -3,6 +3,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "broadphase/cells.h"
@@ -15,7 +16,7 @@ namespace throng::broadphase {
 
 class Strips {
  public:
-  static constexpr int kBits = 4;
+  static constexpr int kBits = 5;
   static constexpr std::int64_t kCells = 1 << kBits;
   static constexpr std::uint32_t kNone = 0xffffffff;
 
@@ -61,17 +62,33 @@ class Strips {
     std::int64_t y, x;  ///< x in strips
     friend auto operator<=>(const Key&, const Key&) = default;
   };
-  static std::uint64_t hash(const Key& key);
-  std::uint32_t add(const Key& key);
+
+  /// The first slot to look at. Golden ratio and another odd number: rows and columns go apart, and the high
+  /// bits of the product depend on all of both.
+  std::size_t slot_of(const Key& key) const {
+    const auto y = static_cast<std::uint64_t>(key.y), x = static_cast<std::uint64_t>(key.x);
+    return ((y * 0xd6e8feb86659fd93ULL ^ x) * 0x9e3779b97f4a7c15ULL) >> slot_shift_;
+  }
+
+  std::uint32_t add(const Key& key) {
+    for (std::size_t slot = slot_of(key);; slot = (slot + 1) & (slots_.size() - 1)) {
+      const std::uint32_t strip = slots_[slot];
+      if (strip == kNone) return append(key, slot);
+      if (keys_[strip] == key) return strip;
+    }
+  }
+  std::uint32_t append(const Key& key, std::size_t slot);
   std::uint32_t find(const Key& key) const;
   std::uint32_t first_bucket(std::int64_t y, std::int64_t x) const;
   void grow();
 
   bool dense_ = true, periodic_ = false;
   std::int64_t columns_ = 1, rows_ = 1;
-  std::vector<Key> keys_, sorted_keys_;  // of the strips, in the order in which points asked, or sorted
-  std::vector<std::uint32_t> order_, place_;
-  std::vector<std::uint32_t> slots_;  // open addressing: a strip, or kNone
+  std::vector<Key> keys_;  // of the strips, in the order in which points asked, or sorted
+  std::vector<std::pair<Key, std::uint32_t>> order_;  // while they are being sorted
+  std::vector<std::uint32_t> place_;                  // where each went
+  int slot_shift_ = 0;                                // from 64 bits to as many as number the slots
+  std::vector<std::uint32_t> slots_;                  // open addressing: a strip, or kNone
 };
 
 template <class F>
