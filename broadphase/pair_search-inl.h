@@ -149,11 +149,7 @@ template <Kind kKind>
 class Search {
  public:
   Search(const FixedGrid& grid, const Items& items)
-      : at_(grid.at()),
-        sizes_(grid.sizes()),
-        rows_(grid.rows()),
-        slack_(grid.slack()),
-        items_(items) {
+      : at_(grid.at()), sizes_(grid.sizes()), rows_(grid.rows()), slack_(grid.slack()), items_(items) {
     const Limits limits = grid.limits(items.same_reach);
     sure_ = hn::Set(Units(), limits.sure);
     far_ = hn::Set(Units(), limits.far);
