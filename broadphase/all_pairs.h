@@ -22,11 +22,11 @@
 /// The order is that of the grids' cells: it depends on the items alone, for any number of threads and any
 /// width of vectors. Who needs ascending rows uses `PairSorter`, for about the price of finding the pairs.
 ///
-/// Costs O(n (k + l)): k candidates, about three times the pairs, l levels, one for every factor of four
-/// between the sizes. Memory in proportion to n and to the pairs, wherever the items lie; allocates only to
-/// grow. Slower, by up to two times: clouds so thin or so scattered that a dense array of cells would not be
-/// in proportion to them; by up to ten: periods of fewer than five cells, and reaches below 1e-11 of the
-/// extent, where everything is decided in double.
+/// Costs O(n (k + l)): k candidates, about three times the pairs, l levels, at most one for every factor of
+/// four between the sizes; all that aren't crowded in a level's cells share it. Memory in proportion to n and
+/// to the pairs, wherever the items lie; allocates only to grow. Slower, by up to two times: clouds so thin
+/// or so scattered that a dense array of cells would not be in proportion to them; by up to ten: periods of
+/// fewer than five cells, and reaches below 1e-11 of the extent, where everything is decided in double.
 namespace throng::broadphase {
 
 class AllPairs {
