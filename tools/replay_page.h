@@ -7,13 +7,18 @@
 
 namespace throng::tools {
 
-/// tools/viewer/replay.html in pieces, nullptr after the last; @SCENE@ and @FRAMES@ stand where the data go.
+/// The page of tools/viewer in pieces, nullptr after the last; @GIVEN@ and @RECORDING@ stand where the data
+/// go. Without pieces where throng was built without Node.
 extern const char* const kReplayHtml[];
 
-/// Writes one HTML file that replays the recording in a browser, without network: geometry and frames are
-/// embedded, places to 1 part in 20,000 of the picture, the frames thinned so that the file stays below about
-/// 20 MB (the page says so). Reads each frame once or twice. Throws InputError where positions were not
-/// recorded, there is no frame, or `output` can't be written; no half file stays.
-void write_replay_page(const Recording& recording, const std::string& output);
+/// Bytes of the largest recording that becomes part of its page, which is a third larger: browsers open such
+/// pages in a second.
+inline constexpr double kLargestEmbedded = 64e6;
+
+/// Writes one HTML file that replays recordings in a browser, without network. It holds the recording, that of
+/// `file`, byte for byte; one that is larger than kLargestEmbedded or still being written is named, and the
+/// page asks for it and reads it in place. O(bytes). Throws InputError where the program has no page,
+/// positions were not recorded, there is no frame, or `output` can't be written; no half file stays.
+void write_replay_page(const Recording& recording, const std::string& file, const std::string& output);
 
 }  // namespace throng::tools

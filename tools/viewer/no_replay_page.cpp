@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Made from tools/viewer/replay.html by CMake.
 #include "tools/replay_page.h"
 
 namespace throng::tools {
 
-const char* const kReplayHtml[] = {@replay_html@, nullptr};
+/// Stands in for the page where there was no Node to make it.
+const char* const kReplayHtml[] = {nullptr};
 
 }  // namespace throng::tools

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// What the page's reader takes for a recording, and what it refuses with a sentence.
+import assert from "node:assert/strict";
+import { spawn } from "node:child_process";
+import { copyFileSync, existsSync, readFileSync, writeFileSync } from "node:fs";
+import { before, test } from "node:test";
+import { overview } from "../../tools/viewer/src/reader/overview.js";
+import { Recording } from "../../tools/viewer/src/reader/recording.js";
+import { alter, GAS, h5, MIXED, path, program, random, record } from "./helper.mjs";
+
+let library, whole;
+
+before(async () => {
+  library = await h5();
+  record("whole", MIXED);
+  whole = new Recording(library, path("whole.h5"));
+});
+
+const FIELDS = ["position", "angle", "velocity", "spin"];
+
+/** The sentence with which a file is refused, at opening or at a frame; "" where all of it is read. */
+function refusal(name) {
+  try {
+    const recording = new Recording(library, path(name));
+    for (let i = 0; i < recording.description.times.length; ++i) recording.frame(i, FIELDS);
+    recording.file.close();
+    return "";
+  } catch (error) {
+    return error.message;
+  }
+}
+
+/** A copy of the recording, changed by h5py. */
+function altered(name, python) {
+  copyFileSync(path("whole.h5"), path(name));
+  alter(name, python);
+  return name;
+}
+
+test("a recording is read as it was written", () => {
+  const { description } = whole, frame = whole.frame(100, FIELDS);
+  assert.deepEqual([description.name, description.description, description.complete], ["mixed", "a bit of everything", true]);
+  assert.deepEqual([description.bodies.count, description.times.length, description.fields], [151, 101, FIELDS]);
+  assert.deepEqual(description.shapes.map(({ name, kind }) => `${name} ${kind}`), ["ball 0", "brick 1", "star 1", "dumbbell 2"]);
+  assert.deepEqual([description.gravity, description.times[100], description.steps[100]], [[0, -9.81], 1, 100]);
+  assert.deepEqual([frame.position.length, frame.angle.length], [302, 151]);
+  assert.deepEqual([...description.walls[0].points], [0, 3, 2, 2, 3, 2]);
+  assert.ok(overview(whole).topSpeed > 1);
+});
+
+test("single precision and a few fields are read, too", () => {
+  record("single", GAS.replace("[shapes]", "record = { fields = [\"position\"], precision = \"single\", every = 7 }\n[shapes]"));
+  const { description } = new Recording(library, path("single.h5"));
+  assert.deepEqual([description.fields, description.domain.kind, description.steps[1]], [["position"], "periodic", 7]);
+});
+
+test("what is no recording is refused by name", () => {
+  writeFileSync(path("text.h5"), "no recording at all");
+  assert.match(refusal("text.h5"), /is no HDF5 file/);
+  writeFileSync(path("empty.h5"), "");
+  assert.match(refusal("empty.h5"), /is no HDF5 file/);
+  copyFileSync(path("whole.h5"), path("foreign.h5"));
+  alter("foreign.h5", "del f['throng']");
+  assert.match(refusal("foreign.h5"), /is HDF5 but not a recording of throng/);
+  assert.match(refusal(altered("newer.h5", "f['throng'].attrs['version'] = np.array([9, 4], dtype='i4')")), /was written by a newer throng: its form is 9\.4/);
+});
+
+const FORGED = {
+  "a missing dataset": ["del f['throng/bodies/radius']", /radius is missing/],
+  "another type": ["del f['throng/bodies/kind']; f['throng/bodies/kind'] = np.zeros(151)", /another type/],
+  "another length": ["del f['throng/bodies/mass']; f['throng/bodies/mass'] = np.ones(7)", /another type or shape/],
+  "a shape that is not there": ["f['throng/bodies/shape'][3] = 99", /shape holds 99/],
+  "a radius that is no number": ["f['throng/bodies/radius'][0] = np.nan", /radius holds NaN/],
+  "offsets that run backwards": ["f['throng/shapes/vertex_offset'][1] = 10**9", /does not fit its points/],
+  "time that goes back": ["f['throng/frames/time'][5] = 0.0", /time of frame 5 is wrong/],
+  "a frame that is no number": ["f['particles/trajectory/position/value'][7, 0, 0] = np.inf", /position of frame 7 holds what is no number/],
+  "frames that are missing": ["f['particles/trajectory/angle/value'].resize(50, axis=0)", /frames are missing/],
+  "no frames": ["f['throng/frames/frame_hash'][:] = 0", /holds no frames/],
+  "a place of huge size": ["del f['throng/walls/points']; f.create_dataset('throng/walls/points', (10**12, 2), dtype='f8', chunks=(1024, 2))", /too large/],
+  "an external link": ["del f['throng/bodies/radius']; f['throng/bodies/radius'] = h5py.ExternalLink('/etc/passwd', 'x')", /radius is missing/],
+  "text of any length": ["del f['throng/shapes/name']; f['throng/shapes/name'] = ['a', 'b', 'c', 'd']", /another type/],
+};
+Object.entries(FORGED).forEach(([what, [python, reason]], i) =>
+  test(`${what} is refused`, () => assert.match(refusal(altered(`forged${i}.h5`, python)), reason)));
+
+test("frames without their hash don't count", () => {
+  altered("short.h5", "f['throng/frames/frame_hash'][60:] = 0");
+  assert.equal(new Recording(library, path("short.h5")).description.times.length, 60);
+});
+
+test("damaged values are never shown as if they were right", () => {
+  const seed = 11, next = random(seed), sound = readFileSync(path("whole.h5")), bits = (recording, i) => FIELDS.map(field => Buffer.from(recording.frame(i, [field])[field].buffer).toString("base64")).join();
+  const frames = [0, 30, 50, 70, 100], truth = frames.map(i => bits(whole, i));
+  let refused = 0;
+  for (let k = 0; k < 150; ++k) {
+    const bytes = Buffer.from(sound);
+    bytes[Math.floor(next() * (k % 2 ? bytes.length : 6000))] ^= 1 + Math.floor(255 * next());
+    writeFileSync(path(`mutant${k}.h5`), bytes);
+    try {
+      const recording = new Recording(library, path(`mutant${k}.h5`));
+      frames.forEach((i, at) => assert.equal(bits(recording, i), truth[at], `seed ${seed}, mutant ${k}, frame ${i}`));
+      recording.file.close();
+    } catch (error) {
+      if (error.code === "ERR_ASSERTION") throw error;
+      ++refused;
+    }
+  }
+  assert.ok(refused > 20 && refused < 130, `${refused} refused`);
+});
+
+test("the file of a killed run opens, up to its last committed frame", async () => {
+  writeFileSync(path("long.toml"), MIXED.replace("until = 1.0", "until = 1000.0"));
+  const run = spawn(program, ["run", path("long.toml"), "-o", path("long.h5"), "--progress", "none"], { stdio: "ignore" });
+  const ended = new Promise(resolve => run.on("exit", resolve));
+  while (!existsSync(path("long.h5.part"))) await new Promise(resolve => setTimeout(resolve, 20));
+  await new Promise(resolve => setTimeout(resolve, 2500));  // a run commits each second
+  run.kill("SIGKILL");
+  await ended;
+  const { description } = new Recording(library, path("long.h5.part"));
+  assert.equal(description.complete, false);
+  assert.ok(description.times.length > 10);
+});

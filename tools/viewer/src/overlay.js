@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// What is drawn under and over the bodies: domain and walls; contacts; the picked body, its sensing radius and whom it senses.
+import { Lines } from "./gl/lines.js";
+import { styleColour } from "./ui/dom.js";
+
+const FAR = 300;  // views between camera and anchor from which places are kept anew
+
+export class Overlay {
+  paper = [255, 255, 255];
+  #anchor = [NaN, NaN];
+
+  /** @param {import("./reader/recording.js").Description} description @param {import("./gl/stage.js").Stage} stage @param {number} radius  m, of a typical body */
+  constructor(description, stage, radius) {
+    this.description = description;
+    this.stage = stage;
+    this.radius = radius;
+    this.restyle();
+  }
+
+  /** Takes the colours of the page's style. */
+  restyle() {
+    this.paper = styleColour("--paper");
+    this.colours = { wall: styleColour("--wall"), domain: styleColour("--domain"), link: styleColour("--link"), pick: styleColour("--pick") };
+    this.#anchor = [NaN, NaN];
+  }
+
+  /**
+   * @param {import("./gl/stage.js").View} view
+   * @param {{states: Float32Array, contacts: import("./physics/contacts.js").Contacts | undefined, at: number[] | null, picked: number,
+   *   velocity: ArrayLike<number> | undefined, sensing: number, sensed: ReturnType<typeof import("./physics/neighbours.js").neighbours>}} what
+   */
+  prepare(view, what) {
+    const reach = FAR * view.width / view.scale;
+    if (!(Math.hypot(view.x - this.#anchor[0], view.y - this.#anchor[1]) < reach)) this.#still(view);
+    this.#links(view, what);
+    this.#picked(view, what);
+  }
+
+  /** Domain and walls. @param {import("./gl/stage.js").View} view */
+  #still(view) {
+    this.#anchor = [view.x, view.y];
+    const lines = new Lines(this.#anchor), { domain, walls } = this.description, colours = this.colours;
+    if (!colours) return;
+    const [left, bottom] = domain.min, [right, top] = domain.max;
+    if (domain.kind !== "unbounded") lines.path([left, bottom, right, bottom, right, top, left, top], true, 2, colours.domain, domain.kind === "periodic" ? 6 : 0);
+    for (const { points, closed } of walls) lines.path(points, closed, 2.5, colours.wall);
+    this.stage.under.load(lines);
+  }
+
+  /** The bodies in touch, centre to centre, the wider the deeper. @param {import("./gl/stage.js").View} view @param {{states: Float32Array, contacts: import("./physics/contacts.js").Contacts | undefined}} what */
+  #links(view, { states, contacts }) {
+    const lines = new Lines([view.x, view.y]), { domain } = this.description, deep = 0.03 * this.radius;
+    const width = domain.max[0] - domain.min[0], height = domain.max[1] - domain.min[1], periodic = domain.kind === "periodic", colour = this.colours?.link ?? [0, 0, 0];
+    for (let i = 0; contacts && i < contacts.depths.length; ++i) {
+      const a = 4 * contacts.pairs[2 * i], b = 4 * contacts.pairs[2 * i + 1];
+      if (b < 0) continue;
+      let dx = states[b] - states[a], dy = states[b + 1] - states[a + 1];
+      if (periodic) { dx -= width * Math.round(dx / width); dy -= height * Math.round(dy / height); }
+      const x = view.x + states[a], y = view.y + states[a + 1];
+      lines.add(x, y, x + dx, y + dy, 1 + 3 * Math.min(1, Math.max(0, contacts.depths[i]) / deep), colour);
+    }
+    this.stage.links.load(lines);
+  }
+
+  /** @param {import("./gl/stage.js").View} view @param {{at: number[] | null, picked: number, velocity: ArrayLike<number> | undefined, sensing: number, sensed: {dx: number, dy: number, row: number}[]}} what */
+  #picked(view, { at, picked, velocity, sensing, sensed }) {
+    const lines = new Lines([view.x, view.y]), colour = this.colours?.pick ?? [0, 0, 0], { radius } = this.description.bodies;
+    if (at) {
+      const [x, y] = at;
+      lines.ring(x, y, sensing, 1.5, colour, 1);
+      for (const { dx, dy, row } of sensed) {
+        lines.add(x, y, x + dx, y + dy, 1, [...colour, 0.35]);
+        lines.ring(x + dx, y + dy, radius[row], 1.2, [...colour, 0.7]);
+        if (lines.count > 60000) break;
+      }
+      lines.ring(x, y, Math.max(radius[picked], 5 * view.ratio / view.scale), 3.5, colour);
+      if (velocity) this.#arrow(lines, view, x, y, velocity[2 * picked], velocity[2 * picked + 1], colour);
+    }
+    this.stage.over.load(lines);
+  }
+
+  /** The velocity: where the body would be in a quarter of a second. @param {Lines} lines @param {import("./gl/stage.js").View} view @param {number} x @param {number} y @param {number} vx @param {number} vy @param {number[]} colour */
+  #arrow(lines, view, x, y, vx, vy, colour) {
+    const dx = 0.25 * vx, dy = 0.25 * vy, far = Math.hypot(dx, dy), head = Math.min(9 * view.ratio / view.scale, 0.4 * far);
+    if (far * view.scale < 6 * view.ratio) return;
+    lines.add(x, y, x + dx, y + dy, 2.5, colour);
+    for (const turn of [2.6, -2.6]) {
+      const c = Math.cos(turn) * head / far, s = Math.sin(turn) * head / far;
+      lines.add(x + dx, y + dy, x + dx + c * dx - s * dy, y + dy + s * dx + c * dy, 2.5, colour);
+    }
+  }
+}

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+// Which bodies of a frame touch, and how deep they are in one another.
+import { eachMeeting } from "./grid.js";
+import { separation } from "./separation.js";
+
+/**
+ * @typedef {{pairs: Int32Array, depths: Float64Array, deepest: Float32Array, overlapping: number, largest: number, mean: number}} Contacts
+ *   pairs: rows a, b of each pair of bodies in touch, b = -1 for a wall or a side of the domain; depths: m of each pair, below 0
+ *   for a gap; deepest: m of each body; overlapping, largest, mean: over the pairs of convex parts that overlap (m)
+ * @typedef {{body: Int32Array, points: Float64Array[], radius: Float64Array}} Colliders  a row a convex part, about its body's centre
+ */
+
+const TOUCH = 0.01;  // of the smaller radius: the gap up to which a pair counts as touching
+
+const POINT = new Float64Array(2);
+
+/** The convex parts of all bodies. @param {import("../reader/scene.js").Scene} scene @returns {Colliders} */
+export function colliders({ bodies, shapes }) {
+  const body = [], points = [], radius = [];
+  for (let row = 0; row < bodies.count; ++row) {
+    const { kind, parts } = shapes[bodies.shape[row]];
+    for (const part of kind === 0 ? [{ points: POINT, radius: bodies.radius[row] }] : parts) {
+      body.push(row);
+      points.push(part.points);
+      radius.push(part.radius);
+    }
+  }
+  return { body: Int32Array.from(body), points, radius: Float64Array.from(radius) };
+}
+
+/** Segments ax, ay, bx, by of all walls. @param {import("../reader/scene.js").Wall[]} walls */
+function wallSegments(walls) {
+  const segments = [];
+  for (const { points, closed } of walls)
+    for (let i = closed ? 0 : 2; i < points.length; i += 2) {
+      const before = i === 0 ? points.length - 2 : i - 2;
+      segments.push(Float64Array.of(points[before], points[before + 1], points[i], points[i + 1]));
+    }
+  return segments;
+}
+
+/** Finds contacts of the frames of one scene; memory is used again from frame to frame. */
+export class ContactFinder {
+  /** @param {import("../reader/scene.js").Scene} scene */
+  constructor(scene) {
+    this.scene = scene;
+    this.parts = colliders(scene);
+    this.walls = wallSegments(scene.walls);
+    this.world = this.parts.points.map(points => new Float64Array(points.length));
+    this.boxes = new Float64Array(4 * (this.world.length + this.walls.length));
+    this.walls.forEach(([ax, ay, bx, by], i) =>
+      this.boxes.set([Math.min(ax, bx), Math.min(ay, by), Math.max(ax, bx), Math.max(ay, by)], 4 * (this.world.length + i)));
+  }
+
+  /**
+   * Expects the positions, and the angles where there are any. O(bodies).
+   * @param {import("../reader/recording.js").Frame} frame
+   * @returns {Contacts}
+   */
+  find(frame) {
+    this.#place(frame);
+    const { body } = this.parts, { kind } = this.scene.bodies, parts = this.world.length, { periodic, width, height } = this.#domain();
+    this.found = { pairs: /** @type {number[]} */ ([]), depths: /** @type {number[]} */ ([]), deepest: new Float32Array(this.scene.bodies.count), overlapping: 0, largest: 0, sum: 0 };
+    const meet = (/** @type {number} */ a, /** @type {number} */ b) => {
+      if (b >= parts) this.#wall(a, this.walls[b - parts]);
+      else if (body[a] !== body[b] && (kind[body[a]] === 0 || kind[body[b]] === 0)) this.#pair(a, b);
+    };
+    eachMeeting(this.boxes, parts, meet);
+    if (periodic) this.#acrossBorders(width, height);
+    if (this.scene.domain.kind === "box") for (let a = 0; a < parts; ++a) this.#sides(a);
+    const { pairs, depths, deepest, overlapping, largest, sum } = this.found;
+    return { pairs: Int32Array.from(pairs), depths: Float64Array.from(depths), deepest, overlapping, largest, mean: overlapping ? sum / overlapping : 0 };
+  }
+
+  #domain() {
+    const { kind, min, max } = this.scene.domain;
+    return { periodic: kind === "periodic", width: max[0] - min[0], height: max[1] - min[1] };
+  }
+
+  /** Every part in the world, and its box. @param {import("../reader/recording.js").Frame} frame */
+  #place({ position, angle }) {
+    if (!position) return;
+    const { body, points, radius } = this.parts, { periodic, width, height } = this.#domain(), { min } = this.scene.domain;
+    for (let part = 0; part < points.length; ++part) {
+      const row = body[part], local = points[part], world = this.world[part];
+      const c = angle ? Math.cos(angle[row]) : 1, s = angle ? Math.sin(angle[row]) : 0;
+      let x = position[2 * row], y = position[2 * row + 1];
+      if (periodic) {
+        x -= width * Math.floor((x - min[0]) / width);
+        y -= height * Math.floor((y - min[1]) / height);
+      }
+      let left = Infinity, bottom = Infinity, right = -Infinity, top = -Infinity;
+      for (let k = 0; k < local.length; k += 2) {
+        const px = world[k] = x + c * local[k] - s * local[k + 1], py = world[k + 1] = y + s * local[k] + c * local[k + 1];
+        left = Math.min(left, px); right = Math.max(right, px); bottom = Math.min(bottom, py); top = Math.max(top, py);
+      }
+      const r = (1 + TOUCH) * radius[part] + TOUCH * this.scene.bodies.radius[row];
+      this.boxes[4 * part] = left - r; this.boxes[4 * part + 1] = bottom - r;
+      this.boxes[4 * part + 2] = right + r; this.boxes[4 * part + 3] = top + r;
+    }
+  }
+
+  /** @param {number} a @param {number} b @param {Float64Array} [points]  of b, where it is seen elsewhere */
+  #pair(a, b, points = this.world[b]) {
+    const { body, radius } = this.parts;
+    const A = this.world[a];
+    const gap = A.length === 2 && points.length === 2 ? Math.hypot(A[0] - points[0], A[1] - points[1]) - radius[a] - radius[b]
+                                                      : separation(A, radius[a], points, radius[b]);
+    this.#count(body[a], body[b], gap, Math.min(this.scene.bodies.radius[body[a]], this.scene.bodies.radius[body[b]]));
+  }
+
+  /** @param {number} a @param {Float64Array} wall */
+  #wall(a, wall) {
+    const row = this.parts.body[a];
+    if (this.scene.bodies.kind[row] !== 0) return;
+    this.#count(row, -1, separation(this.world[a], this.parts.radius[a], wall, 0), this.scene.bodies.radius[row]);
+  }
+
+  /** How far a part is from the four sides of the box. @param {number} a */
+  #sides(a) {
+    const row = this.parts.body[a], { min, max } = this.scene.domain, points = this.world[a], radius = this.parts.radius[a];
+    if (this.scene.bodies.kind[row] !== 0) return;
+    for (let axis = 0; axis < 2; ++axis) {
+      let low = Infinity, high = -Infinity;
+      for (let k = axis; k < points.length; k += 2) { low = Math.min(low, points[k]); high = Math.max(high, points[k]); }
+      this.#count(row, -1, low - radius - min[axis], this.scene.bodies.radius[row]);
+      this.#count(row, -1, max[axis] - high - radius, this.scene.bodies.radius[row]);
+    }
+  }
+
+  /** Pairs that meet over a border of a periodic domain: of parts that reach over it, with their images. @param {number} width @param {number} height */
+  #acrossBorders(width, height) {
+    const { min, max } = this.scene.domain, { body } = this.parts, { kind } = this.scene.bodies, count = this.world.length, reach = this.#reach();
+    /** @type {number[]} */
+    const near = [];
+    for (let a = 0; a < count; ++a) {
+      const p = 4 * a;
+      if (this.boxes[p] < min[0] + reach || this.boxes[p + 1] < min[1] + reach || this.boxes[p + 2] > max[0] - reach || this.boxes[p + 3] > max[1] - reach) near.push(a);
+    }
+    for (const [dx, dy] of [[width, 0], [0, height], [width, height], [width, -height]]) {
+      const boxes = new Float64Array(8 * near.length);
+      near.forEach((a, i) => {
+        const p = 4 * a, [left, bottom, right, top] = this.boxes.subarray(p, p + 4);
+        boxes.set([left, bottom, right, top], 4 * i);
+        boxes.set([left + dx, bottom + dy, right + dx, top + dy], 4 * (near.length + i));
+      });
+      eachMeeting(boxes, near.length, (i, j) => {
+        if (j < near.length) return;
+        const a = near[i], b = near[j - near.length];
+        if (body[a] === body[b] || (kind[body[a]] !== 0 && kind[body[b]] !== 0)) return;
+        this.#pair(a, b, this.world[b].map((value, k) => value + (k % 2 ? dy : dx)));
+      });
+    }
+  }
+
+  /** The largest extent of a part. */
+  #reach() {
+    let reach = 0;
+    for (let p = 0; p < 4 * this.world.length; p += 4) reach = Math.max(reach, this.boxes[p + 2] - this.boxes[p], this.boxes[p + 3] - this.boxes[p + 1]);
+    return reach;
+  }
+
+  /** @param {number} a @param {number} b @param {number} gap @param {number} radius  the smaller */
+  #count(a, b, gap, radius) {
+    const { found } = this;
+    if (!found || gap > TOUCH * radius) return;
+    found.pairs.push(a, b);
+    found.depths.push(-gap);
+    if (!(gap < 0)) return;
+    ++found.overlapping;
+    found.sum -= gap;
+    found.largest = Math.max(found.largest, -gap);
+    found.deepest[a] = Math.max(found.deepest[a], -gap);
+    if (b >= 0) found.deepest[b] = Math.max(found.deepest[b], -gap);
+  }
+}

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// A recording: its scene, and its frames one by one, that of a run still going or killed included.
+import { attribute, BadFile, damaged, dataset, numbers } from "./h5.js";
+import { readScene } from "./scene.js";
+
+/**
+ * @typedef {"position" | "angle" | "velocity" | "spin"} Field
+ * @typedef {{[field in Field]?: Float32Array | Float64Array}} Frame  a row a body; x, y, x, y of position and velocity
+ * @typedef {import("./scene.js").Scene & {fields: Field[], times: Float64Array, steps: Float64Array, complete: boolean}} Description
+ */
+
+/** @type {[Field, number][]} */
+const FIELDS = [["position", 2], ["angle", 1], ["velocity", 2], ["spin", 1]];
+
+export class Recording {
+  #data = /** @type {Map<Field, any>} */ (new Map());
+  /** @type {Description} */
+  description;
+
+  /**
+   * Opens and checks everything but the frames' values. Throws BadFile.
+   * @param {any} h5  h5wasm, ready @param {string} path
+   */
+  constructor(h5, path) {
+    this.#open(h5, path);
+    try {
+      this.description = this.#describe();
+      this.#readFields();
+      this.#readRows();
+    } catch (error) {
+      this.file.close();
+      throw error;
+    }
+  }
+
+  /** @returns {Description} */
+  #describe() {
+    const scene = readScene(this.file);
+    return { ...scene, fields: [], times: new Float64Array(0), steps: new Float64Array(0),
+             complete: numbers(this.file, "throng/finished", "int", [])[0] !== 0 };
+  }
+
+  /** @param {any} h5 @param {string} path */
+  #open(h5, path) {
+    try {
+      this.file = new h5.File(path, "Sr");  // opens complete files, too, and those of runs that were killed
+    } catch {
+      throw new BadFile("is no HDF5 file, or one whose beginning is damaged");
+    }
+  }
+
+  #readFields() {
+    const { bodies, fields } = this.description;
+    for (const [field, components] of FIELDS) {
+      const path = `particles/trajectory/${field}/value`;
+      if (!this.file.get(`particles/trajectory/${field}`)) continue;
+      this.#data.set(field, dataset(this.file, path, "float", components === 2 ? [-1, bodies.count, 2] : [-1, bodies.count]));
+      fields.push(field);
+    }
+    if (!fields.includes("position")) throw new BadFile("holds no positions: there is nothing to show");
+  }
+
+  /** A frame counts once its hash stands, whatever the extents of the other datasets say. */
+  #readRows() {
+    const hashes = dataset(this.file, "throng/frames/frame_hash", "int", [-1]).value ?? [];
+    let frames = hashes.findIndex((/** @type {bigint} */ hash) => hash === 0n);
+    if (frames < 0) frames = hashes.length;
+    const steps = numbers(this.file, "throng/frames/step", "int", [-1]), times = numbers(this.file, "throng/frames/time", "float", [-1]);
+    const extents = [steps.length, times.length, ...[...this.#data.values()].map(data => data.metadata.shape[0])];
+    if (extents.some(extent => extent < frames)) throw damaged("frames are missing that it says it holds");
+    if (frames === 0) throw new BadFile("holds no frames: there is nothing to show");
+    this.description.steps = steps.slice(0, frames);
+    this.description.times = times.slice(0, frames);
+    this.#expectTimes();
+  }
+
+  /** The rows carry no checksum: times are steps times dt, to the bit, and steps ascend. */
+  #expectTimes() {
+    const { steps, times } = this.description, dt = attribute(this.file.get("parameters"), "dt");
+    for (let i = 0; i < steps.length; ++i)
+      if (!(times[i] === steps[i] * dt && (i === 0 || steps[i] > steps[i - 1]))) throw damaged(`the time of frame ${i} is wrong`);
+  }
+
+  /**
+   * Frame i, of the fields asked for those that were recorded. Throws BadFile where it is damaged. O(bodies).
+   * @param {number} i @param {Field[]} fields
+   * @returns {Frame}
+   */
+  frame(i, fields) {
+    /** @type {Frame} */
+    const frame = {};
+    for (const field of fields) if (this.#data.has(field)) frame[field] = this.#read(i, field);
+    return frame;
+  }
+
+  /** @param {number} i @param {Field} field */
+  #read(i, field) {
+    const data = this.#data.get(field), rest = data.metadata.shape.slice(1).map(() => []);
+    let values;
+    try {
+      values = this.description.bodies.count === 0 ? new Float64Array(0) : data.slice([[i, i + 1], ...rest]);
+    } catch {
+      throw damaged(`${field} of frame ${i} can't be read`);
+    }
+    let sum = 0;
+    for (let k = 0; k < values.length; ++k) sum += values[k] * 0;  // 0 unless one is not finite
+    if (sum !== 0) throw damaged(`${field} of frame ${i} holds what is no number`);
+    return values;
+  }
+}

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// What of a recording never changes: names, domain, shapes, bodies, walls. The file's form is sim/recording/layout.h.
+import { attribute, BadFile, damaged, numbers, texts } from "./h5.js";
+
+/**
+ * @typedef {{points: Float64Array, radius: number}} Part  a convex part, grown by its radius (m)
+ * @typedef {{name: string, kind: number, radius: number, gyration2: number, outline: Float64Array, parts: Part[]}} Shape
+ *   kind: 0 disc, 1 polygon, 2 composite; points are x, y, x, y about the centre of mass
+ * @typedef {{count: number, id: Float64Array, shape: Float64Array, material: Float64Array, kind: Float64Array,
+ *   radius: Float64Array, mass: Float64Array}} Bodies  kind: 0 dynamic, 1 static, 2 kinematic
+ * @typedef {{points: Float64Array, closed: boolean}} Wall
+ * @typedef {{kind: "unbounded" | "box" | "periodic", min: number[], max: number[]}} Domain
+ * @typedef {{name: string, description: string, version: string, domain: Domain, gravity: number[] | null, shapes: Shape[],
+ *   materials: string[], bodies: Bodies, walls: Wall[]}} Scene
+ */
+
+/** @param {any} value @returns {string} */
+const text = value => typeof value === "string" ? value : "";
+
+/** Throws unless it is 0 = o[0] <= o[1] <= ... = total. @param {Float64Array} offset @param {number} total @param {string} path */
+function expectOffsets(offset, total, path) {
+  let sound = offset[0] === 0 && offset[offset.length - 1] === total;
+  for (let i = 1; i < offset.length; ++i) sound = sound && offset[i] >= offset[i - 1];
+  if (!sound) throw damaged(`${path} does not fit its points`);
+}
+
+/** @param {Float64Array} values @param {string} path @param {number} low @param {number} high  not included */
+function expectRange(values, path, low, high) {
+  for (const value of values) if (!(value >= low && value < high)) throw damaged(`${path} holds ${value}`);
+  return values;
+}
+
+/** Lists of points end to end. @param {any} file @param {string} offsets @param {string} points */
+function ragged(file, offsets, points) {
+  const offset = numbers(file, offsets, "int", [-1]), all = numbers(file, points, "float", [-1, 2]);
+  expectOffsets(offset, all.length / 2, offsets);
+  expectRange(all, points, -1e300, 1e300);
+  return Array.from({ length: offset.length - 1 }, (_, i) => all.slice(2 * offset[i], 2 * offset[i + 1]));
+}
+
+/** @param {any} file @returns {Domain} */
+function readDomain(file) {
+  const group = file.get("throng/domain"), kind = attribute(group, "kind");
+  const min = Array.from(attribute(group, "min") ?? [], Number), max = Array.from(attribute(group, "max") ?? [], Number);
+  if (kind === "unbounded") return { kind, min: [0, 0], max: [0, 0] };
+  const sound = (kind === "box" || kind === "periodic") && min.length === 2 && max.length === 2 && [0, 1].every(i => max[i] > min[i] && Number.isFinite(max[i] - min[i]));
+  if (!sound) throw damaged("throng/domain");
+  return { kind, min, max };
+}
+
+/** @param {any} file @returns {Shape[]} */
+function readShapes(file) {
+  const at = "throng/shapes/", names = texts(file, at + "name", [-1]), n = names.length;
+  const kind = expectRange(numbers(file, at + "kind", "int", [n]), at + "kind", 0, 3);
+  const radius = expectRange(numbers(file, at + "radius", "float", [n]), at + "radius", 0, Infinity);
+  const gyration2 = expectRange(numbers(file, at + "gyration2", "float", [n]), at + "gyration2", 0, Infinity);
+  const outlines = ragged(file, at + "outline_offset", at + "outline");
+  const partOffset = numbers(file, at + "part_offset", "int", [n + 1]);
+  const partRadius = expectRange(numbers(file, at + "part_radius", "float", [-1]), at + "part_radius", 0, Infinity);
+  const vertices = ragged(file, at + "vertex_offset", at + "vertices");
+  expectOffsets(partOffset, partRadius.length, at + "part_offset");
+  if (outlines.length !== n || vertices.length !== partRadius.length) throw damaged(at + "outline");
+  const parts = vertices.map((points, i) => ({ points, radius: partRadius[i] }));
+  return names.map((name, i) => ({ name, kind: kind[i], radius: radius[i], gyration2: gyration2[i], outline: outlines[i],
+                                   parts: parts.slice(partOffset[i], partOffset[i + 1]) }));
+}
+
+/** @param {any} file @param {number} shapes @param {number} materials @returns {Bodies} */
+function readBodies(file, shapes, materials) {
+  const at = "throng/bodies/", radius = numbers(file, at + "radius", "float", [-1]), count = radius.length;
+  expectRange(radius, at + "radius", 0, Infinity);
+  return {
+    count, radius,
+    id: numbers(file, "particles/trajectory/id", "int", [count]),
+    shape: expectRange(numbers(file, at + "shape", "int", [count]), at + "shape", 0, shapes),
+    material: expectRange(numbers(file, at + "material", "int", [count]), at + "material", 0, materials),
+    kind: expectRange(numbers(file, at + "kind", "int", [count]), at + "kind", 0, 3),
+    mass: expectRange(numbers(file, at + "mass", "float", [count]), at + "mass", 0, Infinity),
+  };
+}
+
+/** @param {any} file @returns {Wall[]} */
+function readWalls(file) {
+  const lines = ragged(file, "throng/walls/offset", "throng/walls/points");
+  const closed = numbers(file, "throng/walls/closed", "int", [lines.length]);
+  return lines.map((points, i) => ({ points, closed: closed[i] !== 0 }));
+}
+
+/**
+ * Gravity as the resolved scenario has it, whose first lines are throng's own print; null where it can't be told.
+ * @param {string} resolved
+ */
+export function gravityOf(resolved) {
+  const head = resolved.split(/^\s*\[/m, 1)[0], number = "([-+0-9.eE]+)";
+  const found = new RegExp(`^gravity\\s*=\\s*\\[\\s*${number}\\s*,\\s*${number}\\s*\\]`, "m").exec(head);
+  if (!found) return /^throng\s*=/m.test(head) ? [0, 0] : null;
+  const gravity = [Number(found[1]), Number(found[2])];
+  return gravity.every(Number.isFinite) ? gravity : null;
+}
+
+/** Throws unless this program can read the file. @param {any} file */
+export function expectVersion(file) {
+  const version = attribute(file.get("throng"), "version");
+  if (!version || version.length !== 2) throw new BadFile("is HDF5 but not a recording of throng");
+  if (version[0] > 1) throw new BadFile(`was written by a newer throng: its form is ${version[0]}.${version[1]}, this page reads 1`);
+}
+
+/** @param {any} file  @returns {Scene} */
+export function readScene(file) {
+  expectVersion(file);
+  const throng = file.get("throng"), shapes = readShapes(file), materials = texts(file, "throng/materials/name", [-1]);
+  let resolved = "";
+  try { resolved = texts(file, "parameters/resolved", [])[0] ?? ""; } catch { /* no text, no gravity: the energies say so */ }
+  return { name: text(attribute(throng, "name")), description: text(attribute(throng, "description")),
+           version: text(attribute(file.get("parameters"), "version")), domain: readDomain(file), gravity: gravityOf(resolved),
+           shapes, materials, bodies: readBodies(file, shapes.length, materials.length), walls: readWalls(file) };
+}

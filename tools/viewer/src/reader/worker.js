@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// The worker that reads a recording in place: {open} answers with its description, {frame} with a frame, {scan} with points.
+import h5wasm from "h5wasm";
+import { ContactFinder } from "../physics/contacts.js";
+import { overview } from "./overview.js";
+import { Recording } from "./recording.js";
+import { scan } from "./scan.js";
+
+/** @type {Recording} */
+let recording;
+/** @type {ContactFinder} */
+let finder;
+
+const ready = h5wasm.ready.then(h5 => { h5.activate_throwing_error_handler(); return h5; });
+ready.then(() => postMessage({ ready: true }), error => postMessage({ error: `this browser can't run the reader: ${error}` }));
+
+/** The blob as a file that is read where it lies: nothing of it is copied. @param {any} h5 @param {Blob} blob */
+function mount(h5, blob) {
+  h5.FS.mkdir("/recording");
+  h5.FS.mount(h5.FS.filesystems.WORKERFS, { blobs: [{ name: "file", data: blob }] }, "/recording");
+  return "/recording/file";
+}
+
+/** @param {{open?: Blob, frame?: number, fields?: import("./recording.js").Field[], contacts?: boolean, scan?: number}} order */
+async function obey({ open, frame, fields, contacts, scan: slow }) {
+  const h5 = await ready;
+  if (open) {
+    recording = new Recording(h5wasm, mount(h5, open));
+    finder = new ContactFinder(recording.description);
+    if (slow === undefined) postMessage({ description: recording.description, overview: overview(recording) });
+  }
+  if (frame !== undefined) {
+    const values = recording.frame(frame, fields ?? []), found = contacts ? finder.find(values) : undefined;
+    const buffers = [...Object.values(values), ...(found ? [found.pairs, found.depths, found.deepest] : [])].map(array => array.buffer);
+    postMessage({ frame, values, contacts: found }, { transfer: buffers });
+  }
+  if (slow !== undefined) {
+    let points = [], at = performance.now();
+    for (const point of scan(recording, finder, slow)) {
+      points.push(point);
+      if (performance.now() - at < 150) continue;
+      postMessage({ points });
+      points = [];
+      at = performance.now();
+    }
+    postMessage({ points, scanned: true });
+  }
+}
+
+let queue = Promise.resolve();
+onmessage = ({ data }) => {
+  queue = queue.then(() => obey(data)).catch(error => postMessage({ error: error.message || String(error), frame: data.frame }));
+};

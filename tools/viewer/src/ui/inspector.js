@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// What is known of the picked body, and whom it senses.
+import { count, length, short } from "../view/format.js";
+import { byId, fillList } from "./dom.js";
+
+const KINDS = ["moves freely", "static", "driven"];
+
+/**
+ * @param {import("../reader/recording.js").Description} d @param {number} row @param {import("../reader/source.js").Loaded} loaded
+ * @returns {[string, string][]}
+ */
+export function facts(d, row, { values: { position, angle, velocity, spin }, contacts }) {
+  const { bodies, shapes, materials } = d, pair = (/** @type {ArrayLike<number>} */ v) => `${short(v[2 * row], 5)}, ${short(v[2 * row + 1], 5)}`;
+  /** @type {([string, string] | false)[]} */
+  const all = [
+    ["shape", shapes[bodies.shape[row]].name],
+    materials.length > 1 && ["material", materials[bodies.material[row]]],
+    bodies.kind[row] > 0 && ["kind", KINDS[bodies.kind[row]]],
+    ["radius", length(bodies.radius[row], 4)],
+    bodies.mass[row] > 0 && ["mass", `${short(bodies.mass[row], 4)} kg`],
+    position !== undefined && ["place", `${pair(position)} m`],
+    velocity !== undefined && ["velocity", `${pair(velocity)} m/s`],
+    velocity !== undefined && ["speed", `${short(Math.hypot(velocity[2 * row], velocity[2 * row + 1]), 5)} m/s`],
+    angle !== undefined && ["angle", `${short(angle[row] * 180 / Math.PI, 5)}°`],
+    spin !== undefined && ["spin", `${short(spin[row], 4)} rad/s`],
+    contacts !== undefined && ["deepest overlap", length(contacts.deepest[row])],
+  ];
+  return all.filter(fact => fact !== false);
+}
+
+/** @param {[string, string][] | null} all */
+export function showFacts(all) {
+  byId("body").hidden = all === null;
+  byId("follow").disabled = all === null;
+  if (all) fillList(byId("facts"), all);
+}
+
+/** @param {ReturnType<typeof import("../physics/neighbours.js").neighbours>} found @param {Float64Array} id @param {number} radius */
+export function showSensed(found, id, radius) {
+  byId("radius-text").textContent = length(radius);
+  const nearest = found.slice(0, 4).map(({ row, distance }) => `${id[row]} at ${length(distance)}`).join(", ");
+  byId("sensed").textContent = found.length === 0 ? "senses nobody" : `senses ${count(found.length)}: ${nearest}${found.length > 4 ? " …" : ""}`;
+}

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Where bodies are at a time between two frames, as the stage wants it.
+
+/**
+ * Fills states with x, y from the camera (m), angle and colour of every body. Over the borders of a periodic domain bodies take
+ * the short way, and are shown where they are inside it.
+ * @param {import("../reader/recording.js").Frame} a @param {import("../reader/recording.js").Frame} b @param {number} t  0 to 1
+ * @param {{x: number, y: number}} camera @param {import("../reader/scene.js").Domain} domain @param {Float32Array} places  of colours
+ * @param {Float32Array} states  four a body
+ */
+export function blend(a, b, t, camera, domain, places, states) {
+  const from = a.position, to = b.position, count = places.length;
+  if (!from || !to) return;
+  const periodic = domain.kind === "periodic", width = domain.max[0] - domain.min[0], height = domain.max[1] - domain.min[1];
+  for (let row = 0; row < count; ++row) {
+    let dx = to[2 * row] - from[2 * row], dy = to[2 * row + 1] - from[2 * row + 1];
+    if (periodic) {
+      dx -= width * Math.round(dx / width);
+      dy -= height * Math.round(dy / height);
+    }
+    let x = from[2 * row] + t * dx, y = from[2 * row + 1] + t * dy;
+    if (periodic) {
+      x -= width * Math.floor((x - domain.min[0]) / width);
+      y -= height * Math.floor((y - domain.min[1]) / height);
+    }
+    const at = 4 * row;
+    states[at] = x - camera.x;
+    states[at + 1] = y - camera.y;
+    states[at + 2] = a.angle && b.angle ? (a.angle[row] + t * (b.angle[row] - a.angle[row])) % (2 * Math.PI) : 0;
+    states[at + 3] = places[row];
+  }
+}
+
+/** Where one body is, as blend has it. @param {Float32Array} states @param {number} row @param {{x: number, y: number}} camera */
+export const placeOf = (states, row, camera) => [states[4 * row] + camera.x, states[4 * row + 1] + camera.y];
+
+/**
+ * The body under a place, that whose centre is nearest in its own radii; -1 where there is none within `reach` of one.
+ * @param {Float32Array} states @param {Float64Array} radii @param {number} x  m, from the camera @param {number} y @param {number} reach  m
+ */
+export function bodyAt(states, radii, x, y, reach) {
+  let best = -1, least = Infinity;
+  for (let row = 0; row < radii.length; ++row) {
+    const distance = Math.hypot(states[4 * row] - x, states[4 * row + 1] - y), near = distance / Math.max(radii[row], 1e-300);
+    if (distance <= radii[row] + reach && near < least) { least = near; best = row; }
+  }
+  return best;
+}

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// Which colour a body has: a place of palette.js by speed, id, group and so on.
+import { count, length, short } from "./format.js";
+import { groupColour, groupPlace, css, KINEMATIC, level, PLAIN, STATIC } from "./palette.js";
+
+/**
+ * @typedef {import("../reader/recording.js").Description} Description
+ * @typedef {import("../reader/recording.js").Frame} Frame
+ * @typedef {{values: Frame, contacts?: import("../physics/contacts.js").Contacts}} Loaded
+ * @typedef {{range: [string, string]} | {groups: {name: string, css: string}[], more: number}} Legend
+ * @typedef {{key: string, name: string, needs: "velocity" | "contacts" | null, legend: Legend | null,
+ *   place: (row: number, loaded: Loaded) => number}} Colouring
+ */
+
+const SHOWN = 7;  // names of groups in the legend
+
+/** @param {string} low @param {string} high @returns {Legend} */
+const scale = (low, high) => ({ range: [low, high] });
+
+/** @param {string[]} names @returns {Legend} */
+const groups = names => ({ groups: names.slice(0, SHOWN).map((name, i) => ({ name, css: css(groupColour(i)) })), more: Math.max(0, names.length - SHOWN) });
+
+/** Names of the groups that moving bodies are in, by first body, and each body's place among them. @param {Float64Array} group @param {Float64Array} kind @param {string[]} names */
+function ranked(group, kind, names) {
+  const rank = new Map();
+  group.forEach((value, row) => { if (kind[row] === 0 && !rank.has(value)) rank.set(value, rank.size); });
+  return { names: [...rank.keys()].map(value => names[value] || "(no name)"), rank: (/** @type {number} */ row) => rank.get(group[row]) };
+}
+
+/** The colourings that say something of this recording. @param {Description} d @param {import("../reader/overview.js").Overview} overview @returns {Colouring[]} */
+export function colourings(d, { topSpeed, starts }) {
+  const { bodies, shapes, materials } = d, shape = ranked(bodies.shape, bodies.kind, shapes.map(s => s.name)), material = ranked(bodies.material, bodies.kind, materials);
+  const radii = bodies.radius.slice().sort(), middle = radii.length ? radii[radii.length >> 1] : 1, deep = 0.05 * middle;
+  /** @type {(Colouring | false)[]} */
+  const all = [
+    d.fields.includes("velocity") && { key: "speed", name: "speed", needs: "velocity",
+      legend: topSpeed > 0 ? scale("0", `${short(topSpeed)} m/s`) : null,
+      place: (row, { values: { velocity } }) => velocity && topSpeed > 0 ? level(Math.hypot(velocity[2 * row], velocity[2 * row + 1]) / topSpeed) : level(0) },
+    shape.names.length > 1 && { key: "shape", name: "shape", needs: null, legend: groups(shape.names), place: row => groupPlace(shape.rank(row)) },
+    material.names.length > 1 && { key: "material", name: "material", needs: null, legend: groups(material.names), place: row => groupPlace(material.rank(row)) },
+    bodies.count > 1 && { key: "id", name: "id", needs: null, legend: scale(count(bodies.id[0]), count(bodies.id[bodies.count - 1])),
+      place: row => level(row / (bodies.count - 1)) },
+    starts.high > starts.low && { key: "start", name: "height at the start", needs: null, legend: scale(length(starts.low), length(starts.high)),
+      place: row => level((starts.heights[row] - starts.low) / (starts.high - starts.low)) },
+    { key: "overlap", name: "overlap", needs: "contacts", legend: scale("0", length(deep)),
+      place: (row, { contacts }) => contacts ? level(contacts.deepest[row] / deep) : PLAIN },
+    { key: "plain", name: "one colour", needs: null, legend: null, place: () => PLAIN },
+  ];
+  return all.filter(colouring => colouring !== false);
+}
+
+/**
+ * Fills `places` with every body's; what doesn't move freely is grey.
+ * @param {Colouring} colouring @param {Description} d @param {Loaded} loaded @param {Float32Array} places
+ */
+export function colour(colouring, { bodies }, loaded, places) {
+  for (let row = 0; row < bodies.count; ++row) {
+    const kind = bodies.kind[row];
+    places[row] = kind === 0 ? colouring.place(row, loaded) : kind === 1 ? STATIC : KINEMATIC;
+  }
+}
