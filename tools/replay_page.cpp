@@ -44,7 +44,8 @@ std::string template_page() {
   for (const char* const* piece = kReplayHtml; *piece; ++piece) page += *piece;
   if (page.empty())
     throw InputError(
-        "this throng was built without its replay page: install nodejs and npm, run 'npm ci' in tools/viewer, "
+        "this throng was built without its replay page: install nodejs and npm, run 'npm ci' in "
+        "tools/viewer, "
         "and configure and build again");
   return page;
 }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // What the viewer's tests share: the program, scenes, recordings in a folder that goes with the test, a browser.
 import { execFileSync, spawnSync } from "node:child_process";
-import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after } from "node:test";
+import { HEAD, modeFor, Recording } from "../../tools/viewer/src/reader/recording.js";
 
 export const program = process.env.THRONG_PROGRAM ?? new URL("../../build/release/throng", import.meta.url).pathname;
 export const folder = mkdtempSync(join(tmpdir(), "throng-viewer-"));
@@ -98,6 +99,9 @@ export async function h5() {
   (await made.ready).activate_throwing_error_handler();
   return made;
 }
+
+/** A recording of the test's folder, opened as the page does. */
+export const open = (library, name) => new Recording(library, path(name), modeFor(readFileSync(path(name)).subarray(0, HEAD)));
 
 /** Debian's Chromium without a window, drawing by the processor. */
 export function browser() {

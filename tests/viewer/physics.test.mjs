@@ -8,8 +8,7 @@ import { ContactFinder } from "../../tools/viewer/src/physics/contacts.js";
 import { measure } from "../../tools/viewer/src/physics/measures.js";
 import { neighbours } from "../../tools/viewer/src/physics/neighbours.js";
 import { separation } from "../../tools/viewer/src/physics/separation.js";
-import { Recording } from "../../tools/viewer/src/reader/recording.js";
-import { GAS, h5, MIXED, path, random, record, throng } from "./helper.mjs";
+import { GAS, h5, MIXED, open, path, random, record, throng } from "./helper.mjs";
 
 const close = (a, b, tolerance) => assert.ok(Math.abs(a - b) <= tolerance * (1 + Math.abs(b)), `${a} is not ${b}`);
 
@@ -67,7 +66,7 @@ describe("the last frame of a run", () => {
   before(async () => {
     const library = await h5();
     for (const [name, scene] of Object.entries(scenes)) {
-      const summary = record(name, scene), recording = new Recording(library, path(`${name}.h5`)), { description } = recording;
+      const summary = record(name, scene), recording = open(library, `${name}.h5`), { description } = recording;
       runs[name] = { summary, description, frame: recording.frame(description.times.length - 1, ["position", "angle", "velocity", "spin"]) };
     }
   });

@@ -23,7 +23,7 @@ export function dataset(file, path, kind, shape) {
   const fits = metadata.shape && metadata.shape.length === shape.length &&
     shape.every((size, i) => size < 0 || metadata.shape[i] === size);
   if (metadata.type !== CLASS[kind] || metadata.vlen || !fits) throw damaged(`${path} has another type or shape`);
-  if (metadata.shape.reduce((/** @type {number} */ a, /** @type {number} */ b) => a * b, metadata.size) > 8 * MOST && shape[0] >= 0)
+  if (metadata.shape.reduce((/** @type {number} */ a, /** @type {number} */ b) => a * b, metadata.size) > 8 * MOST && shape.length < 2)
     throw damaged(`${path} is too large`);
   return data;
 }
@@ -38,7 +38,7 @@ export function numbers(file, path, kind, shape) {
   const count = metadata.shape.reduce((/** @type {number} */ a, /** @type {number} */ b) => a * b, 1);
   if (count > MOST) throw damaged(`${path} is too large`);
   if (count === 0) return new Float64Array(0);
-  const values = data.value, result = new Float64Array(count);
+  const value = data.value, values = metadata.shape.length === 0 ? [value] : value, result = new Float64Array(count);
   for (let i = 0; i < count; ++i) result[i] = Number(values[i]);
   return result;
 }

@@ -12,6 +12,16 @@ import { readScene } from "./scene.js";
 /** @type {[Field, number][]} */
 const FIELDS = [["position", 2], ["angle", 1], ["velocity", 2], ["spin", 1]];
 
+/** Bytes at the beginning of a file that modeFor looks at. */
+export const HEAD = 12;
+
+/**
+ * How to open a file: that of a run that goes on or was killed is marked, and opens in SWMR mode alone. There HDF5 waits, in effect
+ * for ever, for damaged metadata to become sound, so that complete files are opened without.
+ * @param {Uint8Array} head
+ */
+export const modeFor = head => head[11] ? "Sr" : "r";
+
 export class Recording {
   #data = /** @type {Map<Field, any>} */ (new Map());
   /** @type {Description} */
@@ -19,10 +29,10 @@ export class Recording {
 
   /**
    * Opens and checks everything but the frames' values. Throws BadFile.
-   * @param {any} h5  h5wasm, ready @param {string} path
+   * @param {any} h5  h5wasm, ready @param {string} path @param {"r" | "Sr"} mode  see modeFor
    */
-  constructor(h5, path) {
-    this.#open(h5, path);
+  constructor(h5, path, mode) {
+    this.#open(h5, path, mode);
     try {
       this.description = this.#describe();
       this.#readFields();
@@ -40,10 +50,10 @@ export class Recording {
              complete: numbers(this.file, "throng/finished", "int", [])[0] !== 0 };
   }
 
-  /** @param {any} h5 @param {string} path */
-  #open(h5, path) {
+  /** @param {any} h5 @param {string} path @param {"r" | "Sr"} mode */
+  #open(h5, path, mode) {
     try {
-      this.file = new h5.File(path, "Sr");  // opens complete files, too, and those of runs that were killed
+      this.file = new h5.File(path, mode);
     } catch {
       throw new BadFile("is no HDF5 file, or one whose beginning is damaged");
     }

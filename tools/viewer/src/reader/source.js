@@ -6,6 +6,15 @@
  * @typedef {{values: import("./recording.js").Frame, contacts?: import("../physics/contacts.js").Contacts}} Loaded
  */
 
+const PATIENCE = 30000;  // ms without an answer after which a file counts as damaged: HDF5 may wait for ever
+
+/** Rejects once patience is over. @template T @param {Promise<T>} promise @returns {Promise<T>} */
+function patient(promise) {
+  let timer = 0;
+  const late = new Promise((_, reject) => { timer = setTimeout(() => reject(new Error("can't be read: it seems to be damaged")), PATIENCE); });
+  return Promise.race([promise, /** @type {Promise<T>} */ (late)]).finally(() => clearTimeout(timer));
+}
+
 export class Source {
   #worker;
   #scanner = /** @type {Worker | null} */ (null);
@@ -19,7 +28,7 @@ export class Source {
 
   /** Rejects with a sentence where the file can't be shown. @param {Blob} blob @returns {Promise<Opened>} */
   open(blob) {
-    return new Promise((resolve, reject) => {
+    return patient(new Promise((resolve, reject) => {
       this.#worker.onerror = event => reject(new Error(`can't be read: ${event.message}`));
       this.#worker.onmessage = ({ data }) => {
         if (data.description) resolve(data);
@@ -27,7 +36,7 @@ export class Source {
         else if (data.error) reject(new Error(data.error));
       };
       this.#worker.postMessage({ open: blob });
-    });
+    }));
   }
 
   /** @param {{frame: number, error?: string} & Loaded} data */
@@ -39,10 +48,10 @@ export class Source {
 
   /** @param {number} frame @param {import("./recording.js").Field[]} fields @param {boolean} contacts @returns {Promise<Loaded>} */
   frame(frame, fields, contacts) {
-    return new Promise((resolve, reject) => {
+    return patient(new Promise((resolve, reject) => {
       this.#waiting.set(frame, { resolve, reject });
       this.#worker.postMessage({ frame, fields, contacts });
-    });
+    }));
   }
 
   /** Points of the curves as they come, from a second worker. @param {Blob} blob @param {number} slow @param {(points: import("./scan.js").Point[], done: boolean, error?: string) => void} take */

@@ -3,7 +3,7 @@
 import h5wasm from "h5wasm";
 import { ContactFinder } from "../physics/contacts.js";
 import { overview } from "./overview.js";
-import { Recording } from "./recording.js";
+import { HEAD, modeFor, Recording } from "./recording.js";
 import { scan } from "./scan.js";
 
 /** @type {Recording} */
@@ -25,7 +25,8 @@ function mount(h5, blob) {
 async function obey({ open, frame, fields, contacts, scan: slow }) {
   const h5 = await ready;
   if (open) {
-    recording = new Recording(h5wasm, mount(h5, open));
+    const head = new Uint8Array(await open.slice(0, HEAD).arrayBuffer());
+    recording = new Recording(h5wasm, mount(h5, open), modeFor(head));
     finder = new ContactFinder(recording.description);
     if (slow === undefined) postMessage({ description: recording.description, overview: overview(recording) });
   }

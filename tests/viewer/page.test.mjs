@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+// The page as people use it: opened from a file, without network, in Chromium.
+import assert from "node:assert/strict";
+import { copyFileSync, statSync, truncateSync, writeFileSync } from "node:fs";
+import { after, before, test } from "node:test";
+import { alter, browser, GAS, MIXED, path, record, throng } from "./helper.mjs";
+
+const EVIL = MIXED.replace('name = "mixed"', 'name = "<script>document.title=1</script><img src=x onerror=document.title=2>"');
+
+let chromium;
+
+before(async () => {
+  chromium = await browser();
+  record("mixed", MIXED);
+  record("gas", GAS);
+  record("large", MIXED, ["--until", "100"]);
+  assert.equal(throng("replay", path("mixed.h5"), "--html", path("mixed.html")).status, 0);
+  assert.equal(throng("replay", path("large.h5"), "--html", path("large.html")).status, 0);
+});
+after(() => chromium?.close());
+
+/** Opens a page; every request and every error of it is kept. */
+async function visit(name, { width = 1100, height = 750, dark = false, phone = false } = {}) {
+  const context = await chromium.newContext({ viewport: { width, height }, colorScheme: dark ? "dark" : "light", hasTouch: phone, isMobile: phone, reducedMotion: "reduce" });
+  const page = await context.newPage(), requests = [], errors = [];
+  page.on("request", request => requests.push(request.url()));
+  page.on("pageerror", error => errors.push(error.message));
+  page.on("console", message => { if (message.type() === "error") errors.push(message.text()); });
+  await page.goto(`file://${path(name)}`);
+  return { page, requests, errors, done: () => context.close() };
+}
+
+/** Waits until a recording is shown, or until the error line says why not. */
+const state = (page, wanted) => page.waitForFunction(s => document.body.dataset.state === s && (s !== "open" || globalThis.replay.shown !== null), wanted, { timeout: 60000 });
+const text = (page, id) => page.textContent(`#${id}`);
+
+/** The share of the picture that is not background. */
+const drawn = page => page.evaluate(async () => {
+  globalThis.replay.dirty = true;
+  globalThis.replay.tick(0);
+  const { gl, canvas } = globalThis.replay.stage, bytes = new Uint8Array(4 * canvas.width * canvas.height);
+  gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+  let other = 0;
+  for (let i = 0; i < bytes.length; i += 4) other += bytes[i] !== bytes[0] || bytes[i + 1] !== bytes[1] || bytes[i + 2] !== bytes[2];
+  return other / (bytes.length / 4);
+});
+
+test("a page opens from a file without network and shows its recording", async () => {
+  const { page, requests, errors, done } = await visit("mixed.html");
+  await state(page, "open");
+  assert.equal(await text(page, "name"), "mixed");
+  assert.match(await text(page, "about"), /a bit of everything · 151 bodies, 101 frames/);
+  assert.match(await page.title(), /^mixed/);
+  const share = await drawn(page);
+  assert.ok(share > 0.02 && share < 0.6, `${share}`);
+  assert.deepEqual(requests.filter(url => !/^(file|blob):/.test(url)), []);
+  assert.deepEqual(errors, []);
+  await page.waitForSelector("#curves[data-state=done]", { state: "attached" });
+  assert.match(await text(page, "curves"), /Energy.*J.*Overlap.*m.*Counts/s);
+  await done();
+});
+
+test("it plays, scrubs, and obeys keys", async () => {
+  const { page, errors, done } = await visit("mixed.html");
+  await state(page, "open");
+  const frame = () => page.evaluate(() => globalThis.replay.player.frame);
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("Shift+ArrowRight");
+  assert.equal(await frame(), 11);
+  await page.waitForFunction(() => document.getElementById("frame").textContent === "step 11");
+  await page.keyboard.press("ArrowLeft");
+  assert.equal(await frame(), 10);
+  await page.keyboard.press("End");
+  assert.equal(await frame(), 100);
+  await page.keyboard.press("Home");
+  await page.keyboard.press(" ");
+  await page.waitForFunction(() => globalThis.replay.player.frame > 3);
+  await page.keyboard.press(" ");
+  assert.equal(await page.evaluate(() => globalThis.replay.player.playing), false);
+  await page.fill("#scrub", "60");
+  assert.equal(await frame(), 60);
+  await page.keyboard.press("]");
+  assert.equal(await page.inputValue("#speed"), "2");
+  const scale = () => page.evaluate(() => globalThis.replay.camera.scale), before = await scale();
+  await page.keyboard.press("+");
+  assert.ok(Math.abs(await scale() / before - 1.25) < 1e-9);
+  await page.keyboard.press("0");
+  assert.equal(await scale(), before);
+  await page.keyboard.press("c");
+  assert.equal(await page.inputValue("#colouring"), "shape");
+  await page.keyboard.press("t");
+  await page.keyboard.press("k");
+  await page.waitForFunction(() => globalThis.replay.shown.a.contacts?.pairs.length > 0);
+  await page.keyboard.press("?");
+  assert.equal(await page.evaluate(() => document.getElementById("keys").open), true);
+  await page.keyboard.press("Escape");
+  assert.deepEqual(errors, []);
+  await done();
+});
+
+test("the picture changes with time", async () => {
+  const { page, done } = await visit("mixed.html");
+  await state(page, "open");
+  const first = await page.screenshot({ clip: { x: 0, y: 100, width: 700, height: 500 } });
+  await page.keyboard.press("End");
+  await page.waitForFunction(() => globalThis.replay.shown.frame === 100);
+  await page.waitForTimeout(100);
+  assert.notDeepEqual(await page.screenshot({ clip: { x: 0, y: 100, width: 700, height: 500 } }), first);
+  await done();
+});
+
+test("a click picks a body, says what it is and whom it senses, and the camera follows it", async () => {
+  const { page, errors, done } = await visit("mixed.html");
+  await state(page, "open");
+  const [x, y] = await page.evaluate(() => {
+    const { camera, shown } = globalThis.replay, p = shown.a.values.position, box = document.getElementById("canvas").getBoundingClientRect();
+    return [box.left + camera.width / 2 + (p[40] - camera.x) * camera.scale, box.top + camera.height / 2 - (p[41] - camera.y) * camera.scale];
+  });
+  await page.mouse.click(x, y);
+  assert.equal(await page.inputValue("#pick"), "21");
+  await page.waitForSelector("#body:not([hidden])");
+  await page.waitForFunction(() => /spin/.test(document.getElementById("facts").textContent));
+  assert.match(await text(page, "facts"), /shapeball.*radius.*cm.*place/s);
+  assert.match(await text(page, "sensed"), /senses \d+: \d+ at/);
+  await page.keyboard.press("f");
+  await page.keyboard.press("End");
+  await page.waitForFunction(() => globalThis.replay.shown.frame === 100);
+  await page.waitForFunction(() => {
+    const { camera, shown } = globalThis.replay, p = shown.a.values.position;
+    return Math.abs(p[40] - camera.x) + Math.abs(p[41] - camera.y) < 1e-5;
+  });
+  await page.keyboard.press("Escape");
+  assert.equal(await page.inputValue("#pick"), "");
+  assert.deepEqual(errors, []);
+  await done();
+});
+
+test("a large recording is asked for by name, and read where it lies", async () => {
+  assert.ok(statSync(path("large.h5")).size > 64e6);
+  const { page, requests, errors, done } = await visit("large.html");
+  assert.match(await text(page, "ask-text"), /Drop large\.h5 here/);
+  await page.setInputFiles("#file", path("large.h5"));
+  await state(page, "open");
+  await page.keyboard.press("End");
+  await page.waitForFunction(() => globalThis.replay.shown.frame === globalThis.replay.description.times.length - 1);
+  await page.setInputFiles("#file", path("gas.h5"));
+  await page.waitForFunction(() => document.getElementById("name").textContent === "gas");
+  await state(page, "open");
+  assert.ok(await drawn(page) > 0.05);
+  assert.deepEqual(requests.filter(url => !/^(file|blob):/.test(url)), []);
+  assert.deepEqual(errors, []);
+  await done();
+});
+
+test("damaged, foreign and unfinished files get their sentence, and the page stays usable", async () => {
+  const { page, done } = await visit("mixed.html");
+  await state(page, "open");
+  const refuses = async (name, sentence) => {
+    await page.setInputFiles("#file", path(name));
+    await page.waitForFunction(n => !document.getElementById("error").hidden && document.getElementById("error").textContent.startsWith(n), name);
+    assert.match(await text(page, "error"), sentence);
+    assert.equal(await text(page, "name"), "mixed");
+  };
+  writeFileSync(path("text.h5"), "hello");
+  await refuses("text.h5", /^text\.h5 is no HDF5 file/);
+  copyFileSync(path("mixed.h5"), path("foreign.h5"));
+  alter("foreign.h5", "del f['throng']");
+  await refuses("foreign.h5", /is HDF5 but not a recording of throng/);
+  copyFileSync(path("mixed.h5"), path("cut.h5"));
+  truncateSync(path("cut.h5"), 200000);
+  await refuses("cut.h5", /cut\.h5 is /);
+  copyFileSync(path("mixed.h5"), path("wrong.h5"));
+  alter("wrong.h5", "f['particles/trajectory/position/value'][0, 5, 0] = np.nan");
+  await refuses("wrong.h5", /position of frame 0 holds what is no number/);
+  await page.setInputFiles("#file", path("gas.h5"));
+  await page.waitForFunction(() => document.getElementById("name").textContent === "gas" && document.getElementById("error").hidden);
+  await done();
+});
+
+test("a frame that is damaged is told, and the others are shown", async () => {
+  copyFileSync(path("mixed.h5"), path("hole.h5"));
+  alter("hole.h5", "f['particles/trajectory/position/value'][50, 5, 0] = np.nan");
+  const { page, done } = await visit("mixed.html");
+  await page.setInputFiles("#file", path("hole.h5"));
+  await state(page, "open");
+  await page.fill("#scrub", "50");
+  await page.waitForFunction(() => /frame 50 holds what is no number/.test(document.getElementById("error").textContent));
+  await page.fill("#scrub", "60");
+  await page.waitForFunction(() => globalThis.replay.shown.frame === 60);
+  await done();
+});
+
+test("what a file says is shown as text and never obeyed", async () => {
+  record("evil", EVIL);
+  copyFileSync(path("evil.h5"), path("<b>evil<b>.h5"));
+  assert.equal(throng("replay", path("<b>evil<b>.h5"), "--html", path("evil.html")).status, 0);
+  const { page, done } = await visit("evil.html");
+  await state(page, "open");
+  assert.match(await text(page, "name"), /^<script>.*<img src=x/);
+  assert.match(await page.title(), /^<script>/);
+  assert.equal(await page.locator("img").count(), 0);
+  await page.selectOption("#colouring", "shape");
+  await page.setInputFiles("#file", path("text.h5"));
+  await state(page, "failed");
+  assert.equal(await page.locator("b:not(.names b)").count(), 0);
+  const planted = await page.evaluate(() => {
+    const script = document.createElement("script");
+    script.textContent = "globalThis.planted = true";
+    document.body.append(script);
+    return globalThis.planted ?? "refused";
+  });
+  assert.equal(planted, "refused");
+  await done();
+});
+
+test("a phone has the picture, the controls below, and the panel on demand", async () => {
+  const { page, errors, done } = await visit("mixed.html", { width: 390, height: 800, dark: true, phone: true });
+  await state(page, "open");
+  assert.equal(await page.isVisible("#panel"), false);
+  await page.tap("#panel-toggle");
+  assert.equal(await page.isVisible("#panel"), true);
+  await page.tap("#play");
+  await page.waitForFunction(() => globalThis.replay.player.frame > 2);
+  const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+  assert.ok(wide <= 390, `${wide} pixels wide`);
+  for (const id of ["play", "back", "fit", "panel-toggle"]) {
+    const { width, height } = await page.locator(`#${id}`).boundingBox();
+    assert.ok(width >= 36 && height >= 36, `#${id} is ${width} by ${height}`);
+  }
+  assert.deepEqual(errors, []);
+  await done();
+});
+
