@@ -57,7 +57,7 @@ export class Overlay {
       let dx = states[b] - states[a], dy = states[b + 1] - states[a + 1];
       if (periodic) { dx -= width * Math.round(dx / width); dy -= height * Math.round(dy / height); }
       const x = view.x + states[a], y = view.y + states[a + 1];
-      lines.add(x, y, x + dx, y + dy, 1 + 3 * Math.min(1, Math.max(0, contacts.depths[i]) / deep), colour);
+      lines.add(x, y, x + dx, y + dy, 1 + 2.5 * Math.min(1, Math.max(0, contacts.depths[i]) / deep), [...colour, 0.85]);
     }
     this.stage.links.load(lines);
   }

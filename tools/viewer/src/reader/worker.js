@@ -2,6 +2,7 @@
 // The worker that reads a recording in place: {open} answers with its description, {frame} with a frame, {scan} with points.
 import h5wasm from "h5wasm";
 import { ContactFinder } from "../physics/contacts.js";
+import { mount } from "./mount.js";
 import { overview } from "./overview.js";
 import { HEAD, modeFor, Recording } from "./recording.js";
 import { scan } from "./scan.js";
@@ -13,13 +14,6 @@ let finder;
 
 const ready = h5wasm.ready.then(h5 => { h5.activate_throwing_error_handler(); return h5; });
 ready.then(() => postMessage({ ready: true }), error => postMessage({ error: `this browser can't run the reader: ${error}` }));
-
-/** The blob as a file that is read where it lies: nothing of it is copied. @param {any} h5 @param {Blob} blob */
-function mount(h5, blob) {
-  h5.FS.mkdir("/recording");
-  h5.FS.mount(h5.FS.filesystems.WORKERFS, { blobs: [{ name: "file", data: blob }] }, "/recording");
-  return "/recording/file";
-}
 
 /** @param {{open?: Blob, frame?: number, fields?: import("./recording.js").Field[], contacts?: boolean, scan?: number}} order */
 async function obey({ open, frame, fields, contacts, scan: slow }) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Where bodies are at a time between two frames, as the stage wants it.
 
+const TURN = 2 * Math.PI;
+
 /**
  * Fills states with x, y from the camera (m), angle and colour of every body. Over the borders of a periodic domain bodies take
  * the short way, and are shown where they are inside it.
@@ -26,7 +28,8 @@ export function blend(a, b, t, camera, domain, places, states) {
     const at = 4 * row;
     states[at] = x - camera.x;
     states[at + 1] = y - camera.y;
-    states[at + 2] = a.angle && b.angle ? (a.angle[row] + t * (b.angle[row] - a.angle[row])) % (2 * Math.PI) : 0;
+    const angle = a.angle && b.angle ? a.angle[row] + t * (b.angle[row] - a.angle[row]) : 0;
+    states[at + 2] = angle - TURN * Math.floor(angle / TURN);
     states[at + 3] = places[row];
   }
 }
