@@ -98,6 +98,9 @@ class Box2dSimulation : public Simulation {
 
   const State& state() const override { return state_; }
 
+  /// Its contacts' impulses, its trees and its islands' order are nobody's to set.
+  bool restore(const State&) override { return false; }
+
   std::size_t contacts() const override {
     std::size_t count = 0;
     for (const b2Contact* contact = world_.GetContactList(); contact; contact = contact->GetNext())

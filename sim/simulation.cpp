@@ -15,6 +15,10 @@ class Native : public Simulation {
 
   void step() override { throng::step(scene_, plan_, state_, work_); }
   const State& state() const override { return state_; }
+  bool restore(const State& state) override {
+    state_ = state;
+    return true;
+  }
   std::size_t contacts() const override { return state_.disc_contacts.size() + state_.point_contacts.size(); }
 
   std::vector<std::pair<std::string, double>> stage_times() const override {

@@ -23,6 +23,11 @@ class Simulation {
 
   virtual const State& state() const = 0;
 
+  /// Takes over a state that a simulation of this scene had, to go on with the bits that it would have given.
+  /// Returns false, and changes nothing, where the engine keeps more than State holds: only stepping there
+  /// from the start gives the same bits then. Expects all of the state, with its contacts.
+  virtual bool restore(const State& state) = 0;
+
   /// Points at which bodies pressed on each other or on obstacles in the last step.
   virtual std::size_t contacts() const = 0;
 

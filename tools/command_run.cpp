@@ -1,12 +1,5 @@
 // SPDX-License-Identifier: MIT
 // throng run: a scenario in, a summary out, and a recording where one is asked for.
-#include <sys/stat.h>
-
-#include <cerrno>
-#include <climits>
-#include <csignal>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -15,7 +8,7 @@
 #include "sim/recording/recorder.h"
 #include "sim/simulation.h"
 #include "tools/commands.h"
-#include "tools/progress.h"
+#include "tools/drive.h"
 #include "tools/scenario.h"
 #include "tools/summary.h"
 
@@ -23,41 +16,12 @@ namespace throng::tools {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 struct Options {
-  std::string scene, output, progress = "auto", command_line;
+  std::string scene, output, command_line;
   std::vector<std::string> overrides;
-  int threads = 1;
+  DriveOptions drive;
   bool force = false, dry_run = false;
 };
-
-volatile std::sig_atomic_t stop_requested = 0;
-
-/// A signal ends the run in good order, and so does one that comes again: `timeout` and batch systems send
-/// theirs to the process and to its group.
-void stop_on_signals() {
-  struct sigaction action = {};
-  action.sa_handler = [](int) { stop_requested = 1; };
-  action.sa_flags = SA_RESTART;
-  for (int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
-}
-
-/// Steps until the end or a signal. Returns the timings.
-RunTimes advance(Simulation& simulation, const Scene& scene, std::optional<Recorder>& recorder,
-                 Progress& progress) {
-  RunTimes times;
-  const std::int64_t steps = scene.time.steps();
-  if (recorder) recorder->record(simulation.state());
-  while (simulation.state().step < steps && !stop_requested) {
-    times.begin_step();
-    simulation.step();
-    times.end_step();
-    if (recorder && simulation.state().step % scene.record.every == 0) recorder->record(simulation.state());
-    progress.update(simulation.state().step);
-  }
-  return times;
-}
 
 /// One word for a shell, whatever the text holds.
 std::string quoted(const std::string& text) {
@@ -74,24 +38,12 @@ std::string quoted(const std::string& text) {
 std::string reproduction(const Options& options) {
   std::string text = "throng run " + quoted(options.scene);
   for (const std::string& o : options.overrides) text += " --set " + quoted(o);
-  return text + " --threads " + std::to_string(options.threads);
-}
-
-void report_stop(const std::optional<Recorder>& recorder, const Scene& scene, const State& state) {
-  std::fprintf(stderr, "throng: stopped by a signal after step %lld of %lld",
-               static_cast<long long>(state.step), static_cast<long long>(scene.time.steps()));
-  if (recorder)
-    std::fprintf(stderr, "; %s holds the frames so far, closed and readable", recorder->part().c_str());
-  std::fputc('\n', stderr);
-}
-
-void print(const Json& summary) {
-  std::puts(summary.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+  return text + " --threads " + std::to_string(options.drive.threads);
 }
 
 /// All that a run does but run. Returns the exit code.
 int rehearse(const Options& options, const Loaded& loaded, const Provenance& provenance) {
-  const auto simulation = throng::simulation(loaded.scene, options.threads);
+  const auto simulation = throng::simulation(loaded.scene, options.drive.threads);
   if (!options.output.empty())
     Recorder::expect_writable(options.output, loaded.scene, provenance, options.force);
   print(summary(loaded.scene, *simulation, RunTimes(), ""));
@@ -99,33 +51,25 @@ int rehearse(const Options& options, const Loaded& loaded, const Provenance& pro
 }
 
 int run(const Options& options) {
+  if (options.drive.checkpoint && options.output.empty())
+    throw InputError("--checkpoint stands beside a recording: give -o too");
   const Loaded loaded = load_or_throw(options.scene, options.overrides);
   const Scene& scene = loaded.scene;
   std::error_code neither;
   if (std::filesystem::equivalent(options.output, options.scene, neither))
     throw InputError("cannot write " + options.output + ": it is the scenario");
-  const Provenance provenance{loaded.text, loaded.resolved, options.command_line, options.threads};
+  const Provenance provenance{loaded.text, loaded.resolved, options.command_line, options.drive.threads};
   if (options.dry_run) return rehearse(options, loaded, provenance);
 
-  const auto simulation = throng::simulation(scene, options.threads);
+  const auto simulation = throng::simulation(scene, options.drive.threads);
   stop_on_signals();
   std::optional<Recorder> recorder;
   if (!options.output.empty()) recorder.emplace(options.output, scene, provenance, options.force);
-  Progress progress(Progress::style(options.progress), scene.time.steps(), scene.time.dt);
-  RunTimes times;
   try {
-    times = advance(*simulation, scene, recorder, progress);
+    return drive(*simulation, scene, options.drive, recorder ? &*recorder : nullptr);
   } catch (const SimulationError& error) {
-    progress.finish(simulation->state().step);
     throw SimulationError(std::string(error.what()) + "; to reproduce: " + reproduction(options));
   }
-  progress.finish(simulation->state().step);
-  const bool stopped = simulation->state().step < scene.time.steps();
-  if (recorder) stopped ? recorder->stop() : recorder->finish();
-  if (stopped) report_stop(recorder, scene, simulation->state());
-  const std::string output = !recorder ? "" : stopped ? recorder->part() : recorder->path();
-  print(summary(scene, *simulation, times, output));
-  return stopped ? 130 : 0;
 }
 
 /// An option that is short for a field of the scenario.
@@ -162,16 +106,15 @@ void add_run(CLI::App& app, int& exit_code, const std::string& command_line) {
           },
           "PATH=VALUE: another value for any field, as in time.dt=0.005 or bodies.0.spin=2; may be repeated")
       ->allow_extra_args(false);
-  command->add_option("--threads", options->threads, "threads; the result doesn't depend on it")
-      ->transform(whole_number() & CLI::Range(1, 256));
-  command->add_option("--progress", options->progress, "auto, plain, json or none")
-      ->check(CLI::IsMember({"auto", "plain", "json", "none"}));
+  add_drive_options(*command, options->drive);
   command->add_flag("--dry-run", options->dry_run,
                     "reads and checks everything, summarises the first state, runs nothing");
   command->add_flag("--force", options->force, "overwrites the recording where it exists");
   command->footer(
       "Example: throng run scenarios/pile.toml -o pile.h5 --until 5 --threads 2\n"
-      "A stopped or failed run leaves its frames in OUT.h5.part, which every command reads.");
+      "A stopped or failed run leaves its frames in OUT.h5.part, which every command reads and resume goes "
+      "on "
+      "with.");
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }
 

@@ -12,6 +12,7 @@ void add_validate(CLI::App& app, int& exit_code);
 void add_plan(CLI::App& app, int& exit_code);
 void add_run(CLI::App& app, int& exit_code,
              const std::string& command_line);  ///< as typed, for the recording
+void add_resume(CLI::App& app, int& exit_code, const std::string& command_line);  ///< likewise
 void add_replay(CLI::App& app, int& exit_code);
 void add_query(CLI::App& app, int& exit_code);
 void add_pairs(CLI::App& app, int& exit_code);

@@ -33,7 +33,8 @@ Progress::Style Progress::style(const std::string& name) {
   return isatty(STDERR_FILENO) ? Style::bar : Style::plain;
 }
 
-Progress::Progress(Style style, std::int64_t steps, double dt) : style_(style), steps_(steps), dt_(dt) {
+Progress::Progress(Style style, std::int64_t steps, double dt, std::int64_t first)
+    : style_(style), steps_(steps), first_(first), dt_(dt) {
   next_ = begin_ + (style == Style::bar ? kBarPeriod : kLinePeriod);
 }
 
@@ -53,7 +54,7 @@ void Progress::finish(std::int64_t step) {
 }
 
 void Progress::print(std::int64_t step, double elapsed) const {
-  const double rate = static_cast<double>(step) / std::max(elapsed, 1e-9);
+  const double rate = static_cast<double>(step - first_) / std::max(elapsed, 1e-9);
   const double left = rate > 0.0 ? static_cast<double>(steps_ - step) / rate : 0.0;
   const double fraction = steps_ > 0 ? static_cast<double>(step) / static_cast<double>(steps_) : 1.0;
   const double time = static_cast<double>(step) * dt_;

@@ -15,7 +15,8 @@ class Progress {
   /// `name` is auto, plain, json or none; auto is a bar where stderr is a terminal, else plain.
   static Style style(const std::string& name);
 
-  Progress(Style style, std::int64_t steps, double dt);
+  /// Expects steps of dt (s) from number `first` to `steps`.
+  Progress(Style style, std::int64_t steps, double dt, std::int64_t first = 0);
 
   void update(std::int64_t step);  ///< cheap: looks at the clock, and seldom prints
   void finish(std::int64_t step);  ///< clears the bar, or prints the last line
@@ -25,7 +26,7 @@ class Progress {
   void print(std::int64_t step, double elapsed) const;
 
   Style style_;
-  std::int64_t steps_;
+  std::int64_t steps_, first_;
   double dt_;
   Clock::time_point begin_ = Clock::now(), next_;
 };

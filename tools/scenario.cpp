@@ -10,14 +10,29 @@
 
 namespace throng::tools {
 
+namespace {
+
+void expect_sound(const Loaded& loaded, const std::string& name) {
+  std::fputs(to_string(loaded.diagnostics, name).c_str(), stderr);
+  if (const int n = loaded.errors(); n > 0)
+    throw InputError(name + ": " + (n >= scenarios::Report::kMostErrors ? "the first " : "") +
+                     std::to_string(n) + (n == 1 ? " error" : " errors"));
+}
+
+}  // namespace
+
 Loaded load_or_throw(const std::string& file, const std::vector<std::string>& overrides) {
   Loaded loaded = load_scenario(file, overrides);
-  std::fputs(to_string(loaded.diagnostics, file).c_str(), stderr);
-  if (const int n = loaded.errors(); n > 0)
-    throw InputError(file + ": " + (n >= scenarios::Report::kMostErrors ? "the first " : "") +
-                     std::to_string(n) + (n == 1 ? " error" : " errors"));
+  expect_sound(loaded, file);
   if (loaded.scene.name.empty())
     loaded.scene.name = recording::as_utf8(std::filesystem::path(file).stem().string());
+  return loaded;
+}
+
+Loaded load_text_or_throw(const std::string& text, const std::string& name,
+                          const std::vector<std::string>& overrides) {
+  Loaded loaded = load_scenario_text(text, name, overrides);
+  expect_sound(loaded, name);
   return loaded;
 }
 

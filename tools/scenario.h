@@ -12,4 +12,8 @@ namespace throng::tools {
 /// A scene without a name takes the file's.
 Loaded load_or_throw(const std::string& file, const std::vector<std::string>& overrides = {});
 
+/// The same for a scenario's text, which keeps the name that it has; `name` stands for it in messages.
+Loaded load_text_or_throw(const std::string& text, const std::string& name,
+                          const std::vector<std::string>& overrides = {});
+
 }  // namespace throng::tools

@@ -54,7 +54,7 @@ Json summary(const Scene& scene, const Simulation& simulation, const RunTimes& t
   const Vec p = momentum(scene, state);
   Json stages = Json::object();
   for (const auto& [name, total] : simulation.stage_times())
-    stages[name] = 1e3 * total / static_cast<double>(std::max<std::int64_t>(state.step, 1));
+    stages[name] = 1e3 * total / static_cast<double>(std::max<std::int64_t>(times.steps(), 1));
   return {{"scenario", scene.name},
           {"engine", scene.engine == Engine::box2d ? "box2d" : "native"},
           {"steps", state.step},
@@ -73,6 +73,10 @@ Json summary(const Scene& scene, const Simulation& simulation, const RunTimes& t
           {"momentum", {p.x(), p.y()}},
           {"contacts", simulation.contacts()},
           {"output", output.empty() ? Json(nullptr) : Json(output)}};
+}
+
+void print(const Json& summary) {
+  std::puts(summary.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
 }
 
 }  // namespace throng::tools

@@ -16,6 +16,7 @@ class RunTimes {
   void begin_step() { step_begin_ = Clock::now(); }
   void end_step();
 
+  std::int64_t steps() const { return steps_; }
   double wall() const;       ///< s, since this was made
   double mean() const;       ///< s a step
   double mean_last() const;  ///< s a step, of the last 100
@@ -31,5 +32,8 @@ class RunTimes {
 /// The object that `throng run` prints, with the keys of design.md.
 nlohmann::ordered_json summary(const Scene& scene, const Simulation& simulation, const RunTimes& times,
                                const std::string& output);
+
+/// Prints it on stdout, whatever bytes its texts hold.
+void print(const nlohmann::ordered_json& summary);
 
 }  // namespace throng::tools

@@ -73,6 +73,7 @@ int main(int argc, char** argv) {
   add_validate(app, exit_code);
   add_plan(app, exit_code);
   add_run(app, exit_code, command_line);
+  add_resume(app, exit_code, command_line);
   add_query(app, exit_code);
   add_replay(app, exit_code);
   add_info(app, exit_code);

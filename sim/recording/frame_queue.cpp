@@ -13,7 +13,7 @@ std::size_t depth(const State& first) {
   return std::clamp<std::size_t>(kBytes / (kBytesPerBody * first.id.size() + 1), 2, 16);
 }
 
-void copy(const State& from, State& to) {
+void copy_frame(const State& from, State& to) {
   to.step = from.step;
   to.id = from.id;
   to.position = from.position;
@@ -25,16 +25,20 @@ void copy(const State& from, State& to) {
 }  // namespace
 
 FrameQueue::FrameQueue(const State& first) : slots_(depth(first)) {
-  for (State& slot : slots_) copy(first, slot);
+  for (QueueEntry& slot : slots_) copy_frame(first, slot.state);
 }
 
-void FrameQueue::push(const State& state) {
+void FrameQueue::push(const State& state, bool checkpoint) {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [&] { return count_ < slots_.size() || error_; });
   if (error_) std::rethrow_exception(error_);
-  State& slot = slots_[(head_ + count_) % slots_.size()];
+  QueueEntry& slot = slots_[(head_ + count_) % slots_.size()];
   lock.unlock();  // the slot is the producer's until it is counted
-  copy(state, slot);
+  slot.checkpoint = checkpoint;
+  if (checkpoint)
+    slot.state = state;
+  else
+    copy_frame(state, slot.state);
   lock.lock();
   ++count_;
   changed_.notify_all();
@@ -46,7 +50,7 @@ void FrameQueue::close() {
   changed_.notify_all();
 }
 
-const State* FrameQueue::front() {
+const QueueEntry* FrameQueue::front() {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [&] { return count_ > 0 || closed_; });
   return count_ > 0 ? &slots_[head_] : nullptr;

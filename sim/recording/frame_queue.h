@@ -11,22 +11,31 @@
 
 namespace throng::recording {
 
-/// Frames on their way from the loop to the writer: a ring of buffers made in advance, one producer, one
-/// consumer.
+/// What the loop hands to the writer.
+struct QueueEntry {
+  State state;
+  bool checkpoint = false;  ///< all of the state, to go on from; else a frame: step, ids and motion alone
+};
+
+/// Frames and checkpoints on their way from the loop to the writer: a ring of buffers made in advance, one
+/// producer, one consumer.
 class FrameQueue {
  public:
   /// As many frames as fit into 64 MB, at least 2 and at most 16, all as large as `first`.
   explicit FrameQueue(const State& first);
 
-  /// Copies step, ids and motion in; waits while the queue is full. Allocates nothing while the number of
-  /// bodies is that of `first`. Throws what the consumer failed with.
-  void push(const State& state);
+  /// Copies a frame in; waits while the queue is full. Allocates nothing while the number of bodies is that
+  /// of `first`. Throws what the consumer failed with.
+  void push(const State& state) { push(state, false); }
+
+  /// The same for a checkpoint, whose contacts may take more memory.
+  void push_checkpoint(const State& state) { push(state, true); }
 
   /// Nothing more will come.
   void close();
 
-  /// The oldest frame, once there is one; nullptr after the last. It stays until `pop`.
-  const State* front();
+  /// The oldest entry, once there is one; nullptr after the last. It stays until `pop`.
+  const QueueEntry* front();
   void pop();
 
   /// The consumer gives up: every later push and check throws `error`.
@@ -36,7 +45,9 @@ class FrameQueue {
   std::size_t capacity() const { return slots_.size(); }
 
  private:
-  std::vector<State> slots_;
+  void push(const State& state, bool checkpoint);
+
+  std::vector<QueueEntry> slots_;
   std::size_t head_ = 0, count_ = 0;
   bool closed_ = false;
   std::exception_ptr error_;

@@ -29,6 +29,7 @@ void write_attribute(hid_t at, const char* name, hid_t type, std::span<const hsi
   Handle attribute(H5Acreate2(at, name, type, where, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
                    "cannot make an attribute");
   check(H5Awrite(attribute, type, data), "cannot write an attribute");
+  attribute.close("cannot write an attribute");
 }
 
 /// All texts in one block, each padded with zeros to the longest.
@@ -58,9 +59,10 @@ Handle static_layout(std::span<const hsize_t> dims, std::size_t row_bytes) {
 void write_static(hid_t at, const char* name, hid_t type, std::span<const hsize_t> dims,
                   std::size_t row_bytes, const void* data) {
   const Handle where = space(dims), layout = static_layout(dims, row_bytes);
-  const Handle set(H5Dcreate2(at, name, type, where, H5P_DEFAULT, layout, H5P_DEFAULT), H5Dclose,
-                   "cannot make a dataset");
+  Handle set(H5Dcreate2(at, name, type, where, H5P_DEFAULT, layout, H5P_DEFAULT), H5Dclose,
+             "cannot make a dataset");
   if (dims[0] > 0) check(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data), "cannot write a dataset");
+  set.close("cannot write a dataset");  // what HDF5 held back is written here, and may fail here
 }
 
 }  // namespace
@@ -94,10 +96,11 @@ void write_attribute(hid_t at, const char* name, std::span<const T> values) {
 
 void write_text(hid_t at, const char* name, std::string_view text) {
   const Handle type = text_type(text.size()), where = space({});
-  const Handle set(H5Dcreate2(at, name, type, where, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose,
-                   "cannot make a text");
+  Handle set(H5Dcreate2(at, name, type, where, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose,
+             "cannot make a text");
   const std::string data = text.empty() ? std::string(1, '\0') : std::string(text);
   check(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.data()), "cannot write a text");
+  set.close("cannot write a text");
 }
 
 void write_texts(hid_t at, const char* name, const std::vector<std::string>& texts) {

@@ -11,6 +11,7 @@
 #include <cstring>
 #include <filesystem>
 #include <limits>
+#include <utility>
 
 #include "sim/input_error.h"
 
@@ -71,6 +72,8 @@ bool same_file(int fd, const std::string& path) {
   throw std::runtime_error("cannot complete " + path + ": " + std::strerror(errno));
 }
 
+}  // namespace
+
 void sync_folder(const std::string& path) {
   const int fd = open(folder_of(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (fd < 0) return;  // a folder that may be written but not read: the name reaches the disk in its own time
@@ -78,8 +81,6 @@ void sync_folder(const std::string& path) {
   close(fd);
   if (failed) fail(path);
 }
-
-}  // namespace
 
 OutputFile::OutputFile(std::string path, bool force)
     : path_(std::move(path)), part_(path_ + ".part"), force_(force) {
@@ -112,6 +113,7 @@ void OutputFile::lock_part() {
   struct stat found;
   if (fstat(fd_, &found) != 0) refuse(path_, part_ + ": " + std::strerror(errno));
   if (!same_file(fd_, part_)) refuse(path_, "another run has just finished it");
+  was_there_ = found.st_size > 0;
   check_part(path_, part_, found, force_);
 }
 
@@ -137,6 +139,21 @@ void OutputFile::start_sync() const {
 
 void OutputFile::sync() const {
   if (fdatasync(fd_) != 0) fail(part_);
+}
+
+void OutputFile::adopt(const std::string& fresh) {
+  const int fd = open(fresh.c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC);
+  if (fd < 0) fail(fresh);
+  struct flock lock = whole_file();
+  if (fcntl(fd, F_OFD_SETLK, &lock) != 0 || fsync(fd) != 0 || rename(fresh.c_str(), part_.c_str()) != 0) {
+    const int reason = errno;
+    close(fd);
+    errno = reason;
+    fail(fresh);
+  }
+  close(std::exchange(fd_, fd));
+  keep();
+  sync_folder(path_);
 }
 
 void OutputFile::publish() {

@@ -24,12 +24,19 @@ class OutputFile {
   /// From now on the part stays, whatever happens.
   void keep() { keep_ = true; }
 
+  /// Something stood in the part when it was claimed.
+  bool was_there() const { return was_there_; }
+
   /// Hands the data to the disk. Throws std::runtime_error.
   void sync() const;
 
   /// Lets the disk begin to write what came so far, without waiting: the last sync then has little left to
   /// do.
   void start_sync() const;
+
+  /// Puts the file at `fresh`, complete so far and perhaps still open, in the place of the part, of which a
+  /// copy is in it. Its data is on the disk before. Throws std::runtime_error; the part is then as it was.
+  void adopt(const std::string& fresh);
 
   /// Syncs, gives the part its final name and syncs the folder. Expects the part to be complete and closed.
   /// Throws std::runtime_error; the part then stays.
@@ -40,7 +47,7 @@ class OutputFile {
   void lock_part();
 
   std::string path_, part_;
-  bool force_, keep_ = false;
+  bool force_, keep_ = false, was_there_ = false;
   int fd_ = -1;
 };
 
@@ -49,6 +56,9 @@ void expect_writable(const std::string& path, bool force);
 
 /// Throws InputError where the file system of `path` has less than `bytes` and a reserve left.
 void expect_room(const std::string& path, double bytes);
+
+/// Hands the names in the folder of `path` to the disk. Throws std::runtime_error.
+void sync_folder(const std::string& path);
 
 /// Bytes that the file system of `path` has left for this user; the largest number where it doesn't tell.
 double free_bytes(const std::string& path);

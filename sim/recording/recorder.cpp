@@ -10,6 +10,8 @@
 #include <thread>
 
 #include "sim/input_error.h"
+#include "sim/recording/build_info.h"
+#include "sim/recording/checkpoint.h"
 #include "sim/recording/frame_queue.h"
 #include "sim/recording/output_file.h"
 #include "sim/recording/trajectory_writer.h"
@@ -22,12 +24,16 @@ namespace {
 
 constexpr auto kCommitEach = std::chrono::seconds(1), kSyncEach = std::chrono::seconds(10);
 constexpr double kCommitBytes = 16e6;
+constexpr double kSceneBytes = 64.0, kStateBytes = 150.0;  // a body, with three contacts
+constexpr double kCheckpoints = 3.0;                       // this one, the one before, the next
 constexpr double kEnoughRoom = 4e6;  // bytes: below it, stop while the file can still be closed in order
 
 double expected_bytes(const Scene& scene, const Provenance& provenance) {
   const double frames = static_cast<double>(scene.time.steps()) / scene.record.every + 1;
   const double texts = static_cast<double>(provenance.scenario.size() + provenance.resolved.size());
-  return frames * frame_bytes(scene) + 64.0 * static_cast<double>(scene.bodies.size()) + texts + 1e5;
+  const double bodies = static_cast<double>(scene.bodies.size());
+  return frames * frame_bytes(scene) + kSceneBytes * bodies + kCheckpoints * kStateBytes * bodies + texts +
+         1e5;
 }
 
 /// Signals are for the threads that know what to do; a limit on the file's size comes back as an error
@@ -48,12 +54,21 @@ double frame_bytes(const Scene& scene) {
   return numbers * (scene.record.single ? 4 : 8) * static_cast<double>(scene.bodies.size()) + overhead;
 }
 
+/// The frames of an earlier run to begin with.
+struct Kept {
+  const Recording* recording = nullptr;
+  std::size_t frames = 0;
+};
+
 struct Recorder::Impl {
-  Impl(const std::string& path, const Scene& scene, const Provenance& provenance, bool force);
+  Impl(const std::string& path, const Scene& scene, const Provenance& provenance, bool force, Kept kept);
   ~Impl();
 
-  void write_all(const Scene& scene, const Provenance& provenance, std::promise<void>& ready);
-  void write_frames(TrajectoryWriter& writer);
+  void write_all(const Scene& scene, const Provenance& provenance, Kept kept, std::promise<void>& ready);
+  std::unique_ptr<TrajectoryWriter> make_writer(const Scene& scene, const Provenance& provenance, Kept kept);
+  void write_entries(TrajectoryWriter& writer);
+  void write_checkpoint(TrajectoryWriter& writer, const State& state);
+  void commit(TrajectoryWriter& writer);
   void commit_when_due(TrajectoryWriter& writer);
   void end(TrajectoryWriter& writer);
   void keep_what_is_there(TrajectoryWriter& writer);
@@ -61,6 +76,7 @@ struct Recorder::Impl {
 
   using Clock = std::chrono::steady_clock;
   OutputFile output;
+  std::string scenario;  ///< resolved
   double bytes_per_frame;
   double uncommitted = 0;  ///< bytes
   Clock::time_point last_commit = Clock::now(), last_sync = Clock::now();
@@ -70,13 +86,19 @@ struct Recorder::Impl {
   std::thread writer_thread;
 };
 
-Recorder::Impl::Impl(const std::string& path, const Scene& scene, const Provenance& provenance, bool force)
-    : output(path, force), bytes_per_frame(frame_bytes(scene)), queue(initial_state(scene)) {
+Recorder::Impl::Impl(const std::string& path, const Scene& scene, const Provenance& provenance, bool force,
+                     Kept kept)
+    : output(path, force),
+      scenario(provenance.resolved),
+      bytes_per_frame(frame_bytes(scene)),
+      queue(initial_state(scene)),
+      frames(kept.frames) {
+  if (kept.recording && output.was_there()) output.keep();
   expect_room(path, expected_bytes(scene, provenance));
   std::promise<void> promise;
   std::future<void> ready = promise.get_future();
   writer_thread =
-      std::thread([&, told = std::move(promise)]() mutable { write_all(scene, provenance, told); });
+      std::thread([&, told = std::move(promise)]() mutable { write_all(scene, provenance, kept, told); });
   try {
     ready.get();
   } catch (...) {
@@ -92,11 +114,12 @@ Recorder::Impl::~Impl() {
 
 /// The writer's whole life. `ready` is told when the file is made, or why it is not; the arguments live until
 /// then.
-void Recorder::Impl::write_all(const Scene& scene, const Provenance& provenance, std::promise<void>& ready) {
+void Recorder::Impl::write_all(const Scene& scene, const Provenance& provenance, Kept kept,
+                               std::promise<void>& ready) {
   block_signals();
   std::unique_ptr<TrajectoryWriter> writer;
   try {
-    writer = std::make_unique<TrajectoryWriter>(output.part(), scene, provenance);
+    writer = make_writer(scene, provenance, kept);
   } catch (const std::exception& error) {
     const std::string message = "cannot write " + output.part() + ": " + error.what();
     ready.set_exception(std::make_exception_ptr(std::runtime_error(message)));
@@ -104,9 +127,39 @@ void Recorder::Impl::write_all(const Scene& scene, const Provenance& provenance,
   }
   ready.set_value();
   guarded(*writer, [&] {
-    write_frames(*writer);
+    write_entries(*writer);
     end(*writer);
   });
+}
+
+/// Where frames are kept, they are copied beside what holds them, and take its place when they are safe.
+std::unique_ptr<TrajectoryWriter> Recorder::Impl::make_writer(const Scene& scene,
+                                                              const Provenance& provenance, Kept kept) {
+  if (!kept.recording) {
+    remove_checkpoints(output.path());
+    return std::make_unique<TrajectoryWriter>(output.part(), scene, provenance);
+  }
+  const std::string fresh = output.part() + ".new";
+  std::unique_ptr<TrajectoryWriter> writer;
+  try {
+    writer = std::make_unique<TrajectoryWriter>(fresh, scene, provenance);
+    Frame frame;
+    for (std::size_t i = 0; i < kept.frames; ++i) {
+      kept.recording->read(i, frame);
+      writer->append(frame);
+      uncommitted += bytes_per_frame;
+      if (uncommitted < kCommitBytes) continue;
+      writer->commit();
+      uncommitted = 0;
+    }
+    writer->commit();
+    output.adopt(fresh);
+  } catch (...) {
+    if (writer) writer->abandon();
+    std::remove(fresh.c_str());
+    throw;
+  }
+  return writer;
 }
 
 /// Does `work`; after an error the file is closed in order, except that nothing follows a failed write.
@@ -127,22 +180,44 @@ void Recorder::Impl::guarded(TrajectoryWriter& writer, const std::function<void(
   }
 }
 
-void Recorder::Impl::write_frames(TrajectoryWriter& writer) {
-  while (const State* state = queue.front()) {
-    writer.append(*state);
+void Recorder::Impl::write_entries(TrajectoryWriter& writer) {
+  while (const QueueEntry* entry = queue.front()) {
+    if (entry->checkpoint) {
+      write_checkpoint(writer, entry->state);
+    } else {
+      writer.append(entry->state);
+      uncommitted += bytes_per_frame;
+    }
     queue.pop();
-    uncommitted += bytes_per_frame;
     commit_when_due(writer);
   }
+}
+
+/// First the frames reach the disk, then what says that they are there.
+void Recorder::Impl::write_checkpoint(TrajectoryWriter& writer, const State& state) {
+  commit(writer);
+  output.sync();
+  last_sync = Clock::now();
+  const CheckpointOrigin origin{version_text(), scenario, writer.committed(), writer.digest()};
+  try {
+    recording::write_checkpoint(checkpoint_path(output.path()), origin, state);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(std::string(error.what()) + "; " + output.part() + " is kept, and its " +
+                             std::to_string(writer.committed()) + " frames are readable");
+  }
+}
+
+void Recorder::Impl::commit(TrajectoryWriter& writer) {
+  writer.commit();
+  output.keep();
+  last_commit = Clock::now();
 }
 
 void Recorder::Impl::commit_when_due(TrajectoryWriter& writer) {
   const auto now = Clock::now();
   if (now - last_commit < kCommitEach && uncommitted < kCommitBytes) return;
-  writer.commit();
-  output.keep();
+  commit(writer);
   output.start_sync();
-  last_commit = now;
   if (now - last_sync >= kSyncEach) {
     output.sync();
     last_sync = now;
@@ -167,7 +242,11 @@ void Recorder::Impl::keep_what_is_there(TrajectoryWriter& writer) {
 }
 
 Recorder::Recorder(const std::string& path, const Scene& scene, const Provenance& provenance, bool force)
-    : impl_(std::make_unique<Impl>(path, scene, provenance, force)) {}
+    : impl_(std::make_unique<Impl>(path, scene, provenance, force, Kept{})) {}
+
+Recorder::Recorder(const std::string& path, const Scene& scene, const Provenance& provenance,
+                   const Recording& kept, std::size_t frames)
+    : impl_(std::make_unique<Impl>(path, scene, provenance, true, Kept{&kept, frames})) {}
 
 Recorder::~Recorder() = default;
 
@@ -180,6 +259,10 @@ void Recorder::expect_writable(const std::string& path, const Scene& scene, cons
 void Recorder::record(const State& state) {
   impl_->queue.push(state);
   ++impl_->frames;
+}
+
+void Recorder::checkpoint(const State& state) {
+  impl_->queue.push_checkpoint(state);
 }
 
 void Recorder::finish() {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "sim/recording/provenance.h"
+#include "sim/recording/recording.h"
 #include "sim/state.h"
 
 namespace throng {
@@ -30,6 +31,13 @@ class Recorder {
   /// std::runtime_error where making the file fails all the same.
   Recorder(const std::string& path, const Scene& scene, const Provenance& provenance, bool force = false);
 
+  /// Goes on with the recording of `path`: its first `frames` frames, read from `kept` and checked, stand in
+  /// OUT.part as if this had recorded them. They are copied, and the file that `kept` reads is replaced or
+  /// left only when the copy is on the disk: a crash at any moment loses none of them. Expects `kept` to be
+  /// OUT or OUT.part and a recording of the same scene, of which only the end may differ. Throws as above.
+  Recorder(const std::string& path, const Scene& scene, const Provenance& provenance, const Recording& kept,
+           std::size_t frames);
+
   /// Throws the InputError that a Recorder of these arguments would throw, as far as that can be told without
   /// making anything.
   static void expect_writable(const std::string& path, const Scene& scene, const Provenance& provenance,
@@ -45,6 +53,11 @@ class Recorder {
   /// order, and steps that ascend. Throws std::runtime_error with path and reason where writing has failed.
   void record(const State& state);
 
+  /// Makes a checkpoint beside the recording (recording/checkpoint.h): once it is written, which this doesn't
+  /// wait for, a run can go on from `state`, and every frame recorded before is on the disk. The one before
+  /// is kept. O(bodies + contacts). Waits and throws as `record` does.
+  void checkpoint(const State& state);
+
   /// Writes what is queued, closes, syncs and renames. Call it once, after the last frame, also when the run
   /// was interrupted but is worth keeping. Throws std::runtime_error as `record` does.
   void finish();
@@ -56,7 +69,7 @@ class Recorder {
 
   const std::string& path() const;  ///< of the complete file
   const std::string& part() const;  ///< of the file until then
-  std::size_t frames() const;       ///< recorded so far
+  std::size_t frames() const;       ///< in the file and on their way there
 
  private:
   struct Impl;

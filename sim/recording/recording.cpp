@@ -46,9 +46,14 @@ Superblock check_superblock(const std::string& path) {
   return {head[11] != 0};
 }
 
-h5::Handle open_file(const std::string& path, bool open_for_writing) {
+/// How often HDF5 looks again where a checksum is wrong, which may be a piece that is just being written. The
+/// pauses double from 1 ns: these last 17 ms in the end, the 100 that are its own choice for ever.
+constexpr unsigned kLooks = 24;
+
+h5::Handle open_file(const std::string& path, bool open_for_writing, bool running) {
   const h5::Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "cannot make a property list");
   h5::check(H5Pset_fclose_degree(access, H5F_CLOSE_STRONG), "cannot set up");
+  h5::check(H5Pset_metadata_read_attempts(access, running ? kLooks : 1), "cannot set up");
   const unsigned mode = H5F_ACC_RDONLY | (open_for_writing ? H5F_ACC_SWMR_READ : 0);
   return {H5Fopen(path.c_str(), mode, access), H5Fclose, "it cannot be opened"};
 }
@@ -84,7 +89,7 @@ Recording::Impl::Impl(const std::string& name) : path(name) {
   running = open_for_writing && is_being_written(path);
   try {
     h5::prepare();
-    file = {open_file(path, open_for_writing), path, open_for_writing};
+    file = {open_file(path, open_for_writing, running), path, open_for_writing};
     bytes = std::filesystem::file_size(path);
     open();
   } catch (const h5::Error& error) {
@@ -148,7 +153,8 @@ void Recording::Impl::read_rows() {
   const h5::Handle throng = h5::open_group(file.handle, "throng"), group = h5::open_group(throng, "frames");
   frame_hashes = h5::read_array<std::uint64_t>(file, group, "frame_hash");
   const std::uint64_t finished = h5::read_array<std::uint64_t>(file, throng, "finished", {})[0];
-  complete = finished != 0;
+  // The mark is written before the file is closed: where that failed, it may be there in part.
+  complete = finished != 0 && !file.unfinished;
   while (!complete && !frame_hashes.empty() && frame_hashes.back() == 0) frame_hashes.pop_back();
   const std::size_t n = frame_hashes.size();
   steps = h5::read_all<std::int64_t>(h5::open_dataset<std::int64_t>(file, group, "step", {kAny}), n);
@@ -251,6 +257,10 @@ std::span<const double> Recording::times() const {
 }
 std::span<const std::uint64_t> Recording::state_hashes() const {
   return impl_->state_hashes;
+}
+
+std::span<const std::uint64_t> Recording::frame_hashes() const {
+  return impl_->frame_hashes;
 }
 
 Frame Recording::frame(std::size_t i) const {

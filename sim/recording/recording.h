@@ -60,6 +60,7 @@ class Recording {
   std::span<const std::int64_t> steps() const;          ///< ascending
   std::span<const double> times() const;                ///< s, ascending
   std::span<const std::uint64_t> state_hashes() const;  ///< checked against the values when a frame is read
+  std::span<const std::uint64_t> frame_hashes() const;  ///< likewise
 
   /// Frame i < frames(), checked against its hash. O(bodies). Throws InputError where it is damaged.
   Frame frame(std::size_t i) const;

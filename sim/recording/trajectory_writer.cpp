@@ -158,13 +158,24 @@ void TrajectoryWriter::create_field(hid_t group, int index) {
 
 void TrajectoryWriter::append(const State& state) {
   gather(state);
-  const std::uint64_t state_hash = hash(state);
-  const std::uint64_t frame_hash = write_fields(state, state_hash);
-  rows_[kStep].pending.push_back(static_cast<std::uint64_t>(state.step));
-  rows_[kTime].pending.push_back(std::bit_cast<std::uint64_t>(static_cast<double>(state.step) * dt_));
+  append_gathered(state.step, hash(state));
+}
+
+void TrajectoryWriter::append(const Frame& frame) {
+  gather(frame);
+  if (append_gathered(frame.step, frame.state_hash) != frame.frame_hash)
+    throw h5::Error("frame of step " + std::to_string(frame.step) + " would be stored otherwise");
+}
+
+/// Returns the frame's hash.
+std::uint64_t TrajectoryWriter::append_gathered(std::int64_t step, std::uint64_t state_hash) {
+  const std::uint64_t frame_hash = write_fields(step, state_hash);
+  rows_[kStep].pending.push_back(static_cast<std::uint64_t>(step));
+  rows_[kTime].pending.push_back(std::bit_cast<std::uint64_t>(static_cast<double>(step) * dt_));
   rows_[kStateHash].pending.push_back(state_hash);
   rows_[kFrameHash].pending.push_back(frame_hash);
   ++frames_;
+  return frame_hash;
 }
 
 /// Brings the fields into the order of the file: body `id` in row id - 1.
@@ -184,8 +195,22 @@ void TrajectoryWriter::gather(const State& state) {
       throw std::runtime_error("the state of step " + std::to_string(state.step) + " is not finite");
 }
 
-std::uint64_t TrajectoryWriter::write_fields(const State& state, std::uint64_t state_hash) {
-  FrameHash frame_hash(state.step, static_cast<double>(state.step) * dt_, state_hash);
+/// The fields that the file has, which are already in its order.
+void TrajectoryWriter::gather(const Frame& frame) {
+  const std::vector<Vec>* vectors[kFields] = {&frame.position, nullptr, &frame.velocity, nullptr};
+  const std::vector<double>* scalars[kFields] = {nullptr, &frame.angle, nullptr, &frame.spin};
+  for (int f = 0; f < kFields; ++f) {
+    if (fields_[f].set < 0) continue;
+    const std::size_t rows = vectors[f] ? vectors[f]->size() : scalars[f]->size();
+    if (rows != bodies_) throw h5::Error(std::string(kFieldName[f]) + " is missing in a frame");
+    if (rows == 0) continue;
+    const double* values = scalars[f] ? scalars[f]->data() : vectors[f]->front().data();
+    std::copy_n(values, fields_[f].values.size(), fields_[f].values.begin());
+  }
+}
+
+std::uint64_t TrajectoryWriter::write_fields(std::int64_t step, std::uint64_t state_hash) {
+  FrameHash frame_hash(step, static_cast<double>(step) * dt_, state_hash);
   for (Field& field : fields_) {
     if (field.set < 0) continue;
     if (single_) std::copy(field.values.begin(), field.values.end(), field.singles.begin());

@@ -6,6 +6,7 @@
 #include "sim/recording/h5.h"
 #include "sim/recording/layout.h"
 #include "sim/recording/provenance.h"
+#include "sim/recording/recording.h"
 #include "sim/state.h"
 
 namespace throng::recording {
@@ -26,6 +27,10 @@ class TrajectoryWriter {
   /// sound.
   void append(const State& state);
 
+  /// Adds a frame that was read from a recording of the same scene. Throws h5::Error where it wouldn't be
+  /// stored as it was.
+  void append(const Frame& frame);
+
   /// Makes every frame so far count, in an order that no crash can turn round: first the values, then their
   /// hashes.
   void commit();
@@ -40,6 +45,7 @@ class TrajectoryWriter {
   void abandon();
 
   std::size_t committed() const { return committed_; }  ///< frames
+  std::uint64_t digest() const { return digest_; }      ///< chain_hash of their hashes
 
  private:
   struct Field {
@@ -60,7 +66,9 @@ class TrajectoryWriter {
   void create_throng(const Scene& scene);
   void create_field(hid_t group, int index);
   void gather(const State& state);
-  std::uint64_t write_fields(const State& state, std::uint64_t state_hash);
+  void gather(const Frame& frame);
+  std::uint64_t append_gathered(std::int64_t step, std::uint64_t state_hash);
+  std::uint64_t write_fields(std::int64_t step, std::uint64_t state_hash);
   void write_field(Field& field, const void* data);
   void write_rows(Rows& rows);
 

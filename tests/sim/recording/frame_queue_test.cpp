@@ -31,14 +31,32 @@ TEST(FrameQueue, GivesFramesInTheOrderInWhichTheyCame) {
     queue.close();
   });
   std::int64_t expected = 0;
-  while (const State* state = queue.front()) {
-    EXPECT_EQ(state->step, expected);
-    EXPECT_EQ(hash(*state), hash(state_at(scene, expected)));
+  while (const QueueEntry* entry = queue.front()) {
+    EXPECT_FALSE(entry->checkpoint);
+    EXPECT_EQ(entry->state.step, expected);
+    EXPECT_EQ(hash(entry->state), hash(state_at(scene, expected)));
     ++expected;
     queue.pop();
   }
   producer.join();
   EXPECT_EQ(expected, 1000);
+}
+
+TEST(FrameQueue, KeepsContactsInCheckpointsOnly) {
+  State state = initial_state(mixed_scene(3));
+  state.disc_contacts = {{7, 0, 1.0, 0.5}};
+  state.point_contacts = {{8, 3, 2.0, -0.5}, {9, 1, 3.0, 0.0}};
+  FrameQueue queue(state);
+  queue.push(state);
+  queue.push_checkpoint(state);
+  EXPECT_FALSE(queue.front()->checkpoint);
+  EXPECT_TRUE(queue.front()->state.disc_contacts.empty());
+  queue.pop();
+  const QueueEntry& entry = *queue.front();
+  EXPECT_TRUE(entry.checkpoint);
+  ASSERT_EQ(entry.state.disc_contacts.size(), 1u);
+  ASSERT_EQ(entry.state.point_contacts.size(), 2u);
+  EXPECT_EQ(entry.state.point_contacts[1].normal, 3.0);
 }
 
 TEST(FrameQueue, MakesTheProducerWaitWhereItIsFull) {
@@ -66,7 +84,7 @@ TEST(FrameQueue, UsesTheSameMemoryAgain) {
   std::set<const void*> places;
   for (std::size_t i = 0; i < 5 * queue.capacity(); ++i) {
     queue.push(state_at(scene, static_cast<std::int64_t>(i)));
-    places.insert(queue.front()->position.data());
+    places.insert(queue.front()->state.position.data());
     queue.pop();
   }
   EXPECT_EQ(places.size(), queue.capacity());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is left when a run is killed, or the disk is full. Each victim is a process of its own.
+// H4 and H8: what is left when a recorder is killed, or the disk is full. Each victim is a process of its
+// own.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>

@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: MIT
+// The file: a header of fixed size, the scenario, then the state's arrays one after the other, contacts as
+// columns. Little-endian; the header's hash covers the header, content_hash all that follows.
+#include "sim/recording/checkpoint.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <span>
+#include <type_traits>
+
+#include "sim/input_error.h"
+#include "sim/recording/frame_hash.h"
+#include "sim/recording/output_file.h"
+
+namespace throng::recording {
+
+namespace {
+
+using Bytes = std::span<const std::byte>;
+
+constexpr std::array<char, 8> kMagic{'t', 'h', 'r', 'o', 'n', 'g', 'C', 'K'};
+constexpr std::uint64_t kLayout = 1;  // grows with every change of State
+
+struct Header {
+  std::array<char, 8> magic = kMagic;
+  std::uint64_t layout = kLayout;
+  std::array<char, 32> version{};
+  std::int64_t step = 0;
+  std::uint64_t scenario_bytes = 0, bodies = 0, disc_contacts = 0, point_contacts = 0;
+  std::uint64_t frames = 0, frames_hash = 0;
+  std::uint64_t content_hash = 0;
+  std::uint64_t hash = 0;  // of all above
+};
+static_assert(std::has_unique_object_representations_v<Header>);
+
+std::uint64_t hash_of(const Header& header) {
+  return hash_bytes(std::as_bytes(std::span(&header, 1)).first(offsetof(Header, hash)));
+}
+
+/// Contacts, an array a quantity: the struct's own padding has no defined bytes.
+struct Columns {
+  std::vector<std::uint64_t> key;
+  std::vector<std::uint32_t> feature;
+  std::vector<double> normal, tangent;
+
+  explicit Columns(std::size_t n) : key(n), feature(n), normal(n), tangent(n) {}
+
+  explicit Columns(const std::vector<ContactImpulse>& contacts) : Columns(contacts.size()) {
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      const auto& [k, f, n, t] = contacts[i];  // a member added there belongs here too
+      key[i] = k, feature[i] = f, normal[i] = n, tangent[i] = t;
+    }
+  }
+
+  std::vector<ContactImpulse> contacts() const {
+    std::vector<ContactImpulse> result;
+    result.reserve(key.size());
+    for (std::size_t i = 0; i < key.size(); ++i)
+      result.push_back({key[i], feature[i], normal[i], tangent[i]});
+    return result;
+  }
+};
+
+template <class S, class F>
+void for_each_array(S& state, F visit) {
+  auto& [step, id, position, angle, velocity, spin, disc_contacts, point_contacts] = state;  // all of State
+  visit(id), visit(position), visit(angle), visit(velocity), visit(spin);
+}
+
+template <class C, class F>
+void for_each_column(C& columns, F visit) {
+  visit(columns.key), visit(columns.feature), visit(columns.normal), visit(columns.tangent);
+}
+
+/// All that follows the header, in the order of the file.
+std::vector<Bytes> content(const std::string& scenario, const State& state, const Columns& discs,
+                           const Columns& points) {
+  std::vector<Bytes> all{std::as_bytes(std::span(scenario))};
+  const auto add = [&](const auto& array) { all.push_back(std::as_bytes(std::span(array))); };
+  for_each_array(state, add);
+  for_each_column(discs, add);
+  for_each_column(points, add);
+  return all;
+}
+
+std::uint64_t hash_of(const std::vector<Bytes>& parts) {
+  std::uint64_t chain = kEmptyChain;
+  for (const Bytes& part : parts) chain = chain_hash(std::array{hash_bytes(part)}, chain);
+  return chain;
+}
+
+[[noreturn]] void fail_to_write(const std::string& path) {
+  throw std::runtime_error("cannot write " + path + ": " + std::strerror(errno));
+}
+
+/// An open file that closes itself.
+struct Descriptor {
+  int fd;
+  ~Descriptor() {
+    if (fd >= 0) close(fd);
+  }
+};
+
+void write_whole(int fd, Bytes bytes, const std::string& path) {
+  while (!bytes.empty()) {
+    const ssize_t done = write(fd, bytes.data(), bytes.size());
+    if (done < 0 && errno == EINTR) continue;
+    if (done < 0) fail_to_write(path);
+    bytes = bytes.subspan(static_cast<std::size_t>(done));
+  }
+}
+
+void write_file(const std::string& path, const Header& header, const std::vector<Bytes>& parts) {
+  const Descriptor file{open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666)};
+  if (file.fd < 0) fail_to_write(path);
+  write_whole(file.fd, std::as_bytes(std::span(&header, 1)), path);
+  for (const Bytes& part : parts) write_whole(file.fd, part, path);
+  if (fsync(file.fd) != 0) fail_to_write(path);
+}
+
+Header header_for(const CheckpointOrigin& origin, const State& state) {
+  Header header;
+  std::copy_n(origin.version.begin(), std::min(origin.version.size(), header.version.size() - 1),
+              header.version.begin());
+  header.step = state.step;
+  header.scenario_bytes = origin.scenario.size();
+  header.bodies = state.id.size();
+  header.disc_contacts = state.disc_contacts.size();
+  header.point_contacts = state.point_contacts.size();
+  header.frames = origin.frames;
+  header.frames_hash = origin.frames_hash;
+  return header;
+}
+
+[[noreturn]] void refuse(const std::string& path, const std::string& why) {
+  throw InputError(path + " " + why);
+}
+
+[[noreturn]] void refuse_damaged(const std::string& path, const char* why) {
+  refuse(path, std::string("is damaged: ") + why);
+}
+
+void read_whole(int fd, std::span<std::byte> bytes, const std::string& path) {
+  while (!bytes.empty()) {
+    const ssize_t done = read(fd, bytes.data(), bytes.size());
+    if (done < 0 && errno == EINTR) continue;
+    if (done < 0) refuse(path, std::string("cannot be read: ") + std::strerror(errno));
+    if (done == 0) refuse_damaged(path, "it ends too soon");
+    bytes = bytes.subspan(static_cast<std::size_t>(done));
+  }
+}
+
+Header read_header(int fd, const std::string& path, std::uint64_t size) {
+  Header header;
+  if (size < sizeof header) refuse(path, "is no checkpoint");
+  read_whole(fd, std::as_writable_bytes(std::span(&header, 1)), path);
+  if (header.magic != kMagic) refuse(path, "is no checkpoint");
+  if (header.hash != hash_of(header)) refuse_damaged(path, "its header does not match its hash");
+  if (header.layout != kLayout)
+    refuse(path, "was written by " + std::string(header.layout > kLayout ? "a newer" : "an older") +
+                     " throng: its layout is " + std::to_string(header.layout) + ", this throng reads " +
+                     std::to_string(kLayout));
+  return header;
+}
+
+/// The arrays take exactly what the header leaves of the file; a count cannot overflow what it is held
+/// against.
+void expect_size(const std::string& path, const Header& header, std::uint64_t size) {
+  constexpr std::uint64_t body = sizeof(std::uint32_t) + 6 * sizeof(double);
+  constexpr std::uint64_t contact = sizeof(std::uint64_t) + sizeof(std::uint32_t) + 2 * sizeof(double);
+  const std::uint64_t counts[] = {header.scenario_bytes, header.bodies, header.disc_contacts,
+                                  header.point_contacts};
+  const bool bounded = std::all_of(std::begin(counts), std::end(counts), [&](auto n) { return n <= size; });
+  if (!bounded || size != sizeof header + header.scenario_bytes + body * header.bodies +
+                              contact * (header.disc_contacts + header.point_contacts))
+    refuse_damaged(path, "its size is not what its header says");
+}
+
+bool is_ascending(const std::vector<ContactImpulse>& contacts) {
+  return std::is_sorted(contacts.begin(), contacts.end(),
+                        [](const ContactImpulse& a, const ContactImpulse& b) { return a.key < b.key; });
+}
+
+bool is_sound(const State& state) {
+  const auto finite = [](const ContactImpulse& c) {
+    return std::isfinite(c.normal) && std::isfinite(c.tangent);
+  };
+  std::vector<bool> seen(state.id.size());
+  for (std::size_t row = 0; row < state.id.size(); ++row) {
+    const std::uint32_t id = state.id[row];
+    if (id == 0 || id > seen.size() || seen[id - 1]) return false;
+    seen[id - 1] = true;
+    if (!state.position[row].allFinite() || !state.velocity[row].allFinite() ||
+        !std::isfinite(state.angle[row]) || !std::isfinite(state.spin[row]))
+      return false;
+  }
+  return state.step >= 0 && is_ascending(state.disc_contacts) && is_ascending(state.point_contacts) &&
+         std::all_of(state.disc_contacts.begin(), state.disc_contacts.end(), finite) &&
+         std::all_of(state.point_contacts.begin(), state.point_contacts.end(), finite);
+}
+
+Checkpoint read_content(int fd, const std::string& path, const Header& header) {
+  Checkpoint result;
+  auto& [origin, state] = result;
+  origin.version.assign(header.version.data(), strnlen(header.version.data(), header.version.size()));
+  origin.frames = header.frames, origin.frames_hash = header.frames_hash;
+  state.step = header.step;
+  const auto read_array = [&](auto& array) {
+    read_whole(fd, std::as_writable_bytes(std::span(array)), path);
+  };
+  Columns discs(header.disc_contacts), points(header.point_contacts);
+  origin.scenario.resize(header.scenario_bytes);
+  read_array(origin.scenario);
+  for_each_array(state, [&](auto& array) {
+    array.resize(header.bodies);
+    read_array(array);
+  });
+  for_each_column(discs, read_array);
+  for_each_column(points, read_array);
+  if (header.content_hash != hash_of(content(origin.scenario, state, discs, points)))
+    refuse_damaged(path, "it does not match its hash");
+  state.disc_contacts = discs.contacts();
+  state.point_contacts = points.contacts();
+  if (!is_sound(state)) refuse_damaged(path, "its state cannot be that of a run");
+  return result;
+}
+
+std::string temporary(const std::string& path) {
+  return path + ".tmp";
+}
+
+/// The next line of `text`, which it is taken from, that is not about the end of the run.
+std::string next_line(std::string_view& text) {
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string line(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (!line.empty() && line != "[time]" && !line.starts_with("until = ")) return line;
+  }
+  return "nothing";
+}
+
+}  // namespace
+
+std::string checkpoint_path(const std::string& recording) {
+  return recording + ".ckpt";
+}
+
+std::string previous_checkpoint_path(const std::string& recording) {
+  return checkpoint_path(recording) + ".prev";
+}
+
+void write_checkpoint(const std::string& path, const CheckpointOrigin& origin, const State& state) {
+  const Columns discs(state.disc_contacts), points(state.point_contacts);
+  const std::vector<Bytes> parts = content(origin.scenario, state, discs, points);
+  Header header = header_for(origin, state);
+  header.content_hash = hash_of(parts);
+  header.hash = hash_of(header);
+  try {
+    write_file(temporary(path), header, parts);
+  } catch (...) {
+    unlink(temporary(path).c_str());
+    throw;
+  }
+  const bool kept = std::rename(path.c_str(), (path + ".prev").c_str()) == 0 || errno == ENOENT;
+  if (!kept || std::rename(temporary(path).c_str(), path.c_str()) != 0) fail_to_write(path);
+  sync_folder(path);
+}
+
+Checkpoint read_checkpoint(const std::string& path) {
+  const Descriptor file{open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
+  if (file.fd < 0)
+    refuse(path, errno == ENOENT ? "does not exist" : std::string("cannot be read: ") + std::strerror(errno));
+  struct stat found;
+  if (fstat(file.fd, &found) != 0 || !S_ISREG(found.st_mode)) refuse(path, "is no regular file");
+  const auto size = static_cast<std::uint64_t>(found.st_size);
+  const Header header = read_header(file.fd, path, size);
+  expect_size(path, header, size);
+  return read_content(file.fd, path, header);
+}
+
+void remove_checkpoints(const std::string& recording) {
+  const std::string path = checkpoint_path(recording);
+  for (const std::string& name : {path, previous_checkpoint_path(recording), temporary(path)})
+    unlink(name.c_str());
+}
+
+std::string scenario_difference(const std::string& one, const std::string& other) {
+  std::string_view a = one, b = other;
+  while (!a.empty() || !b.empty()) {
+    const std::string line_a = next_line(a), line_b = next_line(b);
+    if (line_a != line_b) return line_a + " in the one, " + line_b + " in the other";
+  }
+  return "";
+}
+
+}  // namespace throng::recording

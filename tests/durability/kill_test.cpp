@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// H1 and H5: runs killed or stopped at random instants, resumed, killed again, until they reach their end.
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <random>
+
+#include "sim/recording/checkpoint.h"
+#include "tests/durability/durable_run.h"
+
+namespace throng {
+namespace {
+
+constexpr unsigned kSeed = 20261121;
+
+class Kills : public DurableRun {
+ protected:
+  /// Starts the program, sends `signal` after so long, and waits. Returns the status that wait gives.
+  static int run_and_signal(std::vector<std::string> arguments, int signal, std::chrono::microseconds after) {
+    arguments.insert(arguments.begin(), THRONG_PROGRAM);
+    std::vector<char*> argv;
+    for (std::string& argument : arguments) argv.push_back(argument.data());
+    argv.push_back(nullptr);
+    const pid_t child = fork();
+    if (child == 0) {
+      const int null = open("/dev/null", O_WRONLY);
+      dup2(null, STDOUT_FILENO), dup2(null, STDERR_FILENO);
+      execv(argv[0], argv.data());
+      _exit(127);
+    }
+    usleep(static_cast<useconds_t>(after.count()));
+    kill(child, signal);
+    int status = 0;
+    waitpid(child, &status, 0);
+    return status;
+  }
+
+  /// Frames that a reader is promised: those that the last whole checkpoint follows.
+  std::size_t promised(const std::string& file) {
+    for (const std::string& name :
+         {recording::checkpoint_path(file), recording::previous_checkpoint_path(file)})
+      if (std::filesystem::exists(name)) return recording::read_checkpoint(name).origin.frames;
+    return 0;
+  }
+
+  /// Looks at what a death left. Returns how many frames can be read.
+  std::size_t expect_sound(const std::string& file, std::size_t before) {
+    const std::size_t known = std::max(before, promised(file));
+    const std::string& left = std::filesystem::exists(file) ? file : file + ".part";
+    if (known == 0) return 0;  // it died before its first commit
+    expect_beginning_of(whole, left);
+    const std::size_t frames = Recording(left).frames();
+    EXPECT_GE(frames, known) << "frames are lost";
+    return frames;
+  }
+
+  std::mt19937 random{kSeed};
+  std::vector<std::uint64_t> whole;
+  int resumed_kills = 0;
+
+  /// One recording from its first run to its end, with a signal in each life. Returns the number of deaths.
+  int one_life_after_the_other(const std::string& scene, const std::string& file, int signal, int most) {
+    const std::vector<std::string> rest{"--progress", "none", "--checkpoint", "0.002"};
+    std::size_t frames = 0;
+    int deaths = 0;
+    while (deaths < most && !HasFailure()) {
+      std::vector<std::string> arguments = frames == 0
+                                               ? std::vector<std::string>{"run", scene, "--force", "-o", file}
+                                               : std::vector<std::string>{"resume", file};
+      arguments.insert(arguments.end(), rest.begin(), rest.end());
+      arguments.insert(arguments.end(), {"--threads", std::to_string(1 + random() % 2)});
+      const std::chrono::microseconds after(random() % 60'000);
+      const int status = run_and_signal(arguments, signal, after);
+      if (WIFEXITED(status) && WEXITSTATUS(status) == 0) {
+        expect_whole(whole, file);
+        break;
+      }
+      EXPECT_TRUE(signal == SIGKILL ? WIFSIGNALED(status) : died_in_order(status)) << "status " << status;
+      ++deaths;
+      resumed_kills += frames > 0;
+      frames = expect_sound(file, frames);
+    }
+    for (const char* end : {"", ".part", ".part.new"}) std::filesystem::remove(file + end);
+    return deaths;
+  }
+
+  /// 130, or the signal itself where it came before the program was ready for it.
+  static bool died_in_order(int status) {
+    return WIFEXITED(status) ? WEXITSTATUS(status) == 130 : WTERMSIG(status) == SIGTERM;
+  }
+};
+
+TEST_F(Kills, H1NoFrameIsLostNoneIsWrongAndResumeReachesTheSameEnd) {
+  const int kills = full_length() ? 1000 : 100;
+  SCOPED_TRACE("seed " + std::to_string(kSeed));
+  const std::string scene = write("a.toml", kHeap);
+  whole = reference(scene, "");
+  int deaths = 0;
+  for (int life = 0; deaths < kills && !HasFailure(); ++life)
+    deaths +=
+        one_life_after_the_other(scene, path("a" + std::to_string(life) + ".h5"), SIGKILL, kills - deaths);
+  EXPECT_GT(resumed_kills, kills / 4) << "the sample kills too few runs that had been resumed";
+}
+
+TEST_F(Kills, H5AStoppedRunGoesOnToTheSameEnd) {
+  const int stops = full_length() ? 200 : 20;
+  SCOPED_TRACE("seed " + std::to_string(kSeed));
+  const std::string scene = write("a.toml", kHeap);
+  whole = reference(scene, "");
+  int deaths = 0;
+  for (int life = 0; deaths < stops && !HasFailure(); ++life)
+    deaths +=
+        one_life_after_the_other(scene, path("a" + std::to_string(life) + ".h5"), SIGTERM, stops - deaths);
+  EXPECT_GT(resumed_kills, stops / 4);
+}
+
+}  // namespace
+}  // namespace throng

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// H2: what a crash at every possible moment leaves, from the log of all writes to a recording.
+#include <gmock/gmock.h>
+
+#include <cstring>
+#include <fstream>
+
+#include "sim/input_error.h"
+#include "tests/durability/durable_run.h"
+
+namespace throng {
+namespace {
+
+struct Write {
+  std::uint64_t at, count;  ///< count ~0: the file's size becomes `at`
+  std::string bytes;
+};
+
+std::vector<Write> writes_in(const std::string& log) {
+  std::vector<Write> all;
+  for (std::size_t at = 0; at + 16 <= log.size();) {
+    Write write;
+    std::memcpy(&write.at, log.data() + at, 8);
+    std::memcpy(&write.count, log.data() + at + 8, 8);
+    at += 16;
+    if (write.count != ~std::uint64_t{0}) write.bytes = log.substr(at, write.count);
+    at += write.bytes.size();
+    all.push_back(std::move(write));
+  }
+  return all;
+}
+
+/// The first `count` bytes of the write reach the file.
+void apply(std::string& file, const Write& write, std::size_t count) {
+  if (write.count == ~std::uint64_t{0}) return file.resize(write.at);
+  if (file.size() < write.at + count) file.resize(write.at + count);
+  file.replace(write.at, count, write.bytes, 0, count);
+}
+
+class WriteOrder : public DurableRun {
+ protected:
+  /// Frames that can be read, all of which must be right; -1 where the file is refused.
+  int frames_in(const std::string& bytes, const std::vector<std::uint64_t>& whole) {
+    write("crashed.h5.part", bytes);
+    try {
+      const Recording recording(path("crashed.h5.part"));
+      Frame frame;
+      for (std::size_t i = 0; i < recording.frames(); ++i) {
+        recording.read(i, frame);
+        EXPECT_EQ(frame.frame_hash, whole.at(i)) << "a wrong frame";
+      }
+      return static_cast<int>(recording.frames());
+    } catch (const InputError&) {
+      return -1;
+    }
+  }
+};
+
+TEST_F(WriteOrder, NoCrashBetweenTwoWritesLosesAFrameAndNoneInsideAWriteShowsAWrongOne) {
+  const std::string scene = write("a.toml", kHeap), log = path("log");
+  const std::string options =
+      "--substeps 400 --checkpoint 0.001 --until " + std::string(full_length() ? "5" : "1");
+  const std::vector<std::uint64_t> whole = reference(scene, options);
+  const Result result = throng(
+      "run " + scene + " --progress none -o " + path("a.h5") + " " + options,
+      "ASAN_OPTIONS=verify_asan_link_order=0 LD_PRELOAD=" THRONG_LOGGED_DISK " THRONG_WRITE_LOG=" + log +
+          " ");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const std::vector<Write> writes = writes_in(read(log));
+  ASSERT_GT(writes.size(), 100u);
+
+  std::string file;
+  int most = -1, commits = 0, refused_halves = 0;
+  for (std::size_t k = 0; k < writes.size() && !HasFailure(); ++k) {
+    SCOPED_TRACE("write " + std::to_string(k) + " of " + std::to_string(writes.size()));
+    if (writes[k].bytes.size() > 1) {
+      std::string torn = file;
+      apply(torn, writes[k], writes[k].bytes.size() / 2);
+      refused_halves += frames_in(torn, whole) < most;
+    }
+    apply(file, writes[k], writes[k].bytes.size());
+    const int frames = frames_in(file, whole);
+    EXPECT_GE(frames, most) << "frames that could be read are lost";
+    commits += frames > most;
+    most = frames;
+  }
+  EXPECT_EQ(most, static_cast<int>(whole.size()));
+  EXPECT_EQ(file, read(path("a.h5"))) << "the log is not all that was written";
+  EXPECT_GT(commits, 5) << "the sample has too few commits";
+  RecordProperty("writes", static_cast<int>(writes.size()));
+  RecordProperty("commits", commits);
+  RecordProperty("torn_writes_that_cost_frames", refused_halves);
+}
+
+}  // namespace
+}  // namespace throng

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// throng resume: goes on with a recording whose run was stopped or killed, or is to last longer.
+#include <cinttypes>
+#include <cstdio>
+#include <memory>
+
+#include "sim/input_error.h"
+#include "tools/commands.h"
+#include "tools/drive.h"
+#include "tools/resume_point.h"
+#include "tools/scenario.h"
+
+namespace throng::tools {
+
+namespace {
+
+struct Options {
+  std::string file, until, command_line;
+  DriveOptions drive;
+};
+
+/// The scenario that the recording holds, with its end where it is wanted now.
+Loaded load_recorded(const Kept& kept, const std::string& until) {
+  std::vector<std::string> overrides;
+  if (!until.empty()) overrides.push_back("time.until=" + until);
+  Loaded loaded =
+      load_text_or_throw(kept.recording.origin().provenance.resolved, kept.source + ":scenario", overrides);
+  if (loaded.scene.name.empty()) loaded.scene.name = kept.recording.geometry().name;
+  if (loaded.scene.bodies.size() != kept.recording.bodies())
+    throw InputError(kept.source + " is inconsistent: its scenario makes " +
+                     std::to_string(loaded.scene.bodies.size()) + " bodies, its frames hold " +
+                     std::to_string(kept.recording.bodies()));
+  return loaded;
+}
+
+/// Frames and checkpoint lie within the run, which may have been made shorter.
+void expect_end_after(const Kept& kept, const std::optional<Checkpoint>& checkpoint, const Time& time) {
+  const std::int64_t recorded = kept.frames > 0 ? kept.recording.steps()[kept.frames - 1] : 0;
+  const std::int64_t reached = std::max(recorded, checkpoint ? checkpoint->state.step : 0);
+  if (reached <= time.steps()) return;
+  char text[120];
+  std::snprintf(text, sizeof text, " reaches %g s already: the end must not be before, at %g s",
+                static_cast<double>(reached) * time.dt, time.until);
+  throw InputError(kept.source + text);
+}
+
+void say(const char* what, std::int64_t step) {
+  std::fprintf(stderr, "throng: %s step %" PRId64 "\n", what, step);
+}
+
+/// Brings the simulation to the checkpoint. Returns false where a signal came first.
+bool go_to(const Checkpoint& checkpoint, Simulation& simulation) {
+  const State& goal = checkpoint.state;
+  if (simulation.restore(goal)) {
+    say("going on from the checkpoint at", goal.step);
+    return true;
+  }
+  say("this engine's state can't be saved: computing again, and checking, up to the checkpoint at",
+      goal.step);
+  while (simulation.state().step < goal.step && !stop_requested()) simulation.step();
+  if (simulation.state().step < goal.step) return false;
+  if (hash(simulation.state()) != hash(goal))
+    throw SimulationError("step " + std::to_string(goal.step) +
+                          " gives another state than the checkpoint has: this throng computes otherwise than "
+                          "the one that wrote it; nothing was added");
+  return true;
+}
+
+RecordedFrames recorded_frames(const Kept& kept) {
+  const auto steps = kept.recording.steps().first(kept.frames);
+  const auto hashes = kept.recording.state_hashes().first(kept.frames);
+  return {{steps.begin(), steps.end()}, {hashes.begin(), hashes.end()}};
+}
+
+/// Both commands, as one that a shell understands.
+Provenance provenance(const Kept& kept, const Loaded& loaded, const Options& options) {
+  const Provenance& first = kept.recording.origin().provenance;
+  return {first.scenario, loaded.resolved, first.command_line + " && " + options.command_line,
+          options.drive.threads};
+}
+
+int resume(const Options& options) {
+  const Kept kept = find_recording(options.file);
+  const Loaded loaded = load_recorded(kept, options.until);
+  const Scene& scene = loaded.scene;
+  const std::optional<Checkpoint> checkpoint = find_checkpoint(kept);
+  expect_end_after(kept, checkpoint, scene.time);
+  const bool whole =
+      kept.source == kept.output && kept.recording.complete() && kept.frames == kept.recording.frames();
+  if (whole && kept.recording.geometry().time.until == scene.time.until) {
+    std::fprintf(stderr, "throng: %s is complete up to %g s; --until T goes on from there\n",
+                 kept.source.c_str(), scene.time.until);
+    return 0;
+  }
+  const auto simulation = throng::simulation(scene, options.drive.threads);
+  stop_on_signals();
+  if (!checkpoint)
+    std::fprintf(stderr, "throng: no checkpoint: computing again, and checking, from the start\n");
+  else if (!go_to(*checkpoint, *simulation))
+    return 130;
+  Recorder recorder(kept.output, scene, provenance(kept, loaded, options), kept.recording, kept.frames);
+  return drive(*simulation, scene, options.drive, &recorder, recorded_frames(kept));
+}
+
+}  // namespace
+
+void add_resume(CLI::App& app, int& exit_code, const std::string& command_line) {
+  auto options = std::make_shared<Options>();
+  options->command_line = command_line;
+  CLI::App* command = app.add_subcommand(
+      "resume", "Goes on with a recording to the end that an uninterrupted run has, bit for bit");
+  command->add_option("FILE", options->file, "recording: OUT.h5, or OUT.h5.part of a stopped or killed run")
+      ->required();
+  command->add_option("--until", options->until,
+                      "another end of the run (s), no earlier than what is recorded");
+  add_drive_options(*command, options->drive);
+  command->footer(
+      "Example: throng resume pile.h5 --until 20\n"
+      "Goes on from OUT.h5.ckpt, or from the checkpoint before where that is damaged, or from the start "
+      "where\n"
+      "there is none (as Box2D always must): steps whose frames are recorded are then checked against them.\n"
+      "The frames so far are copied first, so there must be room for them once more.");
+  command->callback([options, &exit_code] { exit_code = resume(*options); });
+}
+
+}  // namespace throng::tools

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "tools/drive.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cinttypes>
+#include <csignal>
+#include <cstdio>
+
+#include "tools/commands.h"
+#include "tools/progress.h"
+#include "tools/summary.h"
+
+namespace throng::tools {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+volatile std::sig_atomic_t stop_signal = 0;
+
+/// Says when the next checkpoint is due.
+class CheckpointClock {
+ public:
+  explicit CheckpointClock(std::optional<double> every) : every_(every) {}
+
+  bool is_due() {
+    if (!every_) return false;
+    const auto now = Clock::now();
+    if (std::chrono::duration<double>(now - last_).count() < *every_) return false;
+    last_ = now;
+    return true;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::optional<double> every_;
+  Clock::time_point last_ = Clock::now();
+};
+
+/// Adds frames to the recording, or holds them against those that it has.
+class FrameSink {
+ public:
+  FrameSink(Recorder* recorder, const RecordedFrames& recorded, std::int64_t first)
+      : recorder_(recorder), recorded_(recorded) {
+    next_ = std::lower_bound(recorded.steps.begin(), recorded.steps.end(), first) - recorded.steps.begin();
+  }
+
+  void take(const State& state) {
+    if (!recorder_) return;
+    if (next_ < recorded_.steps.size())
+      compare(state);
+    else
+      recorder_->record(state);
+  }
+
+ private:
+  void compare(const State& state) {
+    const std::uint64_t now = hash(state), then = recorded_.state_hashes[next_];
+    if (state.step != recorded_.steps[next_] || now != then) fail(state, now, then);
+    ++next_;
+  }
+
+  [[noreturn]] static void fail(const State& state, std::uint64_t now, std::uint64_t then) {
+    char text[256];
+    std::snprintf(text, sizeof text,
+                  "step %" PRId64 " gives another state (hash %016" PRIx64
+                  ") than the recording has (%016" PRIx64
+                  "): this throng computes otherwise than the one that "
+                  "recorded; nothing was added",
+                  state.step, now, then);
+    throw SimulationError(text);
+  }
+
+  Recorder* recorder_;
+  const RecordedFrames& recorded_;
+  std::size_t next_ = 0;
+};
+
+/// Steps until the end or a signal. Returns the timings.
+RunTimes advance(Simulation& simulation, const Scene& scene, const DriveOptions& options, Recorder* recorder,
+                 FrameSink& frames, Progress& progress) {
+  RunTimes times;
+  CheckpointClock clock(options.checkpoint);
+  const std::int64_t steps = scene.time.steps();
+  const State& state = simulation.state();
+  if (state.step % scene.record.every == 0) frames.take(state);
+  while (state.step < steps && !stop_signal) {
+    times.begin_step();
+    simulation.step();
+    times.end_step();
+    if (state.step % scene.record.every == 0) frames.take(state);
+    if (recorder && clock.is_due()) recorder->checkpoint(state);
+    progress.update(state.step);
+  }
+  return times;
+}
+
+void report_stop(const Recorder* recorder, const Scene& scene, const State& state) {
+  std::fprintf(stderr, "throng: stopped by a signal after step %" PRId64 " of %" PRId64, state.step,
+               scene.time.steps());
+  if (recorder)
+    std::fprintf(stderr, "; %s holds the frames so far, closed and readable; 'throng resume %s' goes on",
+                 recorder->part().c_str(), recorder->path().c_str());
+  std::fputc('\n', stderr);
+}
+
+}  // namespace
+
+void add_drive_options(CLI::App& command, DriveOptions& options) {
+  command.add_option("--threads", options.threads, "threads; the result doesn't depend on it")
+      ->transform(whole_number() & CLI::Range(1, 256));
+  command.add_option_function<double>(
+      "--checkpoint",
+      [&options](double seconds) {
+        if (!(seconds >= 1e-3 && seconds <= 1e9))
+          throw CLI::ValidationError("--checkpoint", "must be seconds from 0.001 to 1e9");
+        options.checkpoint = seconds;
+      },
+      "a checkpoint in OUT.h5.ckpt each so many seconds of wall time, and at the end");
+  command.add_option("--progress", options.progress, "auto, plain, json or none")
+      ->check(CLI::IsMember({"auto", "plain", "json", "none"}));
+}
+
+void stop_on_signals() {
+  struct sigaction action = {};
+  action.sa_handler = [](int) { stop_signal = 1; };
+  action.sa_flags = SA_RESTART;
+  for (int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
+}
+
+bool stop_requested() {
+  return stop_signal != 0;
+}
+
+int drive(Simulation& simulation, const Scene& scene, const DriveOptions& options, Recorder* recorder,
+          const RecordedFrames& recorded) {
+  const State& state = simulation.state();
+  FrameSink frames(recorder, recorded, state.step);
+  Progress progress(Progress::style(options.progress), scene.time.steps(), scene.time.dt, state.step);
+  RunTimes times;
+  try {
+    times = advance(simulation, scene, options, recorder, frames, progress);
+  } catch (const SimulationError&) {
+    progress.finish(state.step);
+    throw;
+  }
+  progress.finish(state.step);
+  const bool stopped = state.step < scene.time.steps();
+  if (recorder && (stopped || options.checkpoint)) recorder->checkpoint(state);
+  if (recorder) stopped ? recorder->stop() : recorder->finish();
+  if (stopped) report_stop(recorder, scene, state);
+  const std::string output = !recorder ? "" : stopped ? recorder->part() : recorder->path();
+  print(summary(scene, simulation, times, output));
+  return stopped ? 130 : 0;
+}
+
+}  // namespace throng::tools
