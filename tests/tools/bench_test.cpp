@@ -82,6 +82,18 @@ TEST_F(BenchCommand, RefusesWhatWouldDoNothing) {
     EXPECT_EQ(throng(std::string("bench ") + arguments).exit_code, 2) << arguments;
 }
 
+TEST_F(BenchCommand, RecordsRunsAndRawFrames) {
+  const Result result = throng("bench recording --quick --blocks 1 --json " + path("rows.json"));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  std::set<std::string> seen;
+  for (const auto& row : nlohmann::json::parse(read(path("rows.json"))))
+    seen.insert(std::string(row["case"]) + ", " + std::string(row["engine"]));
+  EXPECT_EQ(seen,
+            (std::set<std::string>{"pile n=10000 every step, unrecorded", "pile n=10000 every step, recorded",
+                                   "write n=10000, plain", "write n=10000, throng", "read n=10000, plain",
+                                   "read n=10000, throng"}));
+}
+
 TEST_F(BenchCommand, FindsTheSameInEveryHierarchyAndWithout) {
   const Result result = throng("bench bvh --quick --blocks 1 --json " + path("rows.json"));
   ASSERT_EQ(result.exit_code, 0) << result.err;

@@ -27,7 +27,7 @@ std::vector<Row> bench_narrowphase(const Options& options);
 /// The case of bench_narrowphase that is about discs.
 std::vector<Row> bench_disc_gaps(const Options& options);
 
-/// What recording each step costs.
+/// What recording each step costs, and how fast a million bodies get to the disk and back.
 std::vector<Row> bench_recording(const Options& options);
 
 /// All pairs of clouds: throng, a plain grid, nanoflann and Box2D's tree.

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: MIT
-// throng bench recording: a run with every step recorded against the same run without.
+// throng bench recording: a run with every step recorded against the same run without; and how fast frames
+// get to the disk and back, against the same bytes without HDF5, hashes and checksums.
+#include <fcntl.h>
 #include <stdlib.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <stdexcept>
 
 #include "sim/recording/recorder.h"
+#include "sim/recording/recording.h"
 #include "sim/simulation.h"
 #include "tools/bench/benchmarks.h"
 #include "tools/bench/interleave.h"
@@ -13,6 +19,8 @@
 namespace throng::bench {
 
 namespace {
+
+constexpr std::size_t kBlock = std::size_t{1} << 20;  // bytes at a time, as dd bs=1M
 
 /// A folder that goes when this does.
 struct ScratchFolder {
@@ -30,23 +38,127 @@ void run(const Scene& scene, int steps, Recorder* recorder) {
   if (recorder) recorder->finish();
 }
 
-}  // namespace
+bool chosen(const std::string& name, const Options& options) {
+  for (const std::string& part : options.only)
+    if (name.find(part) != std::string::npos) return true;
+  return options.only.empty();
+}
 
-std::vector<Row> bench_recording(const Options& options) {
+void expect(bool done, const char* what) {
+  if (!done) throw std::runtime_error(std::string("cannot ") + what + " the benchmark's file");
+}
+
+/// What `dd bs=1M conv=fsync` does.
+void write_plainly(const std::string& file, std::size_t bytes) {
+  static const std::vector<char> block(kBlock, 'x');
+  const int fd = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  expect(fd >= 0, "open");
+  for (std::size_t done = 0; done < bytes;) {
+    const ssize_t now = write(fd, block.data(), std::min(kBlock, bytes - done));
+    expect(now > 0, "write");
+    done += static_cast<std::size_t>(now);
+  }
+  expect(fsync(fd) == 0, "sync");
+  close(fd);
+}
+
+void read_plainly(const std::string& file) {
+  static std::vector<char> block(kBlock);
+  const int fd = open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  expect(fd >= 0, "open");
+  while (const ssize_t now = read(fd, block.data(), block.size())) expect(now > 0, "read");
+  close(fd);
+}
+
+void write_frames(const std::string& file, const Scene& scene, State& state, int frames) {
+  Recorder recorder(file, scene, {}, true);
+  for (int i = 0; i < frames; ++i) {
+    state.step = i;
+    recorder.record(state);
+  }
+  recorder.finish();
+}
+
+void read_frames(const std::string& file) {
+  const Recording recording(file);
+  Frame frame;
+  for (std::size_t i = 0; i < recording.frames(); ++i) recording.read(i, frame);
+}
+
+/// Discs on a lattice, each with numbers of its own.
+Scene lattice(std::size_t n) {
+  Scene scene;
+  scene.materials = {{}};
+  scene.shapes = {{}};
+  scene.time = {0.01, 1.0, 1};
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto x = static_cast<double>(i % 1000), y = static_cast<double>(i / 1000);
+    scene.bodies.shape.push_back(0);
+    scene.bodies.material.push_back(0);
+    scene.bodies.kind.push_back(BodyKind::dynamic);
+    scene.bodies.radius.push_back(0.4);
+    scene.bodies.position.push_back({x, y});
+    scene.bodies.angle.push_back(1.0 / (x + 1.0));
+    scene.bodies.velocity.push_back({y / 7.0, x / 3.0});
+    scene.bodies.spin.push_back(0.0);
+  }
+  return scene;
+}
+
+std::vector<Row> rows_of(const std::string& name, const std::vector<Contestant>& contestants, double work,
+                         double bytes) {
+  std::vector<Row> rows;
+  for (const Contestant& c : contestants) {
+    nlohmann::ordered_json error = nlohmann::ordered_json::object();
+    if (bytes > 0.0) error["GB_per_s"] = 1e-6 * bytes / median(c.ms);
+    rows.push_back({"recording", name, c.engine, 1, c.ms, work, "", error});
+  }
+  return rows;
+}
+
+std::vector<Row> bench_run(const std::string& name, const Options& options, const std::string& file) {
   const int steps = options.quick ? 20 : 400;
-  const ScratchFolder folder;
   const Scene scene = settled(gallery_scene(options.scenarios, "pile"), options.quick ? 0.5 : 5.0);
-  const std::string file = folder.path + "/pile.h5";
   std::vector<Contestant> contestants = {{"unrecorded", [&] { run(scene, steps, nullptr); }},
                                          {"recorded", [&] {
                                             Recorder recorder(file, scene, {}, true);
                                             run(scene, steps, &recorder);
                                           }}};
   interleave(contestants, options.blocks, steps);
+  return rows_of(name, contestants, steps, 0.0);
+}
+
+/// Frames of position, angle and velocity; the plain engines move as many bytes as the file has.
+std::vector<Row> bench_frames(const std::string& name, const Options& options, const std::string& file,
+                              bool reading) {
+  const int frames = options.quick ? 2 : 10;
+  const Scene scene = lattice(options.quick ? 10'000 : 1'000'000);
+  State state = initial_state(scene);
+  write_frames(file, scene, state, frames);
+  const std::size_t bytes = std::filesystem::file_size(file);
+  std::vector<Contestant> contestants;
+  if (reading)
+    contestants = {{"plain", [&] { read_plainly(file); }}, {"throng", [&] { read_frames(file); }}};
+  else
+    contestants = {{"plain", [&] { write_plainly(file + ".plain", bytes); }},
+                   {"throng", [&] { write_frames(file, scene, state, frames); }}};
+  interleave(contestants, options.blocks, frames);
+  return rows_of(name, contestants, frames, static_cast<double>(bytes) / frames);
+}
+
+}  // namespace
+
+std::vector<Row> bench_recording(const Options& options) {
+  const ScratchFolder folder;
+  const std::string size = options.quick ? "n=10000" : "n=1000000", file = folder.path + "/a.h5";
   std::vector<Row> rows;
-  for (const Contestant& c : contestants)
-    rows.push_back(
-        {"recording", "pile n=10000 every step", c.engine, 1, c.ms, static_cast<double>(steps), "", {}});
+  const auto add = [&](const std::string& name, auto bench) {
+    if (!chosen(name, options)) return;
+    for (Row& row : bench(name)) rows.push_back(std::move(row));
+  };
+  add("pile n=10000 every step", [&](const std::string& name) { return bench_run(name, options, file); });
+  add("write " + size, [&](const std::string& name) { return bench_frames(name, options, file, false); });
+  add("read " + size, [&](const std::string& name) { return bench_frames(name, options, file, true); });
   return rows;
 }
 
