@@ -220,6 +220,20 @@ TEST_F(Hostile, X2TruncatedFilesOfKilledRunsAreRefusedOrTellFewerFrames) {
   EXPECT_GT(refusals, 3);
 }
 
+/// The mark of completeness is written before the file is closed: where the disk failed in between, it may
+/// stand there in part. The frames are still those of a run that did not end.
+TEST_F(Hostile, AMarkInAFileThatWasNeverClosedIsNoEnd) {
+  const std::string mark =
+      "/usr/bin/python3 -c \"import h5py, os; f = h5py.File('" + (folder / "good.h5") +
+      "', 'r+', libver='latest'); f.swmr_mode = True; d = f['throng/finished']; d[()] = 5; "
+      "d.flush(); os._exit(0)\"";
+  ASSERT_EQ(std::system(mark.c_str()), 0);
+  const Recording recording(folder / "good.h5");
+  EXPECT_FALSE(recording.complete());
+  ASSERT_EQ(recording.frames(), static_cast<std::size_t>(kFrames));
+  EXPECT_EQ(text(recording.frame(kFrames - 1)), good.told.frames.back());
+}
+
 TEST_F(Hostile, RowsOfFramesAreCoveredThoughTheyCarryNoChecksum) {
   const Recording recording(folder / "good.h5");
   const std::string& before = good.bytes;
