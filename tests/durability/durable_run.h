@@ -18,6 +18,13 @@ inline bool full_length() {
   return full && std::string(full) == "1";
 }
 
+/// Sanitizers take memory of their own.
+#if defined(__SANITIZE_ADDRESS__)
+inline constexpr bool kSanitized = true;
+#else
+inline constexpr bool kSanitized = false;
+#endif
+
 /// Discs and bricks that fall on one another, with friction and bounces: contacts of both kinds.
 inline const char* const kHeap = R"(throng = 1
 name = "heap"

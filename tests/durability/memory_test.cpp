@@ -10,11 +10,7 @@ namespace {
 
 class Memory : public DurableRun {};
 
-#if !defined(__SANITIZE_ADDRESS__)
-constexpr bool kLimitsWork = true;
-#else
-constexpr bool kLimitsWork = false;  // the sanitizer itself takes terabytes of addresses
-#endif
+constexpr bool kLimitsWork = !kSanitized;  // else the sanitizer itself takes terabytes of addresses
 
 TEST_F(Memory, H6TooLittleOfItEndsInASentenceAndLeavesNothingHalfMade) {
   const std::string scene = write("a.toml", kHeap);
