@@ -13,6 +13,14 @@ namespace {
 constexpr std::size_t kPart = 2048;     // points: enough work for a thread
 constexpr std::size_t kTogether = 256;  // lists that are copied at once: small enough to be still at hand
 constexpr double kLargest = 1e140;      // m: cells of this size can be told apart from those beside them
+
+/// Whether the mean square is at least a quarter of the largest's: then most of what a cell holds is near.
+bool alike(std::span<const double> own, double largest) {
+  double squares = 0.0;
+  for (const double r : own) squares += r * r;
+  return own.empty() || 4.0 * squares >= static_cast<double>(own.size()) * largest * largest;
+}
+
 }  // namespace
 
 struct AllLists::Scratch {
@@ -25,8 +33,9 @@ struct AllLists::Scratch {
   ProximityTree tree;
   NeighbourSearch search;
 
-  void find(std::span<const Point> points, double radius, std::span<const double> own, bool alike,
-            const Period* period, NeighbourLists& lists);
+  void find(std::span<const Point> points, double radius, std::span<const double> own, const Period* period,
+            NeighbourLists& lists);
+  bool alike_in_cells(std::span<const double> own, double largest) const;
   void find(const ListQuestion& question, NeighbourLists& lists);
 };
 
@@ -38,31 +47,44 @@ AllLists& AllLists::operator=(AllLists&&) noexcept = default;
 void AllLists::find(std::span<const Point> points, double radius, const Period* period,
                     NeighbourLists& lists) {
   assert(radius >= 0.0);
-  scratch_->find(points, radius, {}, true, period, lists);
+  scratch_->find(points, radius, {}, period, lists);
 }
 
 void AllLists::find(std::span<const Point> points, std::span<const double> radius, const Period* period,
                     NeighbourLists& lists) {
   assert(radius.size() == points.size());
-  double largest = 0.0, squares = 0.0;
+  double largest = 0.0;
   for (const double r : radius) {
     assert(r >= 0.0);
     largest = std::max(largest, r);
-    squares += r * r;
   }
-  const bool alike = 4.0 * squares >= static_cast<double>(radius.size()) * largest * largest;
-  scratch_->find(points, largest, radius, alike, period, lists);
+  scratch_->find(points, largest, radius, period, lists);
 }
 
 void AllLists::Scratch::find(std::span<const Point> points, double radius, std::span<const double> own,
-                             bool alike, const Period* period, NeighbourLists& lists) {
-  if (!points.empty() && alike && radius < kLargest && cells.rebuild(points, radius, period, team)) {
+                             const Period* period, NeighbourLists& lists) {
+  assert(points.size() < std::size_t{1} << 30);
+  if (!points.empty() && radius < kLargest && alike(own, radius) &&
+      cells.rebuild(points, radius, period, team) && alike_in_cells(own, radius)) {
     find({cells, period, radius, own}, lists);
     return;
   }
   tree.build(points, period);
   search.find(tree, {.at = points, .radius = own, .own = 0}, {.radius = radius}, lists,
               static_cast<int>(team.threads()));
+}
+
+/// Else a crowd that looks nowhere would meet all of its cells because of one who looks far.
+bool AllLists::Scratch::alike_in_cells(std::span<const double> own, double largest) const {
+  if (own.empty()) return true;
+  double squares = 0.0, meetings = 0.0;
+  for (std::size_t bucket = 0; bucket < cells.cells().buckets(); ++bucket) {
+    const std::size_t first = cells.start()[bucket], end = cells.start()[bucket + 1];
+    const double together = static_cast<double>(end - first);
+    meetings += together * together;
+    for (std::size_t i = first; i < end; ++i) squares += together * own[cells.row()[i]] * own[cells.row()[i]];
+  }
+  return 4.0 * squares >= meetings * largest * largest;
 }
 
 /// Counts first, so that nothing but some hundred lists is held twice.

@@ -25,11 +25,12 @@ class AllLists {
   ///
   /// O(n + candidates) in a grid as wide as the radius: nine cells hold about three times the answers. Clouds
   /// too scattered for an array of such cells are asked by a `ProximityTree`, up to three times slower.
-  /// Expects points as `ProximityTree::build` does. Allocates only to grow.
+  /// Expects points as `ProximityTree::build` does, but fewer than 2^30. Allocates only to grow.
   void find(std::span<const Point> points, double radius, const Period* period, NeighbourLists& lists);
 
-  /// The same where point i looks radius[i] (m) far. In a grid as wide as the largest, if the radii are
-  /// alike: if their mean square is at least a quarter of the largest's.
+  /// The same where point i looks radius[i] (m, >= 0) far. In a grid as wide as the largest, if the radii are
+  /// alike: if their mean square is at least a quarter of the largest's, both among all points and with each
+  /// point counted once for each that shares its cell. Then the candidates are in proportion to the answers.
   void find(std::span<const Point> points, std::span<const double> radius, const Period* period,
             NeighbourLists& lists);
 

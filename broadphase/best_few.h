@@ -20,11 +20,11 @@ class BestFew {
   BestFew(Neighbour* room, std::size_t most) : list_(room), most_(most) {}
 
   bool full() const { return count_ == most_; }
-  double farthest() const { return list_[most_ <= kFew ? count_ - 1 : 0].distance; }  ///< once full
+  const Neighbour& last() const { return list_[most_ <= kFew ? count_ - 1 : 0]; }  ///< once full
 
   /// O(log most). False where it was not near enough.
   bool add(const Neighbour& one) {
-    if (full() && !nearer(one, list_[most_ <= kFew ? count_ - 1 : 0])) return false;
+    if (full() && !nearer(one, last())) return false;
     if (most_ <= kFew)
       insert(one);
     else

@@ -41,6 +41,10 @@ struct CallAll {
 template <class S>
 struct KeepBest {
   double limit() const { return limit_; }
+  /// Than anything whose key is no less than `key` and whose row no lower than `row`.
+  HWY_INLINE bool has_better(double key, std::uint32_t row) const {
+    return best.full() && row > best.last().row && S::distance(key) >= best.last().distance;
+  }
   HWY_INLINE void take(Mask mask, Reals key, Rows rows) {
     std::uint32_t left = S::bits(mask);
     if (left == 0) return;
@@ -52,7 +56,7 @@ struct KeepBest {
       const auto i = static_cast<std::size_t>(std::countr_zero(left));
       if (keys[i] > limit_) continue;
       if (best.add({static_cast<std::uint32_t>(who[i]), S::distance(keys[i])}) && best.full())
-        limit_ = std::min(limit_, S::distance_key(best.farthest()));
+        limit_ = std::min(limit_, S::distance_key(best.last().distance));
     }
   }
   double limit_;
@@ -109,7 +113,8 @@ void answer_by_heap(const ProximityTree& tree, const Question& question, const N
   append(answers.best.data(), sink.best.finish(), answers);
 }
 
-constexpr std::size_t kTogether = 8;  // questions that share the search of the tree's upper part
+constexpr std::size_t kMostToSort = 512;  // for a few: more are equally near, and only the heap looks at rows
+constexpr std::size_t kTogether = 8;      // questions that share the search of the tree's upper part
 
 /// Answers at most kTogether questions.
 template <class S>
@@ -125,18 +130,22 @@ void answer(const ProximityTree& tree, std::span<const Question> questions, cons
   }
   const bool shared =
       largest != kUnknown && typename S::UpperPart(tree, places, largest, answers.parents).run();
+  const std::size_t most_to_sort = near.most < tree.size() ? kMostToSort : KeepAll::kAny;
   for (std::size_t i = 0; i < questions.size(); ++i) {
     const std::size_t before = answers.size;
     if (key[i] == kUnknown) {
       answer_by_heap<S>(tree, questions[i], near, answers);
     } else {
       const S search(tree, questions[i], near);
-      KeepAll sink{key[i], answers};
+      KeepAll sink{key[i], answers, most_to_sort};
       if (shared)
         search.run(answers.parents, sink);
       else
         search.run(sink);
-      append_sorted<S::kSquares>(sink.count, answers);
+      if (sink.full())
+        answer_by_heap<S>(tree, questions[i], near, answers);
+      else
+        append_sorted<S::kSquares>(sink.count, answers);
       answers.size = std::min(answers.size, before + std::min(near.most, tree.size()));
     }
     answers.count.push_back(static_cast<std::uint32_t>(answers.size - before));

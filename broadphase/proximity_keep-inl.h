@@ -50,15 +50,19 @@ inline void make_room(std::size_t count, Answers& answers) {
   answers.who.resize(2 * count + 64);
 }
 
-/// Keeps all, as met.
+/// Keeps all, as met, until they are `most` or more: then it looks for no others.
 struct KeepAll {
-  double limit() const { return limit_; }
+  static constexpr std::size_t kAny = std::numeric_limits<std::size_t>::max();
+
+  bool full() const { return count >= most; }
+  double limit() const { return full() ? -std::numeric_limits<double>::infinity() : limit_; }
   HWY_INLINE void take(Mask mask, Reals key, Rows rows) {
     make_room(count, answers);
     count += keep(mask, key, rows, answers.key.data() + count, answers.who.data() + count);
   }
   double limit_;
   Answers& answers;
+  std::size_t most = kAny;
   std::size_t count = 0;
 };
 

@@ -67,7 +67,8 @@ class Search {
     for (const std::uint32_t node : parents) descend(0, node, sink);
   }
 
-  /// The same for a limit that shrinks with what is met: what may be nearest is met first.
+  /// The same for a limit that shrinks with what is met: what may be nearest is met first, and of equally
+  /// near ones that with the lowest row; where `sink.has_better` says so, nothing.
   template <class Sink>
   void run_nearest_first(Sink& sink) const {
     if (!tree_.leaves.empty()) descend_nearest_first(tree_.level.size() - 2, 0, sink);
@@ -101,15 +102,18 @@ class Search {
   template <class Sink>
   void descend_nearest_first(std::size_t level, std::size_t node, Sink& sink) const {
     alignas(64) double key[ProximityTree::kWidth];
+    const std::uint32_t* first_row = tree_.first_row[tree_.level[level] + node].of;
     std::uint32_t left = children(tree_.level[level] + node, sink.limit(), key);
     while (left != 0) {
       auto next = static_cast<std::size_t>(std::countr_zero(left));
       for (std::uint32_t rest = left & (left - 1); rest != 0; rest &= rest - 1) {
         const auto other = static_cast<std::size_t>(std::countr_zero(rest));
-        if (key[other] < key[next]) next = other;
+        if (key[other] < key[next] || (key[other] == key[next] && first_row[other] < first_row[next]))
+          next = other;
       }
       if (key[next] > sink.limit()) return;
       left &= ~(1U << next);
+      if (sink.has_better(key[next], first_row[next])) continue;
       const std::size_t child = node * ProximityTree::kWidth + next;
       if (level > 0)
         descend_nearest_first(level - 1, child, sink);

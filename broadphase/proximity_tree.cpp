@@ -48,6 +48,7 @@ void ProximityTree::build(std::span<const Point> points, const Period* in, Group
   kind = Kind::points;
   place(points, in);
   fill_nodes();
+  fill_first_rows();
   fill_groups(groups);
 }
 
@@ -57,6 +58,7 @@ void ProximityTree::build(std::span<const Point> centres, std::span<const double
   kind = Kind::discs;
   place(centres, in);
   fill_nodes();
+  fill_first_rows();
   fill_radii(radius);
   fill_groups(groups);
 }
@@ -75,6 +77,7 @@ void ProximityTree::build(std::span<const Box> boxes, GroupBits groups) {
     leaf_high[i / kWidth].y[i % kWidth] = box.max().y();
   }
   fill_nodes();
+  fill_first_rows();
   fill_groups(groups);
 }
 
@@ -128,6 +131,21 @@ void ProximityTree::fill_nodes() {
                   below >= end ? Box()
                   : l == 0     ? leaf_box(below)
                                : node_box(level[l - 1] + below));
+      }
+}
+
+void ProximityTree::fill_first_rows() {
+  first_row.resize(nodes.size());
+  for (std::size_t l = 0; l + 1 < level.size(); ++l)
+    for (std::size_t i = level[l]; i < level[l + 1]; ++i)
+      for (std::size_t k = 0; k < kWidth; ++k) {
+        const std::size_t below = (i - level[l]) * kWidth + k;
+        std::uint32_t& first = first_row[i].of[k] = std::numeric_limits<std::uint32_t>::max();
+        if (l == 0)
+          for (std::size_t at = below * kWidth; at < std::min((below + 1) * kWidth, order.size()); ++at)
+            first = std::min(first, order[at]);
+        else if (below < level[l] - level[l - 1])
+          first = *std::ranges::min_element(first_row[level[l - 1] + below].of);
       }
 }
 

@@ -40,6 +40,9 @@ struct ProximityTree {
   struct alignas(64) Groups {
     std::uint64_t of[kWidth];
   };
+  struct alignas(32) FirstRows {
+    std::uint32_t of[kWidth];
+  };
 
   /// What each row belongs to, a bit a group; empty: all rows to all groups.
   using GroupBits = std::span<const std::uint32_t>;
@@ -63,9 +66,10 @@ struct ProximityTree {
   Period period{{0.0, 0.0}, {1.0, 1.0}};
   std::vector<std::uint32_t> order;  ///< rows along the curve: leaf i holds those from 8 i on
   std::vector<Leaf> leaves;
-  std::vector<Node> nodes;         ///< a level after the other, that of the leaves' parents first
-  std::vector<std::size_t> level;  ///< where each level begins in `nodes`, and one more; the root is last
-  std::vector<Corner> leaf_high;   ///< of boxes: upper right corners
+  std::vector<Node> nodes;           ///< a level after the other, that of the leaves' parents first
+  std::vector<std::size_t> level;    ///< where each level begins in `nodes`, and one more; the root is last
+  std::vector<FirstRows> first_row;  ///< of each node's child the lowest in it: of equally near ones it wins
+  std::vector<Corner> leaf_high;     ///< of boxes: upper right corners
   std::vector<Lengths> leaf_radius, node_radius;  ///< of discs; of a node's child the largest
   std::vector<Groups> leaf_groups, node_groups;   ///< of a node's child all that are in it
 
@@ -73,6 +77,7 @@ struct ProximityTree {
   void place(std::span<const Point> places, const Period* in);
   void fill_leaves(std::span<const Point> places);
   void fill_nodes();
+  void fill_first_rows();
   void fill_radii(std::span<const double> radius);
   void fill_groups(GroupBits groups);
 

@@ -6,6 +6,7 @@
 #include <hwy/targets.h>
 
 #include <rapidcheck/gtest.h>
+#include <chrono>
 #include <limits>
 
 #include "broadphase/brute_force.h"
@@ -165,6 +166,36 @@ TEST(AllLists, UseAGridWhereItsCellsAreFilled) {
   NeighbourLists lists;
   AllLists().find(crowd, 2.0, nullptr, lists);
   expect_definition(crowd, std::vector<double>(crowd.size(), 2.0), nullptr, lists);
+}
+
+// Half look far and stand apart, half see only who touches them and stand in a heap: the mean square of the
+// radii once chose cells as wide as the farthest look, and in them all pairs of the heap were met.
+TEST(AllLists, DontMeetAllPairsOfAHeapThatLooksNowhere) {
+  constexpr std::size_t kHalf = 30000;
+  Random random(5);
+  Points points;
+  std::vector<double> radius;
+  for (std::size_t i = 0; i < 2 * kHalf; ++i) {
+    points.push_back(i % 2 ? random.in_square(300.0) : Point(0.5 * random.in_square(1.0)));
+    radius.push_back(i % 2 ? 1.0 : 1e-5);
+  }
+  AllLists search;
+  NeighbourLists lists;
+  const auto seconds = [&](auto&& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  NeighbourSearch walk;
+  ProximityTree tree;
+  const double usual = seconds([&] {
+    tree.build(points);
+    walk.find(tree, {.at = points, .radius = radius, .own = 0}, {}, lists);
+  });
+  const NeighbourLists expected = lists;
+  EXPECT_LT(seconds([&] { search.find(points, radius, nullptr, lists); }), 5.0 * usual + 0.05);
+  expect_equal(lists, expected);
+  EXPECT_GT(lists.row.size(), kHalf);
 }
 
 TEST(AllLists, OfPermutedPointsAreThePermutedLists) {

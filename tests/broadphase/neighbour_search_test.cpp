@@ -4,6 +4,7 @@
 #include <hwy/targets.h>
 
 #include <rapidcheck/gtest.h>
+#include <chrono>
 
 #include "broadphase/brute_force.h"
 #include "tests/broadphase/clouds.h"
@@ -227,6 +228,46 @@ TEST(NeighbourSearch, GivesThePermutedRowsOfPermutedPoints) {
     };
     std::sort(renamed.begin(), renamed.end(), less);  // ties go by the new rows
     EXPECT_EQ(renamed, expected);
+  }
+}
+
+template <class F>
+double seconds(F&& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// Each once met all that is as near as its last answer, though only those of lower rows could be among the
+// nearest: of n points in one place n² in all, of which every question kept n.
+TEST(NeighbourSearch, FindsTheFewNearestOfManyInOnePlace) {
+  constexpr std::size_t kMany = 20000;
+  Random random(8);
+  Points points(kMany, Point(3.0, 4.0));
+  for (std::size_t row = 0; row < kMany; row += 3) points[row] = {5.0, 6.0};  // two heaps, rows mixed
+  const std::vector<Box> boxes(kMany, Box(Point(0, 0), Point(9, 9)));
+  ProximityTree tree, boxed, even;
+  tree.build(points);
+  boxed.build(boxes);
+  even.build(spread(random, Spread::uniform, kMany, 100.0));
+  NeighbourSearch search;
+  NeighbourLists lists;
+  for (const std::size_t most : {std::size_t{3}, std::size_t{100}}) {
+    const double usual = seconds([&] { search.find(even, {.at = points}, {.most = most}, lists); });
+    const auto expect_few = [&](const ProximityTree& heaps, const auto& things) {
+      EXPECT_LT(seconds([&] { search.find(heaps, {.at = points, .own = 0}, {.most = most}, lists); }),
+                30.0 * usual + 0.1);
+      for (const std::uint32_t row : {0U, 1U, 777U, 19999U})
+        EXPECT_EQ(list(lists, row),
+                  brute_force::near(things, Place{points[row], {0, 0}, row}, Near{.most = most}));
+    };
+    expect_few(tree, std::span<const Point>(points));
+    expect_few(boxed, std::span<const Box>(boxes));
+    std::vector<Neighbour> one;
+    EXPECT_LT(seconds([&] {
+                for (const Point& p : points) find_near(tree, {p}, {.most = most}, one);
+              }),
+              30.0 * usual + 0.1);
   }
 }
 
