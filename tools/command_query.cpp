@@ -34,12 +34,6 @@ struct Options {
   bool all = false, sight = false;
 };
 
-/// The shortest text that reads back as the same number.
-std::string text_of(double number) {
-  char digits[32];
-  return {digits, std::to_chars(digits, digits + sizeof digits, number).ptr};
-}
-
 void check(const Options& options) {
   if (options.id.has_value() + options.point.has_value() + options.all != 1)
     throw InputError("query: give one of --id I, --point X,Y and --all");
@@ -275,6 +269,21 @@ CLI::Validator something() {
   return {check, ""};
 }
 
+/// Refuses what isn't a number from end to end, in decimals; CLI11 alone takes 0x10 for 16 and 1e400 for inf.
+CLI::Validator real_number() {
+  const auto check = [](std::string& text) -> std::string {
+    double number = 0.0;
+    const char* end = text.data() + text.size();
+    const char* begin = text.data() + (text.size() > 1 && text.front() == '+' && text[1] != '-');
+    const auto [stop, error] = std::from_chars(begin, end, number);
+    if (text.empty()) return "a value is missing";
+    if (error == std::errc::result_out_of_range) return text + " is out of range";
+    if (error != std::errc() || stop != end) return "'" + text + "' is no number";
+    return {};
+  };
+  return {check, ""};
+}
+
 }  // namespace
 
 void add_query(CLI::App& app, int&) {
@@ -287,7 +296,7 @@ void add_query(CLI::App& app, int&) {
   command
       ->add_option("--radius", options->radius,
                    "how far away neighbours may be, centre to centre (m), 0 or more; any distance without it")
-      ->check(something());
+      ->check(real_number());
   command->add_option("--nearest", options->nearest, "at most so many, the nearest: 1 or more")
       ->transform(whole_number());
   command->add_option("--id", options->id, "of the body with this id")->transform(whole_number());
@@ -296,9 +305,9 @@ void add_query(CLI::App& app, int&) {
   command
       ->add_option("--at", options->at,
                    "time (s): the nearest frame, by default the last; a scenario is asked as it starts")
-      ->check(something());
+      ->check(real_number());
   command->add_option("--fov", options->fov, "only what is in a view so wide (degrees), its borders included")
-      ->check(something());
+      ->check(real_number());
   command
       ->add_option("--heading", options->heading,
                    "what the view is centred on: velocity (default; who rests sees all around), angle, or\n"

@@ -2,6 +2,7 @@
 #include "tools/crowd.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <fstream>
 
@@ -45,8 +46,8 @@ Crowd crowd_of_recording(const std::string& source, std::optional<double> wanted
   const double first = recording.times().front(), last = recording.times().back();
   const double at = wanted.value_or(last), slack = 1e-9 * std::abs(last);
   if (at < first - slack || at > last + slack)
-    throw InputError(source + ": --at " + std::to_string(at) + " is outside the recording, which goes from " +
-                     std::to_string(first) + " s to " + std::to_string(last) + " s");
+    throw InputError(source + ": --at " + text_of(at) + " is outside the recording, which goes from " +
+                     text_of(first) + " s to " + text_of(last) + " s");
   Frame frame = recording.frame_at(at);
   if (frame.position.size() != frame.id.size())
     throw InputError(source + ": positions were not recorded (record.fields)");
@@ -60,6 +61,11 @@ Crowd crowd_of_recording(const std::string& source, std::optional<double> wanted
 }
 
 }  // namespace
+
+std::string text_of(double number) {
+  char digits[32];
+  return {digits, std::to_chars(digits, digits + sizeof digits, number).ptr};
+}
 
 Vec wrap(Vec p, const broadphase::Period& period) {
   for (int axis = 0; axis < 2; ++axis) {

@@ -171,6 +171,8 @@ TEST_F(Query, AnswersForAFrameOfARecording) {
             "id,neighbour,distance\n4,1,3\n");
   expect_refused(recording + " --radius 1 --id 4 --at 1.5", "outside the recording");
   expect_refused(recording + " --radius 1 --id 4 --at -1", "outside the recording");
+  expect_refused(recording + " --radius 1 --id 4 --at 1.0000001",
+                 "--at 1.0000001 is outside the recording, which goes from 0 s to 1 s");
 }
 
 // A gas of 1000 in a periodic box, some frames on, against the definition read from the same file.
@@ -284,6 +286,12 @@ TEST_F(Query, RefusesWhatMakesNoSense) {
   for (const char* option : {"--point", "--radius", "--at"})
     expect_refused(scene + " --nearest 1 --id 1 " + option + " ''",
                    option + std::string(": a value is missing"));
+  for (const char* option : {"--radius", "--at", "--fov"}) {
+    for (const char* number : {"abc", "1x", "' 1'", "0x10", "1,5", "+-1", "+"})
+      expect_refused(scene + " --nearest 1 --id 1 " + option + "=" + number, "is no number");
+    expect_refused(scene + " --nearest 1 --id 1 " + option + "=1e400",
+                   option + std::string(": 1e400 is out of range"));
+  }
   for (const char* option : {"--nearest", "--id"})
     for (const char* number : {"99999999999999999999", "-99999999999999999999", "1.5", "1x"})
       expect_refused(scene + " --radius 1 --all " + option + "=" + number, option + std::string(": "));
