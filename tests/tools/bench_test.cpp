@@ -39,8 +39,9 @@ TEST_F(BenchCommand, AsksAllEnginesTheSameQuestions) {
   }
   EXPECT_EQ(engines.size(), 6u);
   EXPECT_EQ(engines["uniform n=10000 k=10 random radius"],
-            (std::set<std::string>{"throng", "throng_tree", "nanoflann", "pairs", "box2d_tree"}));
-  EXPECT_EQ(engines["line n=10000 k=10 spatial nearest"], (std::set<std::string>{"throng", "nanoflann"}));
+            (std::set<std::string>{"throng", "throng_tree", "nanoflann", "cgal", "pairs", "box2d_tree"}));
+  EXPECT_EQ(engines["line n=10000 k=10 spatial nearest"],
+            (std::set<std::string>{"throng", "nanoflann", "cgal"}));
 }
 
 TEST_F(BenchCommand, FindsTheSamePairsWithEveryEngine) {

@@ -11,6 +11,7 @@
 #include "broadphase/all_pairs.h"
 #include "broadphase/neighbours.h"
 #include "tools/bench/benchmarks.h"
+#include "tools/bench/cgal_points.h"
 #include "tools/bench/clouds.h"
 #include "tools/bench/interleave.h"
 
@@ -235,6 +236,7 @@ void add_rows(const std::string& name, const Cloud& cloud, const Near& near, boo
   Tree tree_one, tree_two;
   Pairs pairs;
   Nanoflann nanoflann;
+  NeighbourLists cgal;
   Box2dTree box2d;
   std::vector<Contestant> contestants;
   std::vector<std::pair<int, std::function<Check()>>> checks;
@@ -258,6 +260,8 @@ void add_rows(const std::string& name, const Cloud& cloud, const Near& near, boo
       tree, 2, [&] { tree_two.find(points, near, 2); }, [&] { return tree_two.check(); });
   add(
       "nanoflann", 1, [&] { nanoflann.find(points, near); }, [&] { return nanoflann.check(); });
+  add(
+      "cgal", 1, [&] { cgal_neighbours(points, near, cgal); }, [&] { return check_of(cgal); });
   if (pairs_too) {
     add(
         "pairs", 1, [&] { pairs.find(points, near.radius); }, [&] { return pairs.check(); });
