@@ -3,10 +3,12 @@
 
 #include <pthread.h>
 #include <signal.h>
+#include <sys/mman.h>
 
 #include <chrono>
 #include <functional>
 #include <future>
+#include <new>
 #include <thread>
 
 #include "sim/input_error.h"
@@ -42,6 +44,14 @@ void block_signals() {
   sigset_t all;
   sigfillset(&all);
   pthread_sigmask(SIG_BLOCK, &all, nullptr);
+}
+
+/// HDF5 doesn't survive it when memory ends while it sets itself up: asks for as much beforehand.
+void expect_memory() {
+  constexpr std::size_t kRoom = std::size_t{32} << 20;
+  void* const room = mmap(nullptr, kRoom, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (room == MAP_FAILED) throw std::bad_alloc();
+  munmap(room, kRoom);
 }
 
 }  // namespace
@@ -95,6 +105,7 @@ Recorder::Impl::Impl(const std::string& path, const Scene& scene, const Provenan
       frames(kept.frames) {
   if (kept.recording && output.was_there()) output.keep();
   expect_room(path, expected_bytes(scene, provenance));
+  expect_memory();
   std::promise<void> promise;
   std::future<void> ready = promise.get_future();
   writer_thread =
