@@ -44,6 +44,16 @@ TEST_F(BenchCommand, AsksAllEnginesTheSameQuestions) {
             (std::set<std::string>{"throng", "nanoflann", "cgal"}));
 }
 
+TEST_F(BenchCommand, TakesARegularExpressionForWhichCasesToRun) {
+  const Result result = throng(
+      "bench broadphase --quick --engine throng --blocks 1 --only '^uniform n=1000 k=.0 random$' --json " +
+      path("rows.json"));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  std::set<std::string> cases;
+  for (const auto& row : nlohmann::json::parse(read(path("rows.json")))) cases.insert(row["case"]);
+  EXPECT_EQ(cases, (std::set<std::string>{"uniform n=1000 k=10 random", "uniform n=1000 k=40 random"}));
+}
+
 TEST_F(BenchCommand, FindsTheSamePairsWithEveryEngine) {
   const Result result = throng("bench broadphase --quick --blocks 1 --json " + path("pairs.json"));
   ASSERT_EQ(result.exit_code, 0) << result.err;
@@ -78,8 +88,8 @@ TEST_F(BenchCommand, ComparesTheNarrowphaseWithItsPeersBeforeItTimesThem) {
 }
 
 TEST_F(BenchCommand, RefusesWhatWouldDoNothing) {
-  for (const char* arguments :
-       {"step --quick --large", "recording --engine throng", "step --quick --only nosuch"})
+  for (const char* arguments : {"step --quick --large", "recording --engine throng",
+                                "step --quick --only nosuch", "step --quick --only '('"})
     EXPECT_EQ(throng(std::string("bench ") + arguments).exit_code, 2) << arguments;
 }
 

@@ -1,21 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string>
 #include <vector>
 
+#include "tools/bench/options.h"
 #include "tools/bench/rows.h"
 
 namespace throng::bench {
-
-struct Options {
-  std::string scenarios;             ///< folder of the gallery
-  std::vector<std::string> only;     ///< cases whose names hold one of these; empty: all
-  std::vector<std::string> engines;  ///< broadphase: these alone; empty: all
-  int blocks = 7;                    ///< figures a row, engines in turn
-  bool quick = false;                ///< a tenth of the work, to see that it runs
-  bool large = false;                ///< broadphase: ten million points too
-};
 
 /// The gallery's scenes step by step: native, Box2D, and for discs the minimal loop of minimal_discs.h.
 std::vector<Row> bench_step(const Options& options);

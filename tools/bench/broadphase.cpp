@@ -8,8 +8,8 @@
 #include "broadphase/moving_pairs.h"
 #include "tools/bench/benchmarks.h"
 #include "tools/bench/clouds.h"
-#include "tools/bench/interleave.h"
 #include "tools/bench/pair_peers.h"
+#include "tools/bench/pair_race.h"
 #include "tools/bench/plain_grid.h"
 
 namespace throng::bench {
@@ -20,82 +20,6 @@ using broadphase::AllPairs;
 using broadphase::Pair;
 using broadphase::PairBuffer;
 using broadphase::PairList;
-
-/// How many pairs, and the sum of a hash of each: the same in any order.
-struct Digest {
-  std::size_t count = 0;
-  std::uint64_t sum = 0;
-
-  void add(std::span<const Pair> pairs) {
-    count += pairs.size();
-    for (const Pair& pair : pairs) sum += random_bits(pair.a & 0xff, (std::uint64_t{pair.a} << 32) + pair.b);
-  }
-  std::string text() const {
-    char text[64];
-    std::snprintf(text, sizeof text, "%zu pairs %016llx", count, static_cast<unsigned long long>(sum));
-    return text;
-  }
-};
-
-Digest digest(std::span<const Pair> pairs) {
-  Digest digest;
-  digest.add(pairs);
-  return digest;
-}
-
-Digest digest(const PairList& pairs) {
-  Digest digest;
-  for (std::size_t i = 0; i < pairs.buffers(); ++i) digest.add(pairs.pairs(i));
-  return digest;
-}
-
-/// The engines of a case, and how each one's pairs are read once it has run.
-struct Race {
-  std::string name;
-  std::vector<Contestant> contestants = {};
-  std::vector<int> threads = {};
-  std::vector<std::function<Digest()>> found = {};
-
-  void keep(const std::vector<std::string>& engines) {
-    for (std::size_t i = contestants.size(); i-- > 0;) {
-      if (std::find(engines.begin(), engines.end(), contestants[i].engine) != engines.end()) continue;
-      const auto at = static_cast<std::ptrdiff_t>(i);
-      contestants.erase(contestants.begin() + at);
-      threads.erase(threads.begin() + at);
-      found.erase(found.begin() + at);
-    }
-  }
-
-  void add(const std::string& engine, std::function<void()> block, std::function<Digest()> digest,
-           int used = 1) {
-    contestants.push_back({engine, std::move(block)});
-    threads.push_back(used);
-    found.push_back(std::move(digest));
-  }
-
-  void run(const Options& options, double work, std::vector<Row>& rows) {
-    if (!options.engines.empty()) keep(options.engines);
-    interleave(contestants, options.blocks, work);
-    for (std::size_t i = 0; i < contestants.size(); ++i) {
-      const Digest digest = found[i]();
-      const double pairs = static_cast<double>(digest.count);
-      rows.push_back({"broadphase",
-                      name,
-                      contestants[i].engine,
-                      threads[i],
-                      contestants[i].ms,
-                      pairs,
-                      digest.text(),
-                      {{"ns_per_pair", 1e6 * median(contestants[i].ms) / pairs}}});
-    }
-  }
-};
-
-bool chosen(const std::string& name, const Options& options) {
-  return options.only.empty() ||
-         std::any_of(options.only.begin(), options.only.end(),
-                     [&](const std::string& part) { return name.find(part) != std::string::npos; });
-}
 
 void find(AllPairs& search, const Cloud& cloud, PairList& found) {
   if (cloud.radii.empty())
@@ -123,7 +47,7 @@ void race_all_pairs(const Cloud& cloud, const Options& options, std::vector<Row>
   PlainGrid plain;
   PairBuffer plain_found;
   std::vector<Pair> kd_found, tree_found;
-  Race race{cloud.name};
+  PairRace race(cloud.name);
   race.add(
       "throng", [&] { find(search, cloud, found); }, [&] { return digest(found); });
   race.add(
@@ -148,7 +72,7 @@ void race_sizes(std::size_t n, const Options& options, std::vector<Row>& rows) {
     const Cloud discs = cloud(Kind::mixed, n, 10, false, ratio);
     AllPairs search;
     PairList found;
-    Race race{"sizes 1:" + std::to_string(static_cast<int>(ratio)) + " n=" + std::to_string(n)};
+    PairRace race("sizes 1:" + std::to_string(static_cast<int>(ratio)) + " n=" + std::to_string(n));
     race.add(
         "throng", [&] { find(search, discs, found); }, [&] { return digest(found); });
     race.run(options, 1, rows);
@@ -178,7 +102,7 @@ class MovingCloud {
   std::vector<broadphase::Point> now_, step_;
 };
 
-/// Each block is kSteps steps from the same start; the check is of all of them.
+/// Each block is kSteps steps from the same start; the check is of the last one.
 void race_moving(std::size_t n, bool spatial, const Options& options, std::vector<Row>& rows) {
   constexpr int kSteps = 20;
   MovingCloud cloud(n, spatial);
@@ -189,7 +113,7 @@ void race_moving(std::size_t n, bool spatial, const Options& options, std::vecto
   PlainGrid plain;
   PairBuffer plain_found;
   std::vector<Pair> sorted, kept;
-  Race race{"moving " + cloud.name()};
+  PairRace race("moving " + cloud.name());
   const auto add = [&](const char* engine, auto find, auto pairs) {
     race.add(
         engine,
@@ -227,7 +151,7 @@ void race_busy_loops(const Options& options, std::vector<Row>& rows) {
     volatile std::uint64_t sum = 0;
     for (std::uint64_t i = 0; i < 20000000; ++i) sum = sum + i;
   };
-  Race race{"two busy loops"};
+  PairRace race("two busy loops");
   race.add("one", loop, [] { return Digest{1, 0}; });
   race.add(
       "two",

@@ -222,12 +222,6 @@ std::vector<Case> cases(bool quick) {
           {Kind::uniform, 1000000, 10, true},   {Kind::uniform, 1000000, 40, true}};
 }
 
-bool chosen(const std::string& name, const Options& options) {
-  for (const std::string& part : options.only)
-    if (name.find(part) != std::string::npos) return true;
-  return options.only.empty();
-}
-
 void add_rows(const std::string& name, const Cloud& cloud, const Near& near, bool pairs_too,
               const Options& options, std::vector<Row>& rows) {
   if (!chosen(name, options)) return;

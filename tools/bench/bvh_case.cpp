@@ -6,12 +6,6 @@
 
 namespace throng::bench {
 
-bool chosen(const std::string& name, const Options& options) {
-  for (const std::string& part : options.only)
-    if (name.find(part) != std::string::npos) return true;
-  return options.only.empty();
-}
-
 std::string text(double value) {
   char result[32];
   std::snprintf(result, sizeof result, "%.9g", value);

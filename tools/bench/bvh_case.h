@@ -10,9 +10,6 @@
 
 namespace throng::bench {
 
-/// Whether the options ask for a case of this name.
-bool chosen(const std::string& name, const Options& options);
-
 /// Nine digits: what two orders of a sum agree on.
 std::string text(double value);
 

@@ -134,9 +134,7 @@ std::vector<Row> bvh_volume_rows(const Options& options) {
   const std::pair<const char*, Ring> shapes[] = {
       {"star", around(star_radii(n))}, {"gear", around(gear_radii(n))}, {"coast", around(coast_radii(n, 1))}};
   for (const auto& [family, ring] : shapes) {
-    const std::string name = std::string("volume ") + family;
-    const auto holds = [&](const std::string& part) { return name.find(part) != std::string::npos; };
-    if (!options.only.empty() && std::none_of(options.only.begin(), options.only.end(), holds)) continue;
+    if (!chosen(std::string("volume ") + family, options)) continue;
     add_rows<Ball<2>>(family, "disc", ring, options, rows);
     add_rows<Box<2>>(family, "aabb", ring, options, rows);
     add_rows<OrientedBox<2>>(family, "obb", ring, options, rows);

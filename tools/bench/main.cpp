@@ -33,7 +33,8 @@ int main(int argc, char** argv) {
       ->required()
       ->check(CLI::IsMember(benchmarks));
   app.add_option("--scenarios", options.scenarios, "folder of the gallery")->default_val(THRONG_SCENARIOS);
-  app.add_option("--only", options.only, "cases whose names hold this; may be repeated")
+  app.add_option("--only", options.only,
+                 "cases whose names hold a match of this regular expression; may be repeated")
       ->allow_extra_args(false);
   app.add_option("--engine", options.engines, "broadphase: this engine alone; may be repeated")
       ->allow_extra_args(false);
@@ -43,12 +44,14 @@ int main(int argc, char** argv) {
   app.add_flag("--quick", options.quick, "short settling and small clouds, to see that all of it runs");
   app.add_flag("--large", options.large, "broadphase: ten million points too");
   app.add_option("--json", json, "also writes the rows to this file");
-  app.footer("Example: throng bench step --only pile --json step.json");
+  app.footer(
+      "Examples: throng bench step --only pile --json step.json\n"
+      "          throng bench broadphase --only '^uniform n=100000 k=10 random$'  (this case alone)");
   try {
     app.parse(argc, argv);
     refuse_what_does_nothing(name, options);
     const std::vector<Row> rows = benchmarks.at(name)(options);
-    if (rows.empty()) throw throng::InputError(name + ": no case has a name with what --only holds");
+    if (rows.empty()) throw throng::InputError(name + ": --only holds for no case's name");
     expect_agreement(rows);
     print_table(rows);
     if (!json.empty()) write_json(rows, json);

@@ -219,12 +219,6 @@ std::vector<Row> run(const ConvexPairs& c, int blocks) {
   return rows;
 }
 
-bool chosen(const std::string& name, const Options& options) {
-  for (const std::string& part : options.only)
-    if (name.find(part) != std::string::npos) return true;
-  return options.only.empty();
-}
-
 }  // namespace
 
 std::vector<Row> bench_narrowphase(const Options& options) {

@@ -38,12 +38,6 @@ void run(const Scene& scene, int steps, Recorder* recorder) {
   if (recorder) recorder->finish();
 }
 
-bool chosen(const std::string& name, const Options& options) {
-  for (const std::string& part : options.only)
-    if (name.find(part) != std::string::npos) return true;
-  return options.only.empty();
-}
-
 void expect(bool done, const char* what) {
   if (!done) throw std::runtime_error(std::string("cannot ") + what + " the benchmark's file");
 }

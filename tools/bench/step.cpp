@@ -41,12 +41,6 @@ const std::vector<Case>& cases() {
   return all;
 }
 
-bool chosen(const Case& one, const Options& options) {
-  for (const std::string& part : options.only)
-    if (std::string(one.name).find(part) != std::string::npos) return true;
-  return options.only.empty();
-}
-
 nlohmann::ordered_json errors(const Scene& scene, const State& state) {
   const Overlap o = overlap(scene, state);
   return {{"mean_overlap", o.mean}, {"max_overlap", o.max}, {"kinetic_energy", kinetic_energy(scene, state)}};
@@ -102,7 +96,7 @@ std::vector<Row> run(const Case& one, const Options& options) {
 std::vector<Row> bench_step(const Options& options) {
   std::vector<Row> rows;
   for (const Case& one : cases()) {
-    if (!chosen(one, options)) continue;
+    if (!chosen(one.name, options)) continue;
     for (Row& row : run(one, options)) rows.push_back(std::move(row));
   }
   return rows;

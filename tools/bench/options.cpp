@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include "tools/bench/options.h"
+
+#include <regex.h>
+
+#include <algorithm>
+
+#include "sim/input_error.h"
+
+namespace throng::bench {
+
+namespace {
+
+bool holds(const std::string& name, const std::string& expression) {
+  regex_t compiled;
+  if (const int fault = regcomp(&compiled, expression.c_str(), REG_EXTENDED | REG_NOSUB); fault != 0) {
+    char reason[128];
+    regerror(fault, &compiled, reason, sizeof reason);
+    throw InputError("--only " + expression + ": not a regular expression: " + reason);
+  }
+  const bool result = regexec(&compiled, name.c_str(), 0, nullptr, 0) == 0;
+  regfree(&compiled);
+  return result;
+}
+
+}  // namespace
+
+bool chosen(const std::string& name, const Options& options) {
+  return options.only.empty() || std::ranges::any_of(options.only, [&](const std::string& expression) {
+           return holds(name, expression);
+         });
+}
+
+}  // namespace throng::bench

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace throng::bench {
+
+struct Options {
+  std::string scenarios;             ///< folder of the gallery
+  std::vector<std::string> only;     ///< regular expressions, one of which a case's name holds; empty: all
+  std::vector<std::string> engines;  ///< broadphase: these alone; empty: all
+  int blocks = 7;                    ///< figures a row, engines in turn
+  bool quick = false;                ///< a tenth of the work, to see that it runs
+  bool large = false;                ///< broadphase: ten million points too
+};
+
+/// Whether the options ask for a case of this name.
+/// Throws InputError where one of `only` isn't a regular expression (POSIX extended).
+bool chosen(const std::string& name, const Options& options);
+
+}  // namespace throng::bench
