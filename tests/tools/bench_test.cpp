@@ -63,6 +63,8 @@ TEST_F(BenchCommand, FindsTheSamePairsWithEveryEngine) {
     engines[row["case"]].insert(row["engine"]);
   }
   for (const auto& [name, check] : checks) EXPECT_EQ(check.size(), 1u) << name;
+  EXPECT_EQ(engines["boxes n=1000 k=10 random"],
+            (std::set<std::string>{"throng", "throng_threads", "box2d_tree", "brute_force"}));
   for (const char* kind : {"uniform", "clustered", "line", "mixed"})
     for (const char* engine : {"throng", "plain", "nanoflann", "box2d_tree"})
       EXPECT_TRUE(engines[kind + std::string(" n=1000 k=10 random")].contains(engine))
@@ -88,8 +90,12 @@ TEST_F(BenchCommand, ComparesTheNarrowphaseWithItsPeersBeforeItTimesThem) {
 }
 
 TEST_F(BenchCommand, RefusesWhatWouldDoNothing) {
-  for (const char* arguments : {"step --quick --large", "recording --engine throng",
-                                "step --quick --only nosuch", "step --quick --only '('"})
+  for (const char* arguments : {
+           "step --quick --large",
+           "recording --engine throng",
+           "step --quick --only nosuch",
+           "step --quick --only '('",
+       })
     EXPECT_EQ(throng(std::string("bench ") + arguments).exit_code, 2) << arguments;
 }
 

@@ -24,6 +24,10 @@ std::vector<Row> bench_recording(const Options& options);
 /// All pairs of clouds: throng, a plain grid, nanoflann and Box2D's tree.
 std::vector<Row> bench_broadphase(const Options& options);
 
+/// The cases of bench_broadphase whose boxes move: throng, Box2D's tree, and where they are few each with
+/// each.
+std::vector<Row> bench_broadphase_boxes(const Options& options);
+
 /// The cases of bench_broadphase that ask who is near every point: throng, nanoflann, Box2D's tree, and all
 /// pairs at once.
 std::vector<Row> bench_broadphase_queries(const Options& options);

@@ -185,6 +185,7 @@ std::vector<Row> bench_broadphase(const Options& options) {
   for (const bool spatial : {false, true})
     if (chosen("moving " + case_name(Kind::uniform, n, 10, spatial), options))
       race_moving(n, spatial, options, rows);
+  for (Row& row : bench_broadphase_boxes(options)) rows.push_back(std::move(row));
   if (chosen("two busy loops", options)) race_busy_loops(options, rows);
   for (Row& row : bench_broadphase_queries(options)) rows.push_back(std::move(row));
   return rows;
