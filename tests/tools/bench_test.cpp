@@ -90,12 +90,9 @@ TEST_F(BenchCommand, ComparesTheNarrowphaseWithItsPeersBeforeItTimesThem) {
 }
 
 TEST_F(BenchCommand, RefusesWhatWouldDoNothing) {
-  for (const char* arguments : {
-           "step --quick --large",
-           "recording --engine throng",
-           "step --quick --only nosuch",
-           "step --quick --only '('",
-       })
+  for (const char* arguments :
+       {"step --quick --large", "recording --engine throng", "step --quick --only nosuch",
+        "step --quick --only '('", "broadphase --quick --only line --target nosuch"})
     EXPECT_EQ(throng(std::string("bench ") + arguments).exit_code, 2) << arguments;
 }
 

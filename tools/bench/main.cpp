@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // throng-bench: the benchmarks, apart from the program so that it alone links the peers' libraries.
+#include <hwy/targets.h>
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
@@ -15,6 +16,14 @@ void refuse_what_does_nothing(const std::string& name, const throng::bench::Opti
     throw throng::InputError(name + ": --large and --engine are for broadphase");
 }
 
+/// The sets of instructions that this machine has and that the vectors' kernels are compiled for.
+std::map<std::string, std::int64_t> targets() {
+  std::map<std::string, std::int64_t> result;
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets())
+    result[hwy::TargetName(target)] = target;
+  return result;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -26,7 +35,7 @@ int main(int argc, char** argv) {
       {"narrowphase", bench_narrowphase},
       {"bvh", bench_bvh}};
   Options options;
-  std::string name, json;
+  std::string name, json, target;
   CLI::App app{"The benchmarks of throng: time and error beside each other, engines in turn in one run."};
   app.name("throng bench");
   app.add_option("NAME", name, "step, recording, broadphase, narrowphase or bvh")
@@ -43,6 +52,9 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_flag("--quick", options.quick, "short settling and small clouds, to see that all of it runs");
   app.add_flag("--large", options.large, "broadphase: ten million points too");
+  app.add_option("--target", target,
+                 "vectors of this set of instructions alone, instead of this machine's widest")
+      ->transform(CLI::IsMember(targets(), CLI::ignore_case));
   app.add_option("--json", json, "also writes the rows to this file");
   app.footer(
       "Examples: throng bench step --only pile --json step.json\n"
@@ -50,6 +62,7 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     refuse_what_does_nothing(name, options);
+    if (!target.empty()) hwy::SetSupportedTargetsForTest(targets().at(target));
     const std::vector<Row> rows = benchmarks.at(name)(options);
     if (rows.empty()) throw throng::InputError(name + ": --only holds for no case's name");
     expect_agreement(rows);
