@@ -14,6 +14,7 @@
 #include <array>
 #include <bit>
 
+#include "broadphase/lanes_of_mask.h"
 #include "broadphase/pair_kernel.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -131,11 +132,22 @@ HWY_INLINE auto halves_by_blocks() {
 }
 using Lanes = decltype(halves_by_blocks());
 
+/// The lanes of the mask at the front.
+HWY_INLINE hn::Vec<Rows> compress(hn::Vec<Rows> v, Mask mask) {
+#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_SSSE3
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(Units(), mask, bits);
+  return hn::TableLookupLanes(v, hn::IndicesFromVec(Rows(), hn::LoadU(Rows(), kLanesOfMask[bits[0]].data())));
+#else
+  return hn::Compress(v, hn::RebindMask(Rows(), mask));
+#endif
+}
+
 /// Writes a pair for every lane of `near`, and rubbish behind it.
 HWY_INLINE Pair* append(hn::Vec<Rows> other, Mask near, hn::Vec<Rows> own, Lanes halves, Pair* out) {
   const Rows rows;
   static_assert(sizeof(Pair) == 2 * sizeof(std::uint32_t));
-  const auto kept = hn::TableLookupLanes(hn::Compress(other, hn::RebindMask(rows, near)), halves);
+  const auto kept = hn::TableLookupLanes(compress(other, near), halves);
   const auto low = hn::Min(kept, own), high = hn::Max(kept, own);
   const std::size_t count = hn::CountTrue(Units(), near);
   auto* const to = reinterpret_cast<std::uint32_t*>(out);

@@ -13,6 +13,7 @@
 #include <limits>
 
 #include "broadphase/best_few.h"
+#include "broadphase/lanes_of_mask.h"
 #include "broadphase/proximity_search.h"
 #include "broadphase/proximity_space-inl.h"
 
@@ -21,18 +22,7 @@ namespace throng::broadphase::HWY_NAMESPACE {
 
 constexpr std::size_t kFewToRank = 128;  // counting is quadratic
 
-/// For each mask of eight lanes its lanes, ascending.
-constexpr std::array<std::array<std::uint32_t, 8>, 256> lanes_of_masks() {
-  std::array<std::array<std::uint32_t, 8>, 256> table{};
-  for (std::uint32_t mask = 0; mask < 256; ++mask)
-    for (std::uint32_t lane = 0, count = 0; lane < 8; ++lane)
-      if (mask >> lane & 1) table[mask][count++] = lane;
-  return table;
-}
-constexpr auto kLanesOfMask = lanes_of_masks();
-
 /// Writes what `mask` says to `key` and `who`, and rubbish up to a vector behind it; returns how many.
-/// (Highway 1.0.3 would compress 64 bits by a table that it copies to the stack each time: 2 kB.)
 HWY_INLINE std::size_t keep(Mask mask, Reals keys, Rows rows, double* key, std::uint64_t* who) {
   std::uint8_t bits[8] = {};
   hn::StoreMaskBits(D(), mask, bits);
