@@ -242,6 +242,22 @@ TEST(Track, ReachesTheFarSideOfManyVerticesByASearch) {
   EXPECT_LT(statistics.steps, 40);
 }
 
+// A walk over so many edges costs more than a search, and is in vain where it gives up.
+TEST(Track, SearchesAtOnceWhatIsManyEdgesAway) {
+  const Convex shape = regular(4000);
+  ClosestFeatures start;
+  track(shape, {{0, 0}}, shape, {{2.2, 0}}, start);
+  const Pose turned = pose({0, 0}, 0.1), turned_along = pose({2.2, 0}, -0.1), slid{{2.2, 0.2}};
+  const std::pair<Pose, Pose> moves[] = {{turned, {{2.2, 0}}}, {turned, turned_along}, {{{0, 0}}, slid}};
+  for (const auto& [a, b] : moves) {
+    ClosestFeatures f = start;
+    SearchStatistics statistics;
+    EXPECT_NEAR(track(shape, a, shape, b, f, &statistics).distance, b.position.norm() - 2, 1e-6);
+    EXPECT_EQ(statistics.cold_starts, 1);
+    EXPECT_LT(statistics.steps, 8);
+  }
+}
+
 // A walk that takes too long is no overlap: nobody scans thousands of faces for a depth.
 TEST(Track, TakesALongWayForNoOverlap) {
   const Convex shape = regular(4000);
