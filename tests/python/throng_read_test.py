@@ -1,0 +1,225 @@
+# SPDX-License-Identifier: MIT
+"""tools/python/throng_read.py reads what the program wrote, and nothing else."""
+import contextlib
+import io
+import pathlib
+import re
+import signal
+import subprocess
+import time
+import unittest
+
+import h5py
+import numpy as np
+
+from program import PROGRAM, SCENE, Program
+import throng_read
+
+
+class ThrongRead(Program):
+    def test_tells_what_was_recorded(self):
+        with throng_read.open(self.record()) as recording:
+            self.assertEqual(recording.name, "three <b>&")
+            self.assertEqual(recording.scenario, SCENE)
+            self.assertIn("[[bodies]]", recording.resolved)
+            self.assertIn("run three.toml", recording.command_line)
+            self.assertTrue(recording.complete)
+            self.assertEqual(recording.parameters["dt"], 0.01)
+            self.assertEqual(recording.parameters["engine"], "native")
+            np.testing.assert_array_equal(recording.ids, [1, 2, 3, 4])
+            np.testing.assert_array_equal(recording.step, np.arange(21))
+            np.testing.assert_array_equal(recording.time, 0.01 * np.arange(21))
+            self.assertEqual(recording.observables, {})
+            self.assertEqual(repr(recording), "<recording 'three <b>&': 21 frames of 4 bodies>")
+
+    def test_knows_the_bodies_their_shapes_and_materials(self):
+        with throng_read.open(self.record()) as recording:
+            bodies = recording.bodies
+            self.assertEqual([recording.shapes[s].name for s in bodies.shape], ["brick"] + 3 * ["ball"])
+            self.assertEqual([recording.materials[m].name for m in bodies.material], ["default"] + 3 * ["ice"])
+            self.assertEqual(list(bodies.kind), ["static"] + 3 * ["dynamic"])
+            np.testing.assert_allclose(bodies.radius, [0.13 ** 0.5, 0.3, 0.3, 0.3])
+            np.testing.assert_allclose(bodies.mass[1:], np.pi * 0.09)
+            brick = next(shape for shape in recording.shapes if shape.name == "brick")
+            self.assertEqual(brick.kind, "polygon")
+            self.assertAlmostEqual(brick.area, 0.24)
+            np.testing.assert_allclose(brick.outline, [[-.3, -.2], [.3, -.2], [.3, .2], [-.3, .2]])
+            (vertices, radius), = brick.parts
+            self.assertEqual((len(vertices), radius), (4, 0.0))
+            self.assertEqual([m.friction for m in recording.materials if m.name == "ice"], [0.1])
+            self.assertEqual(recording.domain.kind, "box")
+            np.testing.assert_array_equal(recording.domain.max, [4, 3])
+            np.testing.assert_array_equal(recording.walls[0].points, [[0, 2.9], [1, 2.9]])
+
+    def test_gives_frames_by_index_slice_list_and_time(self):
+        path = self.record()
+        with h5py.File(path) as file, throng_read.open(path) as recording:
+            everything = file["particles/trajectory/position/value"][:]
+            position = recording.position
+            self.assertEqual(position.shape, everything.shape)
+            for key in (0, 7, -1, np.int64(3), np.s_[:], np.s_[2:9:3], np.s_[::-4], np.s_[5:5], np.s_[-2:],
+                        np.s_[3, 1], np.s_[2:5, 1:3], np.s_[..., 0], np.s_[:, [2, 0], 1], [4, -2],
+                        np.arange(21) % 5 == 0):
+                np.testing.assert_array_equal(position[key], everything[key], err_msg=str(key))
+            np.testing.assert_array_equal(np.asarray(position), everything)
+            np.testing.assert_array_equal(list(position), everything)
+            for key in (21, -22):
+                self.assertRaises(IndexError, lambda: position[key])
+            self.assertEqual([recording.index_at(t) for t in (0, 0.104, 0.106, 0.2)], [0, 10, 11, 20])
+            for outside in (-0.01, 0.21, np.nan):
+                self.assertRaises(IndexError, recording.index_at, outside)
+            self.assertEqual(recording.between(recording.time[3], recording.time[5]), slice(3, 6))
+
+    def test_finds_the_earlier_of_two_equally_near_frames(self):
+        with throng_read.open(self.record("a.h5", "--dt", "0.25", "--until", "1")) as recording:
+            self.assertEqual([recording.index_at(t) for t in (0.125, 0.375)], [0, 1])
+
+    def test_gives_all_of_a_frame(self):
+        path = self.record()
+        with h5py.File(path) as file, throng_read.open(path) as recording:
+            frame = recording[6]
+            self.assertEqual((frame.step, frame.time), (6, 0.06))
+            self.assertEqual(frame.hash, file["throng/frames/state_hash"][6])
+            for field in ("position", "angle", "velocity", "spin"):
+                np.testing.assert_array_equal(getattr(frame, field),
+                                              file[f"particles/trajectory/{field}/value"][6])
+            self.assertEqual(len(list(recording)), 21)
+
+    def test_has_none_where_a_field_was_not_recorded(self):
+        path = self.record("a.h5", "--set", 'record.fields=["angle"]', "--every", "5")
+        with throng_read.open(path) as recording:
+            self.assertEqual((recording.position, recording[0].velocity), (None, None))
+            self.assertEqual(recording.angle.shape, (5, 4))
+            np.testing.assert_array_equal(recording.step, [0, 5, 10, 15, 20])
+
+    def test_gives_observables(self):
+        path = self.record()
+        with h5py.File(path, "r+") as file:
+            file["observables/door/flow/value"], file["observables/door/flow/time"] = [1.0, 2.0], [0.0, 0.1]
+        with throng_read.open(path) as recording:
+            value, when = recording.observables["door/flow"]
+            np.testing.assert_array_equal(value, [1, 2])
+            np.testing.assert_array_equal(when, [0, 0.1])
+
+    @staticmethod
+    def frames_so_far(part):
+        try:
+            with throng_read.open(part) as recording:
+                return len(recording)
+        except (FileNotFoundError, throng_read.NotARecording):  # not there yet, or being made
+            return 0
+
+    def test_reads_what_a_killed_run_committed_and_no_more(self):
+        run = subprocess.Popen([PROGRAM, "run", "three.toml", "-o", "b.h5", "--progress", "none", "--until", "1e6"],
+                               cwd=self.folder, stdout=subprocess.DEVNULL)
+        part = pathlib.Path(self.path("b.h5.part"))
+        while self.frames_so_far(part) < 100:
+            time.sleep(0.02)
+        run.send_signal(signal.SIGKILL)
+        run.wait()
+        with h5py.File(part, "r", libver="latest", swmr=True) as file, throng_read.open(part) as recording:
+            self.assertFalse(recording.complete)
+            self.assertGreaterEqual(len(recording), 100)
+            self.assertEqual(len(recording), np.count_nonzero(file["throng/frames/frame_hash"]))
+            self.assertEqual(recording.position.shape[0], len(recording))
+            self.assertTrue((recording.position[-1] > 0).all())
+        whole = self.record("c.h5", "--until", "1")
+        with throng_read.open(whole) as uninterrupted, throng_read.open(part) as recording:
+            np.testing.assert_array_equal(recording.position[:100], uninterrupted.position[:100])
+            np.testing.assert_array_equal(recording.hash[:100], uninterrupted.hash[:100])
+
+    def test_hides_frames_whose_hash_row_does_not_stand(self):
+        path = self.record()
+        with h5py.File(path, "r+") as file:
+            file["throng/finished"][()] = 0
+            file["throng/frames/frame_hash"][18:] = 0
+        with throng_read.open(path) as recording:
+            self.assertEqual((len(recording), len(recording.position), len(recording.time)), (18, 18, 18))
+            self.assertRaises(IndexError, lambda: recording.position[18])
+
+
+class Readme(Program):
+    def test_example_runs_as_it_stands(self):
+        text = (pathlib.Path(__file__).parents[2] / "README.md").read_text()
+        (self.folder / "rain.toml").write_text(re.search(r"```toml\n(.*?)```", text, re.S)[1])
+        code, said = self.throng("run", "rain.toml", "-o", "rain.h5", "--until", "3", "--progress", "none")
+        self.assertEqual((code, said), (0, ""))
+        names = {}
+        with contextlib.chdir(self.folder), contextlib.redirect_stdout(io.StringIO()):
+            exec(re.search(r"```python\n(.*?)```", text, re.S)[1], names)
+        self.assertEqual(names["last"].shape, (1000 + 9, 2))
+        self.assertEqual(len(names["speed"]), 101)
+        self.assertGreater(names["speed"].min(), 1)  # m/s: it falls
+
+
+class Refusals(Program):
+    def refused(self, path, why):
+        with self.assertRaises(throng_read.NotARecording) as caught:
+            throng_read.open(path)
+        self.assertIn(why, str(caught.exception))
+        self.assertIn(str(path), str(caught.exception))
+        self.assertNotIn("\n", str(caught.exception))
+
+    def test_refuses_what_is_no_recording(self):
+        self.refused(self.path("three.toml"), "is no HDF5 file")
+        (self.folder / "empty.h5").write_bytes(b"")
+        self.refused(self.path("empty.h5"), "is no HDF5 file")
+        for libver, name in (("earliest", "old.h5"), ("latest", "new.h5")):
+            with h5py.File(self.path(name), "w", libver=libver) as file:
+                file["particles/trajectory/position/value"] = np.zeros((3, 4, 2))
+            self.refused(self.path(name), "is HDF5 but not throng's")
+        self.assertRaises(FileNotFoundError, throng_read.open, self.path("no.h5"))
+
+    def test_refuses_a_newer_layout(self):
+        path = self.record()
+        with h5py.File(path, "r+") as file:
+            file["throng"].attrs["version"] = np.array([2, 0], np.int32)
+        self.refused(path, "written by a newer throng: its layout is 2")
+
+    def test_refuses_half_a_file(self):
+        path = self.record()
+        whole = pathlib.Path(path).read_bytes()
+        for size in range(12, len(whole), len(whole) // 20):
+            pathlib.Path(path).write_bytes(whole[:size])
+            self.refused(path, "is damaged")
+
+    def test_refuses_crafted_files(self):
+        def replaced(name, make):
+            def edit(file):
+                del file[name]
+                make(file, name)
+            return edit
+
+        secret = self.path("secret")
+        pathlib.Path(secret).write_bytes(bytes(4096))
+        hash_, value = "throng/frames/frame_hash", "particles/trajectory/position/value"
+        for why, edit in {
+            "is no hard link": replaced(hash_, lambda f, n: f.__setitem__(n, h5py.SoftLink("/throng/frames/step"))),
+            "is no dataset of its own": replaced(value, lambda f, n: f.create_dataset(
+                n, (21, 4, 2), "f8", external=[(secret, 0, h5py.h5f.UNLIMITED)])),
+            "is larger than the file": replaced(hash_, lambda f, n: f.create_dataset(
+                n, (10**12,), "u8", chunks=(1000,))),
+            "has another form": replaced(value, lambda f, n: f.create_dataset(n, (20, 4, 2), "f8")),
+            "has holes": lambda f: f[hash_].__setitem__(5, 0),
+            "differ in length": lambda f: f["throng/frames/step"].resize((20,)),
+            "frames is wrong": lambda f: f["throng/frames/time"].__setitem__(4, 0.5),
+        }.items():
+            path = self.record("a.h5", "--force")
+            with h5py.File(path, "r+") as file:
+                edit(file)
+            self.refused(path, why)
+
+    def test_never_shows_a_damaged_frame_as_if_it_were_right(self):
+        path = self.record()
+        with h5py.File(path) as file:
+            at = file["particles/trajectory/position/value"].id.get_chunk_info_by_coord((4, 0, 0)).byte_offset
+        content = bytearray(pathlib.Path(path).read_bytes())
+        content[at + 5] ^= 1
+        pathlib.Path(path).write_bytes(content)
+        with throng_read.open(path) as recording:
+            recording.position[3], recording.position[5]
+            self.assertRaises(OSError, lambda: recording.position[4])
+
+
+if __name__ == "__main__":
+    unittest.main()

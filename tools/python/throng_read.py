@@ -1,0 +1,242 @@
+# SPDX-License-Identifier: MIT
+"""Recordings of throng as numpy arrays: one file, on h5py and numpy alone.
+
+    import throng_read
+    with throng_read.open("pile.h5") as recording:      # also the pile.h5.part of a run that was killed
+        print(recording.name, len(recording), "frames of", len(recording.ids), "bodies")
+        last = recording.position[-1]                   # (x, y) in m, a row a body in the order of recording.ids
+        some = recording.velocity[100:200:10]           # frame, body, (vx, vy) in m/s
+        then = recording.position[recording.index_at(2.5)]   # the frame nearest to 2.5 s
+        second = recording.position[recording.between(1, 2), :10]
+
+Nothing is read before it is asked for. Only frames that the run committed are there. Every value carries a
+checksum: a damaged chunk raises OSError when it is read. Where a file is no recording, `open` raises
+NotARecording with one sentence. The layout is that of sim/recording/layout.h, which says what each name means.
+"""
+import os
+from collections import namedtuple
+
+import h5py
+import numpy as np
+
+MAJOR = 1  # of the layouts that this file reads
+SIGNATURE = b"\x89HDF\r\n\x1a\n"
+SLACK = 1 << 20  # bytes by which the file of a killed run may fall short of what it declares
+
+Frame = namedtuple("Frame", "step time hash position angle velocity spin")  # None where it wasn't recorded
+Shape = namedtuple("Shape", "name kind radius area centre outline parts")  # parts: (vertices, radius)
+Bodies = namedtuple("Bodies", "shape material kind radius mass")  # rows of shapes and materials; m, kg
+Material = namedtuple("Material", "name density restitution friction")
+Wall = namedtuple("Wall", "points closed material")
+Domain = namedtuple("Domain", "kind min max")
+
+
+class NotARecording(ValueError):
+    """The file is no recording of throng, or one that this reader can't read; the text says why."""
+
+
+class Field:
+    """A recorded quantity, read as it is indexed: [frame], [frames, bodies], ... as numpy arrays are."""
+
+    def __init__(self, values, frames):
+        self._values = values
+        self.shape = (frames,) + values.shape[1:]
+        self.dtype = values.dtype
+
+    def __len__(self):
+        return self.shape[0]
+
+    def __getitem__(self, key):
+        first, *rest = key if isinstance(key, tuple) else (key,)
+        if first is Ellipsis:
+            return self[(slice(None),) * (len(self.shape) - len(rest)) + tuple(rest)]
+        if isinstance(first, slice):
+            frames = range(len(self))[first]
+        elif np.ndim(first) == 0:
+            return self._values[range(len(self))[int(first)]][tuple(rest)]
+        else:
+            chosen = np.asarray(first)
+            frames = np.arange(len(self))[chosen]
+        result = np.empty((len(frames),) + self.shape[1:], self.dtype)
+        for row, frame in enumerate(frames):
+            self._values.read_direct(result, np.s_[int(frame)], np.s_[row])
+        return result[(slice(None), *rest)]
+
+    def __iter__(self):
+        return (self[i] for i in range(len(self)))
+
+    def __array__(self, dtype=None):
+        return self[:].astype(dtype or self.dtype, copy=False)
+
+
+class Recording:
+    """A recording; `time` (s), `step` and `hash` have an entry a frame, the fields a row a frame."""
+
+    def __init__(self, path):
+        self._path = os.fspath(path)
+        self._file = _open_file(self._path)
+        try:
+            self._read()
+        except NotARecording:
+            self.close()
+            raise
+        except Exception as error:  # whatever h5py and numpy say of a damaged file
+            self.close()
+            raise NotARecording(f"{self._path} is damaged: {error}") from error
+
+    def _read(self):
+        if "throng" not in self._file or "h5md" not in self._file:
+            raise NotARecording(f"{self._path} is HDF5 but not throng's")
+        about = self._file["throng"].attrs
+        if int(about["version"][0]) > MAJOR:
+            raise NotARecording(f"{self._path} was written by a newer throng: its layout is {about['version'][0]}, "
+                                f"this reader knows {MAJOR}")
+        self.name, self.description = _text(about["name"]), _text(about["description"])
+        self.parameters = {key: _text(value) for key, value in self._file["parameters"].attrs.items()}
+        self.scenario = _text(self._get("parameters/scenario")[()])
+        self.resolved = _text(self._get("parameters/resolved")[()])
+        self.command_line = _text(self._get("parameters/command_line")[()])
+        self._read_frames()
+        self._read_scene()
+        self.ids = self._all("particles/trajectory/id")
+        for field in ("position", "angle", "velocity", "spin"):
+            setattr(self, field, self._field(f"particles/trajectory/{field}"))
+
+    def _read_frames(self):
+        """The frames that count: those whose hash row stands (sim/recording/layout.h)."""
+        committed = self._all("throng/frames/frame_hash")
+        self.complete = int(self._get("throng/finished")[()]) != 0
+        written = np.flatnonzero(committed)
+        count = int(written[-1]) + 1 if len(written) else 0
+        if len(written) != count or (self.complete and count != len(committed)):
+            raise ValueError("the list of frames has holes")
+        self.step, self.time, self.hash = (self._rows(name, count) for name in ("step", "time", "state_hash"))
+        if not (np.diff(self.step) > 0).all() or not np.array_equal(self.time, self.step * self.parameters["dt"]):
+            raise ValueError("the list of frames is wrong")
+
+    def _rows(self, name, count):
+        rows = self._all(f"throng/frames/{name}")[:count]
+        if len(rows) != count:
+            raise ValueError("the lists of frames differ in length")
+        return rows
+
+    def _read_scene(self):
+        domain = self._file["throng/domain"].attrs
+        self.domain = Domain(_text(domain["kind"]), domain["min"], domain["max"])
+        self.materials = [Material(_text(name), *map(float, numbers)) for name, *numbers in
+                          self._columns("throng/materials", Material._fields)]
+        kinds = np.array(["dynamic", "static", "kinematic"])
+        shape, material, kind, radius, mass = (self._all(f"throng/bodies/{name}") for name in Bodies._fields)
+        self.bodies = Bodies(shape, material, kinds[kind], radius, mass)
+        self.shapes = self._shapes()
+        offset, points = self._all("throng/walls/offset"), self._all("throng/walls/points")
+        self.walls = [Wall(points[a:b], bool(closed), int(material)) for a, b, closed, material in
+                      zip(offset, offset[1:], self._all("throng/walls/closed"), self._all("throng/walls/material"))]
+
+    def _shapes(self):
+        names = ("outline_offset", "outline", "part_offset", "part_radius", "vertex_offset", "vertices")
+        outline_at, outline, part_at, radius, vertex_at, vertices = (self._all(f"throng/shapes/{n}") for n in names)
+        parts = [(vertices[a:b], float(r)) for a, b, r in zip(vertex_at, vertex_at[1:], radius)]
+        rows = self._columns("throng/shapes", ("name", "kind", "radius", "area", "centre"))
+        return [Shape(_text(name), ("disc", "polygon", "composite")[kind], float(r), float(area), centre,
+                      outline[outline_at[i]:outline_at[i + 1]], parts[part_at[i]:part_at[i + 1]])
+                for i, (name, kind, r, area, centre) in enumerate(rows)]
+
+    def _columns(self, group, names):
+        return zip(*(self._all(f"{group}/{name}") for name in names))
+
+    def _field(self, path):
+        if path not in self._file:
+            return None
+        values = self._get(path + "/value")
+        if values.dtype.kind != "f" or values.shape[0] < len(self) or values.shape[1] != len(self.ids):
+            raise ValueError(f"{path} has another form")
+        return Field(values, len(self))
+
+    @property
+    def observables(self):
+        """What H5MD calls observables, read whole: {name: (value, time in s)}, groups as "group/name"."""
+        found = {}
+
+        def take(name, item):
+            if isinstance(item, h5py.Group) and "value" in item and "time" in item:
+                path = "observables/" + name
+                found[name] = self._get(path + "/value")[:], self._get(path + "/time")[:]
+
+        if "observables" in self._file:
+            self._file["observables"].visititems(take)
+        return found
+
+    def _get(self, path):
+        """A dataset of the file's own; crafted files point at others."""
+        if not isinstance(self._file.get(path, getlink=True), h5py.HardLink):
+            raise ValueError(f"{path} is no hard link")
+        dataset = self._file[path]
+        if not isinstance(dataset, h5py.Dataset) or dataset.is_virtual or dataset.external:
+            raise ValueError(f"{path} is no dataset of its own")
+        return dataset
+
+    def _all(self, path):
+        dataset = self._get(path)
+        if dataset.size * dataset.dtype.itemsize > os.path.getsize(self._path) + SLACK:
+            raise ValueError(f"{path} is larger than the file")
+        return dataset[:]
+
+    def __len__(self):
+        """The number of frames."""
+        return len(self.step)
+
+    def frame(self, i):
+        """All that was recorded of frame i."""
+        i = range(len(self))[i]
+        fields = (self.position, self.angle, self.velocity, self.spin)
+        return Frame(int(self.step[i]), float(self.time[i]), int(self.hash[i]),
+                     *(field[i] if field is not None else None for field in fields))
+
+    __getitem__ = frame
+
+    def index_at(self, time):
+        """The frame nearest to a time (s); the earlier of two."""
+        if not len(self) or not self.time[0] <= time <= self.time[-1]:
+            raise IndexError(f"{time} s is outside the recording")
+        after = int(np.searchsorted(self.time, time))
+        return after - 1 if after and time - self.time[after - 1] <= self.time[after] - time else after
+
+    def between(self, start, end):
+        """The frames from `start` to `end` (s), both included, as a slice."""
+        return slice(int(np.searchsorted(self.time, start)), int(np.searchsorted(self.time, end, "right")))
+
+    def close(self):
+        self._file.close()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+    def __repr__(self):
+        return f"<recording {self.name!r}: {len(self)} frames of {len(self.ids)} bodies>"
+
+
+def open(path):
+    """Opens a recording, or raises NotARecording; FileNotFoundError and the like where there is no file."""
+    return Recording(path)
+
+
+def _open_file(path):
+    """As throng does: superblocks of version 3 only, and what a run didn't close is read as SWMR readers do."""
+    with os.fdopen(os.open(path, os.O_RDONLY), "rb") as file:
+        head = file.read(12)
+    if not head.startswith(SIGNATURE):
+        raise NotARecording(f"{path} is no HDF5 file")
+    if len(head) < 12 or head[8] != 3:
+        raise NotARecording(f"{path} is HDF5 but not throng's")
+    try:
+        return h5py.File(path, "r", libver="latest", swmr=head[11] != 0)
+    except OSError as error:
+        raise NotARecording(f"{path} is damaged: {error}") from error
+
+
+def _text(value):
+    return value.decode() if isinstance(value, bytes) else value
