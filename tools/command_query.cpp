@@ -313,8 +313,9 @@ void add_query(CLI::App& app, int&) {
                    "what the view is centred on: velocity (default; who rests sees all around), angle, or\n"
                    "degrees from the x axis, which --point needs")
       ->check(something());
-  command->add_flag("--sight", options->sight,
-                    "only whom no wall hides: none that the line from centre to centre touches");
+  command->add_flag(
+      "--sight", options->sight,
+      "only whom no wall hides: none that the line from centre to centre touches; bodies hide nobody");
   command
       ->add_option("--format", options->format,
                    "csv (id,neighbour,distance) or json ([{id, neighbours: [{id, distance}]}])")

@@ -103,7 +103,9 @@ int replay(const Options& options) {
                  recording.running() ? "still being written: these are its frames so far"
                                      : "of a run that did not end: these are the frames it committed");
   if (!options.png.empty()) draw(recording, options);
-  if (!options.html.empty()) write_replay_page(recording, options.file, options.html);
+  if (!options.html.empty() && !write_replay_page(recording, options.file, options.html))
+    std::fprintf(stderr, "throng: %s is not inside %s: the page asks for it when it opens\n",
+                 options.file.c_str(), options.html.c_str());
   if (options.verify) return verify(recording, options.file, options.threads.value_or(1));
   if (options.png.empty() && options.html.empty()) print_table(recording);
   return 0;

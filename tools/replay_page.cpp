@@ -52,7 +52,7 @@ std::string template_page() {
 
 }  // namespace
 
-void write_replay_page(const Recording& recording, const std::string& file, const std::string& output) {
+bool write_replay_page(const Recording& recording, const std::string& file, const std::string& output) {
   const std::string page = template_page();
   if (recording.frames() == 0) throw InputError("there is nothing to replay: the recording holds no frames");
   if (!recording.geometry().record.position)
@@ -69,6 +69,7 @@ void write_replay_page(const Recording& recording, const std::string& file, cons
     out.close();
     if (!out) throw InputError("cannot write " + output + ": " + std::strerror(errno));
   });
+  return embedded;
 }
 
 }  // namespace throng::tools

@@ -15,7 +15,9 @@ before(async () => {
   record("gas", GAS);
   record("large", MIXED, ["--until", "100"]);
   assert.equal(throng("replay", path("mixed.h5"), "--html", path("mixed.html")).status, 0);
-  assert.equal(throng("replay", path("large.h5"), "--html", path("large.html")).status, 0);
+  const large = throng("replay", path("large.h5"), "--html", path("large.html"));
+  assert.equal(large.status, 0);
+  assert.match(large.stderr, /large\.h5 is not inside .*large\.html: the page asks for it/);
 });
 after(() => chromium?.close());
 
