@@ -83,6 +83,7 @@ TEST_F(BenchCommand, ComparesTheNarrowphaseWithItsPeersBeforeItTimesThem) {
     engines.insert(row["engine"].get<std::string>());
     EXPECT_EQ(row["check"], "distances agree");
     EXPECT_TRUE(row["error"].contains("max_ulp"));
+    EXPECT_DOUBLE_EQ(row["error"]["ns"], 1e6 * row["ms"].get<double>());
   }
   for (const char* engine : {"tracker", "gjk warm", "gjk cold", "separation", "sat", "exhaustive",
                              "box2d warm", "box2d cold", "cgal", "find_gaps"})

@@ -48,7 +48,7 @@ void print_table(const std::vector<Row>& rows) {
   for (const Row& row : rows) {
     const double ms = median(row.ms);
     const double reference = first.try_emplace(row.name, ms).first->second;
-    std::printf("%-34s %-12s %10.4f %10.4f %8.2f  %s\n", row.name.c_str(), row.engine.c_str(), ms,
+    std::printf("%-34s %-12s %10.5g %10.5g %8.2f  %s\n", row.name.c_str(), row.engine.c_str(), ms,
                 minimum(row.ms), ms / reference, short_text(row.error).c_str());
   }
 }
