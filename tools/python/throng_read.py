@@ -36,7 +36,11 @@ class NotARecording(ValueError):
 
 
 class Field:
-    """A recorded quantity, read as it is indexed: [frame], [frames, bodies], ... as numpy arrays are."""
+    """A recorded quantity, read as it is indexed: [frame], [frames, bodies], ...
+
+    Indices mean what they mean for numpy arrays, but for lists of both: [frames, bodies] gives these bodies in
+    each of these frames, as with np.ix_. np.asarray(field) reads all of it.
+    """
 
     def __init__(self, values, frames):
         self._values = values
