@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <fstream>
 
 #include "sim/input_error.h"
@@ -39,7 +40,7 @@ Crowd crowd_of_scenario(const std::string& source, std::optional<double> at, Sce
   return crowd;
 }
 
-/// The frame nearest to the time that is asked for, else the last one.
+/// The frame nearest to the time that is asked for, else the last one; says on stderr which.
 Crowd crowd_of_recording(const std::string& source, std::optional<double> wanted, Scene& scene) {
   const Recording recording(source);
   if (recording.frames() == 0) throw InputError(source + ": holds no frame yet");
@@ -48,10 +49,13 @@ Crowd crowd_of_recording(const std::string& source, std::optional<double> wanted
   if (at < first - slack || at > last + slack)
     throw InputError(source + ": --at " + text_of(at) + " is outside the recording, which goes from " +
                      text_of(first) + " s to " + text_of(last) + " s");
-  Frame frame = recording.frame_at(at);
+  const std::size_t index = recording.index_at(at);
+  Frame frame = recording.frame(index);
   if (frame.position.size() != frame.id.size())
     throw InputError(source + ": positions were not recorded (record.fields)");
   scene = recording.geometry();
+  std::fprintf(stderr, "throng: %s: frame %zu of 0 to %zu, at %s s\n", source.c_str(), index,
+               recording.frames() - 1, text_of(recording.times()[index]).c_str());
   return {.id = std::move(frame.id),
           .position = std::move(frame.position),
           .velocity = std::move(frame.velocity),
