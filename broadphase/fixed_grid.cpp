@@ -92,19 +92,22 @@ void FixedGrid::enlarge_cells(const Point& low, const Point& high, const Place& 
 }
 
 /// A coordinate in units is off by half a unit and by two roundings of the offset from the origin, an image's
-/// by as much again, and what is computed in double by another rounding of each: 1.5 units and less than 5
-/// epsilon of the extent along an axis. The slack is that along a diagonal, and one unit for the rounding of
-/// two sizes. Below one unit of rounding the extent is less than 2^51 units, as `fixed` expects. Where a
+/// by as much again, and what is computed in double by another rounding of each: along an axis two points are
+/// apart by what their units say within one unit, with a period one and a half, and less than 5 epsilon of
+/// the extent. Below one unit of rounding the extent is less than 2^51 units, as `fixed` expects. Where a
 /// period is so few cells long that a search may meet all of them, fixed point can't tell which image is the
 /// nearest.
 void FixedGrid::choose_units(const Point& extent, const Period* period) {
+  constexpr double kDiagonal = 1.41422;  // above the root of 2
   const double cell = 1.0 / cells_.per_cell().minCoeff();
   per_metre_ = kUnits / cell;
   wrap_x_ = period ? low_16_bits(period->size.x() * per_metre_) : 0;
   wrap_y_ = period ? low_16_bits(period->size.y() * per_metre_) << 16 : 0;
   const double rounding = 5.0 * kEpsilon * per_metre_ * (extent.maxCoeff() + 2.0 * cell);
   const bool narrow = period && std::min(cells_.columns(), cells_.rows()) < 5;
-  slack_ = narrow || !(rounding < 1.0) ? -1 : static_cast<std::int32_t>(1.5 * (1.5 + rounding) + 2.0);
+  error_ = kDiagonal * ((period ? 1.5 : 1.0) + rounding);
+  const double error_of_sizes = 1.0 + rounding;  // two, each off by half a unit
+  slack_ = narrow || !(rounding < 1.0) ? -1 : static_cast<std::int32_t>(error_ + error_of_sizes) + 1;
 }
 
 /// A counting sort by bucket, stable: within a bucket rows ascend, for any number of parts. First where each
@@ -139,6 +142,7 @@ void FixedGrid::choose_buckets(Team& team, const Place& place) {
 void FixedGrid::count() {
   start_.resize(strips_.buckets() + 1);
   std::uint32_t sum = 0;
+  double squares = 0.0;
   for (std::size_t bucket = 0; bucket + 1 < start_.size(); ++bucket) {
     start_[bucket] = sum;
     for (std::size_t part = 0; part < parts_; ++part) {
@@ -146,8 +150,11 @@ void FixedGrid::count() {
       next_[part][bucket] = sum;
       sum += own;
     }
+    const double own = sum - start_[bucket];
+    squares += own * own;
   }
   start_.back() = sum;
+  crowd_ = size_ == 0 ? 0.0 : squares / static_cast<double>(size_);
   at_.resize(size_ + kPadding);
   rows_.resize(size_ + kPadding);
   sizes_.resize(size_ + kPadding);
@@ -182,9 +189,8 @@ Limits FixedGrid::limits(double reach) const {
   constexpr std::int32_t least = std::numeric_limits<std::int32_t>::min();
   constexpr std::int32_t most = std::numeric_limits<std::int32_t>::max();
   if (slack_ < 0) return {least, most};
-  const auto units = static_cast<std::int32_t>(reach * per_metre_);
-  const std::int32_t inner = std::max(units - slack_, 0), outer = units + 2 + slack_;
-  return {inner * inner, outer * outer};
+  const double units = reach * per_metre_, inner = std::max(units - error_, 0.0), outer = units + error_;
+  return {static_cast<std::int32_t>(inner * inner), static_cast<std::int32_t>(outer * outer) + 1};
 }
 
 }  // namespace throng::broadphase

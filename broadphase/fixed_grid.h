@@ -38,6 +38,7 @@ class FixedGrid {
   const Strips& strips() const { return strips_; }
   std::size_t size() const { return size_; }
   double cell_size() const { return cell_size_; }  ///< m, as asked for
+  double crowd() const { return crowd_; }          ///< how many items an item's cell holds, in the mean
 
   /// The first strip of which all items stand at `place` or behind it.
   std::size_t strip_at(std::size_t place) const;
@@ -89,11 +90,12 @@ class FixedGrid {
   Strips strips_;
   std::size_t size_ = 0;
   std::size_t parts_ = 1;  // of the items, in their order: one a thread
-  double cell_size_ = 0.0;
+  double cell_size_ = 0.0, crowd_ = 0.0;
   Point origin_{0.0, 0.0};                 // m
   double per_metre_ = 1.0;                 // units
   std::uint32_t wrap_x_ = 0, wrap_y_ = 0;  // units
-  std::int32_t slack_ = 0;
+  double error_ = 0.0;                     // units, at most, of a distance
+  std::int32_t slack_ = 0;                 // the same and that of two sizes
   std::vector<std::uint32_t> start_;
   std::vector<std::uint32_t> bucket_, unsorted_;  // per item: where it belongs, and at()
   std::vector<std::vector<std::uint32_t>> next_;  // per part and bucket: how many, then where the next goes

@@ -143,8 +143,9 @@ HWY_INLINE hn::Vec<Rows> compress(hn::Vec<Rows> v, Mask mask) {
 #endif
 }
 
-/// Writes a pair for every lane of `near`, and rubbish behind it.
-HWY_INLINE Pair* append(hn::Vec<Rows> other, Mask near, hn::Vec<Rows> own, Lanes halves, Pair* out) {
+/// Writes a pair for every lane of `near`, and rubbish behind it; the second half only from `spill` pairs on.
+HWY_INLINE Pair* append(hn::Vec<Rows> other, Mask near, hn::Vec<Rows> own, Lanes halves, std::size_t spill,
+                        Pair* out) {
   const Rows rows;
   static_assert(sizeof(Pair) == 2 * sizeof(std::uint32_t));
   const auto kept = hn::TableLookupLanes(compress(other, near), halves);
@@ -152,16 +153,24 @@ HWY_INLINE Pair* append(hn::Vec<Rows> other, Mask near, hn::Vec<Rows> own, Lanes
   const std::size_t count = hn::CountTrue(Units(), near);
   auto* const to = reinterpret_cast<std::uint32_t*>(out);
   hn::StoreU(hn::InterleaveLower(rows, low, high), rows, to);
-  if (count > lanes() / 2) hn::StoreU(hn::InterleaveUpper(rows, low, high), rows, to + lanes());
+  if (count >= spill) hn::StoreU(hn::InterleaveUpper(rows, low, high), rows, to + lanes());
   return out + count;
 }
+
+/// Above this crowd vectors are so full that a branch on whether there is a second half costs more than half.
+constexpr double kCrowd = 6.0;
 
 /// Tests items against stretches of a grid's order. Lives in the registers of a loop that copies it.
 template <Kind kKind>
 class Search {
  public:
   Search(const FixedGrid& grid, const Items& items)
-      : at_(grid.at()), sizes_(grid.sizes()), rows_(grid.rows()), slack_(grid.slack()), items_(items) {
+      : at_(grid.at()),
+        sizes_(grid.sizes()),
+        rows_(grid.rows()),
+        slack_(grid.slack()),
+        spill_(grid.crowd() > kCrowd ? 0 : lanes() / 2 + 1),
+        items_(items) {
     const Limits limits = grid.limits(items.same_reach);
     sure_ = hn::Set(Units(), limits.sure);
     far_ = hn::Set(Units(), limits.far);
@@ -195,7 +204,7 @@ class Search {
                         Pair* out) const {
     const Mask open = hn::AndNot(sure, near);
     if (HWY_UNLIKELY(!hn::AllFalse(Units(), open))) near = settle(items_, row, rows_ + j, near, open);
-    return append(hn::LoadU(Rows(), rows_ + j), near, rows, halves_, out);
+    return append(hn::LoadU(Rows(), rows_ + j), near, rows, halves_, spill_, out);
   }
 
   /// Which of the items at `j` are surely near, and which may be.
@@ -247,6 +256,7 @@ class Search {
 
   const std::uint32_t *at_, *sizes_, *rows_;
   const std::int32_t slack_;
+  const std::size_t spill_;
   const Items& items_;
   UnitsV sure_, far_;
   const Lanes halves_ = halves_by_blocks();

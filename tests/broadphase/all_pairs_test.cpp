@@ -78,6 +78,52 @@ TEST(AllPairs, FindsPairsThatRoundingBringsWithinReachFarOut) {
   }
 }
 
+/// Pairs apart from one another, rows 2 i and 2 i + 1, each as far apart as the two reach but for rounding;
+/// all across the seam where there is a period.
+Points borderline_pairs(std::span<const double> reach, const Period* period, Random& random) {
+  Points points;
+  for (std::size_t row = 0; row < reach.size(); row += 2) {
+    const double angle =
+        0.25 * 3.141592653589793 + random.between(-0.2, 0.2);  // rounding is worst about here
+    const double right = period ? period->origin.x() + period->size.x() : 0.0;
+    const Point first(right - random.between(0.1, 0.6), 2.0 * static_cast<double>(row) + random.unit());
+    Point second = first + (reach[row] + reach[row + 1]) * Point(std::cos(angle), std::sin(angle));
+    if (period) second.x() -= period->size.x();
+    points.insert(points.end(), {first, second});
+  }
+  return points;
+}
+
+TEST(AllPairs, DecidesInDoubleWhatFixedPointCannotTell) {
+  Random random(12);
+  for (const bool periodic : {false, true})
+    for (const bool same_reach : {false, true})
+      for (int round = 0; round < 20; ++round) {
+        constexpr std::uint32_t kRows = 4000;
+        // Cells that are longer along y, so that the period along x is no whole number of units.
+        const Period seam{{0, 0}, {random.between(8.0, 8.0005), 2.0 * kRows + 4.9}};
+        const Period* const period = periodic ? &seam : nullptr;
+        std::vector<double> reach;
+        for (std::uint32_t row = 0; row < kRows; ++row)
+          reach.push_back(same_reach ? 0.5 : random.between(0.35, 0.5));
+        const Points points = borderline_pairs(reach, period, random);
+        Pairs near;
+        for (std::uint32_t row = 0; row < kRows; row += 2) {
+          const double most = reach[row] + reach[row + 1];
+          if (squared_distance(points[row], points[row + 1], period) <= most * most)
+            near.push_back({row, row + 1});
+        }
+        EXPECT_GT(near.size(), kRows / 20);
+        EXPECT_LT(near.size(), kRows / 2 - kRows / 20);
+        PairList found;
+        AllPairs().find_discs(points, reach, period, found);
+        EXPECT_EQ(ascending(found, kRows), near);
+        if (same_reach) {
+          EXPECT_EQ(pairs_of(points, 1.0, period), near);
+        }
+      }
+}
+
 // A row of cells so long that it can't have buckets of its own: then cells share some. A pair must not be met
 // in both.
 TEST(AllPairs, ReportsAPairOnceWhereCellsShareABucket) {
