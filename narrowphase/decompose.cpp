@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <numeric>
+#include <tuple>
 
+#include "narrowphase/bridge.h"
 #include "narrowphase/orientation.h"
 #include "narrowphase/relative.h"
 
@@ -21,7 +24,8 @@ struct HalfEdge {
   std::size_t twin;  // of the part across, or kNone on the outline
 };
 
-/// Cuts ears off a polygon until a triangle is left; writes the triangles as half-edges.
+/// Cuts ears off a polygon until a triangle is left; writes the triangles as half-edges. The polygon may run
+/// to holes and back, as `bridged` makes it: vertices may share a place.
 class EarCutter {
  public:
   explicit EarCutter(std::span<const Vec> polygon) : polygon_(polygon), left_(polygon.size()) {
@@ -62,14 +66,18 @@ class EarCutter {
   }
   bool is_convex(std::size_t i) const { return turn(ring_[i].previous, i, ring_[i].next) > 0; }
 
-  /// No blunt vertex may lie in the ear or on its rim; where any vertex does, a blunt one does.
+  /// No blunt vertex may lie in the ear or on its rim; where any vertex does, a blunt one does. What shares a
+  /// corner's place doesn't count: an edge from there into the ear would end in it, or beyond its corner.
   bool is_ear(std::size_t i) const {
     const std::size_t a = ring_[i].previous, c = ring_[i].next;
     if (!is_convex(i)) return false;
     return std::none_of(blunt_.begin(), blunt_.end(), [&](std::size_t v) {
-      return v != a && v != i && v != c && turn(c, a, v) >= 0 && turn(a, i, v) >= 0 && turn(i, c, v) >= 0;
+      return turn(c, a, v) >= 0 && turn(a, i, v) >= 0 && turn(i, c, v) >= 0 && !share_place(v, a) &&
+             !share_place(v, i) && !share_place(v, c);
     });
   }
+
+  bool share_place(std::size_t i, std::size_t j) const { return polygon_[i] == polygon_[j]; }
 
   /// The triangle at i; returns its half-edge from the next vertex to the previous one.
   std::size_t add_triangle(std::size_t i) {
@@ -147,12 +155,40 @@ class Merger {
   std::vector<bool> gone_;
 };
 
+/// Makes the two sides of each bridge twins: they alone run both ways between two places.
+void join_bridges(std::span<const Vec> polygon, std::vector<HalfEdge>& edges) {
+  using Place = std::tuple<double, double, double, double>;
+  const auto place = [&](std::size_t from, std::size_t to) -> Place {
+    const Vec &p = polygon[edges[from].origin], &q = polygon[edges[to].origin];
+    return {p.x(), p.y(), q.x(), q.y()};
+  };
+  std::map<Place, std::size_t> open;  // by the way back
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    if (edges[e].twin == kNone) open.emplace(place(edges[e].next, e), e);
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    if (edges[e].twin != kNone) continue;
+    const auto other = open.find(place(e, edges[e].next));
+    if (other != open.end()) edges[e].twin = other->second;
+  }
+}
+
+std::vector<Convex> merged(std::span<const Vec> polygon, std::vector<HalfEdge> triangles, double radius) {
+  Merger merger(polygon, std::move(triangles));
+  merger.merge();
+  return merger.parts(radius);
+}
+
 }  // namespace
 
 std::vector<Convex> decompose(std::span<const Vec> polygon, double radius) {
-  Merger merger(polygon, EarCutter(polygon).cut());
-  merger.merge();
-  return merger.parts(radius);
+  return merged(polygon, EarCutter(polygon).cut(), radius);
+}
+
+std::vector<Convex> decompose(std::span<const std::vector<Vec>> rings, double radius) {
+  const std::vector<Vec> line = bridged(rings);
+  std::vector<HalfEdge> triangles = EarCutter(line).cut();
+  join_bridges(line, triangles);
+  return merged(line, std::move(triangles), radius);
 }
 
 }  // namespace throng::narrowphase

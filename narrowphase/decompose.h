@@ -15,4 +15,8 @@ namespace throng::narrowphase {
 /// part has `radius`.
 std::vector<Convex> decompose(std::span<const Vec> polygon, double radius = 0.0);
 
+/// A polygon with holes, as `clean` of holes.h gives it, likewise: at most 2 r + 1 parts. O(n (r + h)), h
+/// holes.
+std::vector<Convex> decompose(std::span<const std::vector<Vec>> rings, double radius = 0.0);
+
 }  // namespace throng::narrowphase

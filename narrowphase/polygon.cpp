@@ -78,19 +78,9 @@ std::vector<Given> weld_straight(const std::vector<Given>& vertices, std::vector
   return kept;
 }
 
-std::vector<Vec> points(const std::vector<Given>& vertices) {
-  std::vector<Vec> result;
-  result.reserve(vertices.size());
-  for (const Given& v : vertices) result.push_back(v.point);
-  return result;
-}
-
-std::string name_crossing(const std::vector<Given>& vertices, std::size_t i, std::size_t j) {
-  const auto edge = [&](std::size_t e) {
-    return std::to_string(vertices[e].index) + "-" + std::to_string(vertices[next(e, vertices.size())].index);
-  };
-  return "edge " + edge(i) + " meets edge " + edge(j) +
-         " (vertices counted from 0): the outline must not cross or touch itself";
+std::string name_crossing(const Cleaned& cleaned, std::size_t i, std::size_t j) {
+  return edge_name(cleaned, i) + " meets " + edge_name(cleaned, j) +
+         " (vertices counted from 0): it must not cross or touch itself";
 }
 
 /// Of a simple polygon: by its turn at the leftmost, there lowest vertex.
@@ -103,7 +93,29 @@ bool is_clockwise(const std::vector<Vec>& polygon) {
 }
 
 Cleaned refused(std::string why) {
-  return {{}, {}, std::move(why)};
+  return {{}, {}, {}, std::move(why)};
+}
+
+/// All but the sense of the vertices.
+Cleaned mend(std::span<const Vec> vertices) {
+  if (std::string fault = name_faulty(vertices); !fault.empty()) return refused(std::move(fault));
+  Cleaned result;
+  const std::vector<Given> distinct = weld_equal(vertices, result.repairs);
+  if (distinct.size() < 3) return refused("a polygon needs three different vertices or more");
+  if (all_on_a_line(distinct)) return refused("all vertices lie on a line: the polygon has no area");
+  for (const Given& v : weld_straight(distinct, result.repairs)) {
+    result.vertices.push_back(v.point);
+    result.given.push_back(v.index);
+  }
+  if (const auto crossing = find_crossing(result.vertices))
+    return refused(name_crossing(result, crossing->first, crossing->second));
+  return result;
+}
+
+/// Vertex 0 stays.
+void turn_round(Cleaned& polygon) {
+  std::reverse(polygon.vertices.begin() + 1, polygon.vertices.end());
+  std::reverse(polygon.given.begin() + 1, polygon.given.end());
 }
 
 struct Moments {
@@ -113,42 +125,56 @@ struct Moments {
 };
 
 /// About `origin`, by triangles from there to each edge.
-Moments moments(std::span<const Vec> polygon, const Vec& origin) {
+Moments moments(std::span<const std::span<const Vec>> rings, const Vec& origin) {
   Moments m;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec p = polygon[i] - origin, q = polygon[next(i, polygon.size())] - origin;
-    const double twice = cross(p, q);
-    m.twice_area += twice;
-    m.first += twice * (p + q);
-    m.second += twice * (dot(p, p) + dot(p, q) + dot(q, q));
-  }
+  for (const std::span<const Vec> ring : rings)
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec p = ring[i] - origin, q = ring[next(i, ring.size())] - origin;
+      const double twice = cross(p, q);
+      m.twice_area += twice;
+      m.first += twice * (p + q);
+      m.second += twice * (dot(p, p) + dot(p, q) + dot(q, q));
+    }
   return m;
+}
+
+MassProperties mass_properties_of(std::span<const std::span<const Vec>> rings) {
+  const Vec& vertex = rings[0][0];
+  const Moments about_vertex = moments(rings, vertex);
+  const Vec centroid = vertex + about_vertex.first / (3.0 * about_vertex.twice_area);
+  const Moments m = moments(rings, centroid);
+  return {0.5 * about_vertex.twice_area, centroid, m.second / (6.0 * m.twice_area)};
 }
 
 }  // namespace
 
+std::string edge_name(const Cleaned& polygon, std::size_t edge) {
+  const auto [first, last] =
+      std::minmax(polygon.given[edge], polygon.given[next(edge, polygon.given.size())]);
+  return "edge " + std::to_string(first) + "-" + std::to_string(last);
+}
+
 Cleaned clean(std::span<const Vec> vertices) {
-  if (std::string fault = name_faulty(vertices); !fault.empty()) return refused(std::move(fault));
-  Cleaned result;
-  const std::vector<Given> distinct = weld_equal(vertices, result.repairs);
-  if (distinct.size() < 3) return refused("a polygon needs three different vertices or more");
-  if (all_on_a_line(distinct)) return refused("all vertices lie on a line: the polygon has no area");
-  const std::vector<Given> kept = weld_straight(distinct, result.repairs);
-  result.vertices = points(kept);
-  if (const auto crossing = find_crossing(result.vertices))
-    return refused(name_crossing(kept, crossing->first, crossing->second));
-  if (is_clockwise(result.vertices)) {
-    std::reverse(result.vertices.begin() + 1, result.vertices.end());
+  Cleaned result = mend(vertices);
+  if (result.refusal.empty() && is_clockwise(result.vertices)) {
+    turn_round(result);
     result.repairs.push_back("the vertices run clockwise: turned round");
   }
   return result;
 }
 
+Cleaned clean_hole(std::span<const Vec> vertices) {
+  Cleaned result = mend(vertices);
+  if (result.refusal.empty() && !is_clockwise(result.vertices)) turn_round(result);
+  return result;
+}
+
 MassProperties mass_properties(std::span<const Vec> polygon) {
-  const Moments about_vertex = moments(polygon, polygon[0]);
-  const Vec centroid = polygon[0] + about_vertex.first / (3.0 * about_vertex.twice_area);
-  const Moments m = moments(polygon, centroid);
-  return {0.5 * about_vertex.twice_area, centroid, m.second / (6.0 * m.twice_area)};
+  return mass_properties_of({&polygon, 1});
+}
+
+MassProperties mass_properties(std::span<const std::vector<Vec>> rings) {
+  return mass_properties_of(std::vector<std::span<const Vec>>(rings.begin(), rings.end()));
 }
 
 }  // namespace throng::narrowphase

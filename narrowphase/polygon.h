@@ -13,6 +13,7 @@ namespace throng::narrowphase {
 /// A simple polygon, counter-clockwise, without duplicate or collinear vertices; or why it can't be had.
 struct Cleaned {
   std::vector<Vec> vertices;
+  std::vector<std::size_t> given;    ///< of each vertex, which of those given it was
   std::vector<std::string> repairs;  ///< what was harmless and mended, a sentence each
   std::string refusal;               ///< what can't be mended; empty if the polygon is usable
 };
@@ -23,6 +24,12 @@ struct Cleaned {
 /// touches or folds back on itself; vertices are counted from 0 as given. O(n log n) as `find_crossing`.
 Cleaned clean(std::span<const Vec> vertices);
 
+/// The same of a hole, which comes out clockwise and may be given either way.
+Cleaned clean_hole(std::span<const Vec> vertices);
+
+/// The edge from this vertex to the next by the vertices as given, such as "edge 0-3".
+std::string edge_name(const Cleaned& polygon, std::size_t edge);
+
 struct MassProperties {
   double area = 0.0;       ///< m²
   Vec centroid{0.0, 0.0};  ///< m
@@ -31,5 +38,9 @@ struct MassProperties {
 
 /// Of a simple polygon, counter-clockwise. Taken about the polygon itself: its place costs no digits. O(n).
 MassProperties mass_properties(std::span<const Vec> polygon);
+
+/// Of a polygon with holes, which run clockwise, as `clean` of holes.h gives it. What is left of an area when
+/// its holes are taken out has as many digits fewer.
+MassProperties mass_properties(std::span<const std::vector<Vec>> rings);
 
 }  // namespace throng::narrowphase

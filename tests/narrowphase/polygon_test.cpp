@@ -118,6 +118,21 @@ TEST(FindCrossing, SeesWhatAllPairsOfEdgesSee) {
   EXPECT_LT(crossing, 19500);
 }
 
+TEST(Clean, SaysWhichOfTheVerticesAsGivenAreLeft) {
+  const Cleaned c = clean(Points{{0, 0}, {0, 0}, {0, 2}, {2, 2}, {2, 1}, {2, 0}});
+  EXPECT_EQ(c.vertices, kSquare);
+  EXPECT_EQ(c.given, (std::vector<std::size_t>{0, 5, 3, 2}));
+  EXPECT_EQ(edge_name(c, 3), "edge 0-2");
+}
+
+TEST(CleanHole, TurnsAHoleClockwiseWithoutAWord) {
+  const Points clockwise{{0, 0}, {0, 2}, {2, 2}, {2, 0}};
+  for (const Cleaned& c : {clean_hole(kSquare), clean_hole(clockwise)}) {
+    EXPECT_EQ(c.vertices, clockwise);
+    EXPECT_TRUE(c.repairs.empty());
+  }
+}
+
 TEST(FindCrossing, OfAHundredThousandVerticesTakesNoMinutes) {
   EXPECT_FALSE(find_crossing(star(100000, 0.5)).has_value());
   EXPECT_FALSE(find_crossing(spiral(100000, 100)).has_value());
@@ -143,6 +158,17 @@ TEST(MassProperties, OfAnLAreThoseOfItsTwoRectangles) {
   const double inertia = 3 * (10.0 / 12 + Vec(1.5 - 1.1, 0.5 - 1.1).squaredNorm()) +
                          2 * (5.0 / 12 + Vec(0.5 - 1.1, 2.0 - 1.1).squaredNorm());
   EXPECT_NEAR(m.gyration2, inertia / 5, 1e-15);
+}
+
+TEST(MassProperties, OfAFrameAreThoseOfItsSquaresTakenFromEachOther) {
+  const std::vector<Points> frame{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{2, 1}, {2, 3}, {3, 3}, {3, 1}}};
+  const MassProperties m = mass_properties(frame);
+  EXPECT_EQ(m.area, 14.0);
+  EXPECT_NEAR(m.centroid.x(), (16 * 2.0 - 2 * 2.5) / 14, 1e-15);
+  EXPECT_NEAR(m.centroid.y(), 2.0, 1e-15);
+  const double off = 2.0 - m.centroid.x(), hole_off = 2.5 - m.centroid.x();
+  const double inertia = 16 * (32.0 / 12 + off * off) - 2 * (5.0 / 12 + hole_off * hole_off);
+  EXPECT_DOUBLE_EQ(m.gyration2, inertia / 14);
 }
 
 // I_origin - m c² would leave nothing of it.

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <vector>
 
+#include "narrowphase/holes.h"
+#include "narrowphase/polygon.h"
 #include "random_shapes.h"
 
 /// Simple polygons that are hard on algorithms.
@@ -47,6 +49,50 @@ inline std::vector<Vec> random_simple(Random& random, int count) {
     points.push_back(uniform(random, 0.1, 1.0) * Vec(p.cos, p.sin));
   }
   return points;
+}
+
+inline std::vector<Vec> random_on_grid(Random& random, std::size_t count, const Vec& low, int size) {
+  std::vector<Vec> points;
+  for (; points.size() < count;) {
+    const double x = static_cast<double>(random() % static_cast<unsigned>(size + 1));
+    const double y = static_cast<double>(random() % static_cast<unsigned>(size + 1));
+    points.push_back(low + Vec(x, y));
+  }
+  return points;
+}
+
+/// Within 12 of the origin, on the grid, simple.
+inline std::vector<Vec> random_simple_on_grid(Random& random) {
+  for (;;) {
+    std::vector<Vec> points = random_simple(random, 4 + static_cast<int>(random() % 9));
+    for (Vec& v : points) v = {std::round(12.0 * v.x()), std::round(12.0 * v.y())};
+    points = clean(points).vertices;
+    if (!points.empty()) return points;
+  }
+}
+
+/// Rings of a polygon, every second one a square, with up to `tries` small holes, all of it on a grid, where
+/// much stands in line.
+inline std::vector<std::vector<Vec>> random_with_holes(Random& random, int tries) {
+  const std::vector<Vec> square{{-12, -12}, {12, -12}, {12, 12}, {-12, 12}};
+  std::vector<std::vector<Vec>> rings{random() % 2 ? square : random_simple_on_grid(random)};
+  for (int i = 0; i < tries; ++i) {
+    const Vec corner = random_on_grid(random, 1, {-12, -12}, 24)[0];
+    rings.push_back(random_on_grid(random, 3 + random() % 3, corner, 1 + static_cast<int>(random() % 5)));
+    if (clean(rings).rings.empty()) rings.pop_back();
+  }
+  return clean(rings).rings;
+}
+
+/// A board of n by n square holes.
+inline std::vector<std::vector<Vec>> grating(int n) {
+  const double side = 2.0 * n + 1.0;
+  std::vector<std::vector<Vec>> rings{{{0, 0}, {side, 0}, {side, side}, {0, side}}};
+  for (int i = 0; i < n * n; ++i) {
+    const double x = 2.0 * (i / n) + 1.0, y = 2.0 * (i % n) + 1.0;
+    rings.push_back({{x, y}, {x, y + 1.0}, {x + 1.0, y + 1.0}, {x + 1.0, y}});
+  }
+  return rings;
 }
 
 }  // namespace throng::narrowphase
