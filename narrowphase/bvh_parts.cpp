@@ -15,10 +15,10 @@ struct Nearest {
   std::uint32_t a, b;
 };
 
-/// Improves on `best`; `ask(i, j)` says how far two parts are.
+/// Improves on `best`; `ask(i, j)` says how far two parts are. Returns a lower bound of the least distance.
 template <class Ask, class Counters>
-void find_nearest(const PartsBvh& a, const PartsBvh& b, const Pose& b_in_a, Nearest& best, Ask ask,
-                  Counters& counters) {
+double find_nearest(const PartsBvh& a, const PartsBvh& b, const Pose& b_in_a, double relative_error,
+                    Nearest& best, Ask ask, Counters& counters) {
   const auto leaf = [&](const Branch& of_a, const Branch& of_b, double) {
     for (std::uint32_t k = of_a.first; k < of_a.first + of_a.count; ++k)
       for (std::uint32_t l = of_b.first; l < of_b.first + of_b.count; ++l) {
@@ -30,8 +30,8 @@ void find_nearest(const PartsBvh& a, const PartsBvh& b, const Pose& b_in_a, Near
     return best.separation.distance;
   };
   double upper = best.separation.distance;
-  minimise(a.tree, b.tree, frame(b_in_a, a.tree.reach + b.tree.reach), 0.0,
-           -std::numeric_limits<double>::infinity(), upper, leaf, counters);
+  return minimise(a.tree, b.tree, frame(b_in_a, a.tree.reach + b.tree.reach), relative_error,
+                  -std::numeric_limits<double>::infinity(), upper, leaf, counters);
 }
 
 PartsMemory::Features& place(PartsMemory& memory, std::uint32_t i, std::uint32_t j) {
@@ -57,12 +57,19 @@ PartsBvh parts_bvh(std::span<const Convex> parts, const BvhConfig& config) {
 
 Separation separation(const PartsBvh& a, const Pose& pose_a, const PartsBvh& b, const Pose& pose_b,
                       BvhCounters* counters) {
+  return rough_separation(a, pose_a, b, pose_b, 0.0, counters).separation;
+}
+
+RoughSeparation rough_separation(const PartsBvh& a, const Pose& pose_a, const PartsBvh& b, const Pose& pose_b,
+                                 double relative_error, BvhCounters* counters) {
   const auto ask = [&](std::uint32_t i, std::uint32_t j) {
     return separation(a.parts[i], pose_a, b.parts[j], pose_b);
   };
   Nearest best{ask(0, 0), 0, 0};
-  counting(counters, [&](auto& c) { find_nearest(a, b, relative(pose_a, pose_b), best, ask, c); });
-  return best.separation;
+  const double lower = counting(counters, [&](auto& c) {
+    return find_nearest(a, b, relative(pose_a, pose_b), relative_error, best, ask, c);
+  });
+  return {best.separation, std::min(lower, best.separation.distance)};
 }
 
 Separation track(const PartsBvh& a, const Pose& pose_a, const PartsBvh& b, const Pose& pose_b,
@@ -73,7 +80,7 @@ Separation track(const PartsBvh& a, const Pose& pose_a, const PartsBvh& b, const
   const std::uint32_t i = memory.a < a.parts.size() ? memory.a : 0,
                       j = memory.b < b.parts.size() ? memory.b : 0;
   Nearest best{ask(i, j), i, j};
-  counting(counters, [&](auto& c) { find_nearest(a, b, relative(pose_a, pose_b), best, ask, c); });
+  counting(counters, [&](auto& c) { find_nearest(a, b, relative(pose_a, pose_b), 0.0, best, ask, c); });
   memory.a = best.a, memory.b = best.b;
   return best.separation;
 }

@@ -25,6 +25,18 @@ PartsBvh parts_bvh(std::span<const Convex> parts, const BvhConfig& config = {Spl
 Separation separation(const PartsBvh& a, const Pose& pose_a, const PartsBvh& b, const Pose& pose_b,
                       BvhCounters* counters = nullptr);
 
+/// A distance that need not be exact: apart, 0 < lower <= distance <= separation.distance, which is no more
+/// than (1 + the accepted relative error) lower. Overlapping, lower is separation.distance, as exact as ever.
+struct RoughSeparation {
+  Separation separation;
+  double lower;  ///< m
+};
+
+/// With an accepted relative error of 0, what `separation` says. What is near is looked at sooner than what
+/// proves it nearest: time shrinks with the error. Swapping a and b may give another answer that is as good.
+RoughSeparation rough_separation(const PartsBvh& a, const Pose& pose_a, const PartsBvh& b, const Pose& pose_b,
+                                 double relative_error, BvhCounters* counters = nullptr);
+
 /// Where the answer about a pair of bodies was: keep one for each, in one order of a and b, and pass it
 /// again. Any value is right, a near one is fast.
 struct PartsMemory {

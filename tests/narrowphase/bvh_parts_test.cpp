@@ -65,6 +65,34 @@ TEST(PartsBvh, LooksAtFewPairs) {
   EXPECT_LT(counters.leaves, 60u);
 }
 
+TEST(PartsBvh, KeepsThePromiseOfARoughDistance) {
+  Random random(21);
+  int apart = 0, saved = 0;
+  for (std::size_t trial = 0; trial < 2000; ++trial) {
+    const auto a = parts(random, trial), b = parts(random, random());
+    const PartsBvh tree_a = parts_bvh(a), tree_b = parts_bvh(b);
+    const Pose there = pose(random_vec(random, 9.0, 9.0), uniform(random, -4, 4));
+    BvhCounters all, some;
+    const double exact = separation(tree_a, Pose{}, tree_b, there, &all).distance;
+    const double error = std::array{0.01, 0.1, 1.0}[trial % 3];
+    const RoughSeparation rough = rough_separation(tree_a, Pose{}, tree_b, there, error, &some);
+    if (exact <= 0.0) {
+      EXPECT_EQ(rough.separation.distance, exact) << trial;
+      EXPECT_EQ(rough.lower, exact) << trial;
+      continue;
+    }
+    EXPECT_LE(rough.lower, exact) << trial;
+    EXPECT_GE(rough.separation.distance, exact) << trial;
+    EXPECT_LE(rough.separation.distance, (1.0 + error) * rough.lower * (1.0 + 1e-15)) << trial;
+    EXPECT_LE(some.leaves, all.leaves + 8) << trial;
+    ++apart;
+    saved += some.nodes < all.nodes;
+  }
+  EXPECT_GT(apart, 700);
+  EXPECT_LT(apart, 1800);
+  EXPECT_GT(saved, apart / 4);
+}
+
 /// Steps small and large, so that what is remembered is nearly right, or wrong, or of other shapes.
 TEST(PartsBvh, RemembersWhereAPairWasWithoutBeingMisled) {
   Random random(4);
