@@ -167,15 +167,20 @@ Type disc_table() {
 }
 
 Type shape_table() {
-  return table({{{"disc", disc_table(), "A disc."},
-                 {"polygon", points(3, "a list of 3 to 10000 points [x, y]", kMostVertices),
-                  "A simple polygon, convex or not, counter-clockwise, m."},
-                 {"discs",
-                  list(tuple({coordinate(), coordinate(), length()}, "a disc [x, y, radius]"), 1,
-                       "a list of 1 to 1000 discs [x, y, radius]", kMostParts),
-                  "One rigid body of several discs: x, y, radius, m."},
-                 later("holes", "Polygons cut out of the polygon.")},
-                {"disc", "polygon", "discs"}});
+  return table(
+      {{{"disc", disc_table(), "A disc."},
+        {"polygon", points(3, "a list of 3 to 10000 points [x, y]", kMostVertices),
+         "A simple polygon, convex or not, counter-clockwise, m."},
+        {"discs",
+         list(tuple({coordinate(), coordinate(), length()}, "a disc [x, y, radius]"), 1,
+              "a list of 1 to 1000 discs [x, y, radius]", kMostParts),
+         "One rigid body of several discs: x, y, radius, m."},
+        {"holes",
+         list(points(3, "a list of 3 to 10000 points [x, y]", kMostVertices), 0,
+              "a list of at most 1000 holes, each a list of points [x, y]", kMostHoles),
+         "What is cut out of the polygon: simple polygons in it that don't touch it or each other, m.",
+         "[]"}},
+       {"disc", "polygon", "discs"}});
 }
 
 Type place_table() {

@@ -11,7 +11,8 @@ constexpr std::size_t kMostBytes = std::size_t{64} << 20;  ///< of a file
 constexpr int kDeepest = 32;                               ///< levels of lists, tables and dotted keys
 constexpr std::size_t kMostItems = 10'000'000;             ///< values in a file
 constexpr std::size_t kMostBodies = 10'000'000;
-constexpr std::size_t kMostVertices = 10'000;     ///< of one polygonal shape
+constexpr std::size_t kMostVertices = 10'000;     ///< of one polygonal shape, its holes included
+constexpr std::size_t kMostHoles = 1'000;         ///< of one polygonal shape
 constexpr std::size_t kMostParts = 1'000;         ///< discs of one composite
 constexpr std::size_t kMostInShapes = 1'000'000;  ///< vertices and discs of all shapes together
 

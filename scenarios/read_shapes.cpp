@@ -3,6 +3,7 @@
 
 #include "narrowphase/decompose.h"
 #include "narrowphase/disc_union.h"
+#include "narrowphase/holes.h"
 #include "narrowphase/polygon.h"
 #include "scenarios/limits.h"
 #include "scenarios/path.h"
@@ -11,6 +12,12 @@
 namespace throng::scenarios {
 
 namespace {
+
+/// A ring of a polygon, and where it stands.
+struct Place {
+  const toml::node* node;
+  std::string path;
+};
 
 /// A number as it stands, or { uniform = [low, high] }.
 Uniform read_uniform(const toml::node& node, const Path& path, Report& report) {
@@ -31,6 +38,8 @@ class ShapeReader {
     if (const toml::node* node = table_.get("disc")) read_disc(*node->as_table(), shape, draw);
     if (const toml::node* node = table_.get("polygon")) read_polygon(*node, shape);
     if (const toml::node* node = table_.get("discs")) read_composite(*node, shape);
+    const toml::node* holes = table_.get("holes");
+    if (holes && !table_.contains("polygon")) fail(*holes, Path(path_, "holes"), "only a polygon has holes");
   }
 
  private:
@@ -41,20 +50,39 @@ class ShapeReader {
   }
 
   void read_polygon(const toml::node& node, Shape& shape) {
-    const Path path(path_, "polygon");
-    const std::vector<Vec> given = points(node);
-    if (const std::string fault = too_short(given, true); !fault.empty()) return fail(node, path, fault);
-    narrowphase::Cleaned cleaned = narrowphase::clean(given);
-    for (const std::string& repair : cleaned.repairs) report_.warning(node.source(), path.text(), repair);
-    if (!cleaned.refusal.empty()) return fail(node, path, cleaned.refusal);
+    add_ring(node, Path(path_, "polygon"));
+    if (const toml::node* holes = table_.get("holes")) add_holes(*holes, Path(path_, "holes"));
+    if (failed_) return;
+    narrowphase::CleanedRings cleaned = narrowphase::clean(rings_);
+    for (const narrowphase::RingNote& repair : cleaned.repairs)
+      report_.warning(places_[repair.ring].node->source(), places_[repair.ring].path, repair.text);
+    if (!cleaned.refusal.text.empty()) return fail(cleaned.refusal);
     shape.kind = ShapeKind::polygon;
-    if (!take_mass(narrowphase::mass_properties(cleaned.vertices), node, path, shape)) return;
-    for (Vec& vertex : cleaned.vertices) vertex -= shape.centre;
-    cleaned = narrowphase::clean(cleaned.vertices);  // the move may have rounded a sliver away
-    if (!cleaned.refusal.empty()) return fail(node, path, cleaned.refusal);
-    shape.outline = cleaned.vertices;
-    shape.parts = narrowphase::decompose(shape.outline);
+    if (!take_mass(narrowphase::mass_properties(cleaned.rings), node, Path(path_, "polygon"), shape)) return;
+    for (std::vector<Vec>& ring : cleaned.rings)
+      for (Vec& vertex : ring) vertex -= shape.centre;
+    cleaned = narrowphase::clean(cleaned.rings);  // the move may have rounded a sliver away
+    if (!cleaned.refusal.text.empty()) return fail(cleaned.refusal);
+    shape.parts = narrowphase::decompose(cleaned.rings);
+    shape.outline = cleaned.rings[0];
+    shape.holes.assign(cleaned.rings.begin() + 1, cleaned.rings.end());
     for (const Vec& vertex : shape.outline) shape.radius = std::max(shape.radius, vertex.norm());
+  }
+
+  void add_ring(const toml::node& node, const Path& path) {
+    rings_.push_back(points(node));
+    places_.push_back({&node, path.text()});
+    if (const std::string fault = too_short(rings_.back(), true); !fault.empty()) fail(node, path, fault);
+  }
+
+  void add_holes(const toml::node& node, const Path& path) {
+    std::size_t vertices = rings_[0].size();
+    for (std::size_t i = 0; i < node.as_array()->size(); ++i) {
+      add_ring(*node.as_array()->get(i), Path(path, i));
+      vertices += rings_.back().size();
+    }
+    if (vertices > kMostVertices)
+      fail(node, path, "makes more than " + std::to_string(kMostVertices) + " vertices with the polygon's");
   }
 
   void read_composite(const toml::node& node, Shape& shape) {
@@ -88,20 +116,36 @@ class ShapeReader {
 
   void fail(const toml::node& node, const Path& path, std::string message) {
     report_.error(node, path.text(), std::move(message));
+    failed_ = true;
+  }
+
+  void fail(const narrowphase::RingNote& refusal) {
+    report_.error(*places_[refusal.ring].node, places_[refusal.ring].path, refusal.text);
   }
 
   const toml::table& table_;
   const Path& path_;
   Report& report_;
+  std::vector<std::vector<Vec>> rings_;  // of a polygon, its outline first
+  std::vector<Place> places_;            // of these
+  bool failed_ = false;
 };
+
+std::size_t count_vertices(const toml::table& shape) {
+  std::size_t count = 0;
+  for (const char* key : {"polygon", "discs"})
+    if (const toml::node* list = shape.get(key)) count += list->as_array()->size();
+  if (const toml::node* holes = shape.get("holes"))
+    for (const toml::node& hole : *holes->as_array()) count += hole.as_array()->size();
+  return count;
+}
 
 /// Counted before any geometry is done, whose cost grows faster. False, and reported, where it is too much.
 bool check_total(const toml::table& shapes, const Path& path, Report& report) {
   std::size_t total = 0;
   for (const auto& [name, entry] : shapes) {
     if (report.bad(entry)) continue;
-    for (const char* key : {"polygon", "discs"})
-      if (const toml::node* list = entry.as_table()->get(key)) total += list->as_array()->size();
+    total += count_vertices(*entry.as_table());
     if (total <= kMostInShapes) continue;
     report.error(entry, Path(path, name.str()).text(),
                  "makes more than " + std::to_string(kMostInShapes) + " vertices and discs in all shapes");

@@ -31,6 +31,7 @@ struct Shape {
   ShapeKind kind = ShapeKind::disc;
   std::vector<narrowphase::Convex> parts;  ///< convex; empty for a disc, whose radius is its body's
   std::vector<Vec> outline;                ///< m, the polygon as drawn, counter-clockwise; polygons only
+  std::vector<std::vector<Vec>> holes;     ///< m, of the polygon, clockwise
   Vec centre{0.0, 0.0};                    ///< m, where the centre of mass stood in the file's coordinates
   double area = 0.0;                       ///< m²; 0 for a disc
   double gyration2 = 0.0;                  ///< m², moment of inertia over mass; 0 for a disc

@@ -36,14 +36,20 @@ void add_part(cairo_t* cairo, const narrowphase::Convex& part) {
   cairo_close_path(cairo);
 }
 
+void add_ring(cairo_t* cairo, const std::vector<Vec>& ring) {
+  cairo_new_sub_path(cairo);
+  for (const Vec& point : ring) cairo_line_to(cairo, point.x(), point.y());
+  cairo_close_path(cairo);
+}
+
+/// Holes run against the outline, which leaves them unfilled.
 void add_shape(cairo_t* cairo, const Shape& shape, double radius) {
   if (shape.kind == ShapeKind::disc) {
     cairo_new_sub_path(cairo);
     cairo_arc(cairo, 0, 0, radius, 0, 2 * std::numbers::pi);
   } else if (!shape.outline.empty()) {
-    cairo_new_sub_path(cairo);
-    for (const Vec& point : shape.outline) cairo_line_to(cairo, point.x(), point.y());
-    cairo_close_path(cairo);
+    add_ring(cairo, shape.outline);
+    for (const std::vector<Vec>& hole : shape.holes) add_ring(cairo, hole);
   } else {
     for (const narrowphase::Convex& part : shape.parts) add_part(cairo, part);
   }

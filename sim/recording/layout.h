@@ -30,7 +30,8 @@
 ///   materials             name, density, restitution, friction
 ///   shapes                name, kind u8 (0 disc, 1 polygon, 2 composite), centre, area, gyration2, radius;
 ///                         outline_offset u64[S+1] -> outline f64[,2]; part_offset u64[S+1] -> part_radius
-///                         f64, vertex_offset u64[parts+1] -> vertices f64[,2]
+///                         f64, vertex_offset u64[parts+1] -> vertices f64[,2]; since 1.1 hole_offset
+///                         u64[S+1] -> ring_offset u64[holes+1] -> rings f64[,2]
 ///   bodies                shape u32, material u32, kind u8 (0 dynamic, 1 static, 2 kinematic), radius, mass
 ///   walls                 offset u64[W+1] -> points f64[,2]; closed u8, material u32
 /// ```
@@ -44,7 +45,7 @@
 namespace throng::recording {
 
 inline constexpr int kMajor = 1;  ///< a reader refuses a newer one
-inline constexpr int kMinor = 0;  ///< grows when datasets are added that older readers may overlook
+inline constexpr int kMinor = 1;  ///< grows when datasets are added that older readers may overlook
 
 inline constexpr std::size_t kMaxChunk = std::size_t{1} << 20;  ///< bytes
 inline constexpr std::size_t kRowChunk = 512;                   ///< rows: one page of 8-byte numbers

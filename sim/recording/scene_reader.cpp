@@ -39,12 +39,18 @@ std::vector<Vec> read_points(const h5::File& file, hid_t at, const char* name) {
   return points;
 }
 
-/// Offsets of `lists` lists into an array of `total` items: from 0, never down, to the end.
+/// Of lists in an array of `total` items: from 0, never down, to the end.
+void expect_offsets(const std::vector<std::uint64_t>& offset, std::size_t total, const char* name) {
+  if (offset.empty() || offset.front() != 0 || offset.back() != total ||
+      !std::is_sorted(offset.begin(), offset.end()))
+    reject(std::string(name) + " does not fit its list");
+}
+
+/// Offsets of `lists` lists into an array of `total` items.
 std::vector<std::uint64_t> read_offsets(const h5::File& file, hid_t at, const char* name, std::size_t lists,
                                         std::size_t total) {
   std::vector<std::uint64_t> offset = read_array<std::uint64_t>(file, at, name, {lists + 1});
-  if (offset.front() != 0 || offset.back() != total || !std::is_sorted(offset.begin(), offset.end()))
-    reject(std::string(name) + " does not fit its list");
+  expect_offsets(offset, total, name);
   return offset;
 }
 
@@ -94,6 +100,18 @@ void read_outlines(const h5::File& file, hid_t group, std::vector<Shape>& shapes
   }
 }
 
+/// Absent from files of version 1.0, which had none.
+void read_holes(const h5::File& file, hid_t group, std::vector<Shape>& shapes) {
+  if (!h5::exists(group, "hole_offset")) return;
+  const std::vector<Vec> points = read_points(file, group, "rings");
+  const auto ring_offset = read_array<std::uint64_t>(file, group, "ring_offset");
+  expect_offsets(ring_offset, points.size(), "ring_offset");
+  const auto hole_offset = read_offsets(file, group, "hole_offset", shapes.size(), ring_offset.size() - 1);
+  for (std::size_t s = 0; s < shapes.size(); ++s)
+    for (std::size_t h = hole_offset[s]; h < hole_offset[s + 1]; ++h)
+      shapes[s].holes.emplace_back(points.begin() + ring_offset[h], points.begin() + ring_offset[h + 1]);
+}
+
 std::vector<Shape> read_shapes(const h5::File& file, hid_t throng) {
   const h5::Handle group = h5::open_group(throng, "shapes");
   const std::vector<std::string> names = h5::read_texts(file, group, "name");
@@ -106,10 +124,11 @@ std::vector<Shape> read_shapes(const h5::File& file, hid_t throng) {
   std::vector<Shape> shapes(names.size());
   for (std::size_t s = 0; s < shapes.size(); ++s) {
     if (kind[s] > static_cast<int>(ShapeKind::composite)) reject("shape is of an unknown kind");
-    shapes[s] = {names[s], static_cast<ShapeKind>(kind[s]), {}, {}, centre[s], area[s], gyration2[s],
+    shapes[s] = {names[s], static_cast<ShapeKind>(kind[s]), {}, {}, {}, centre[s], area[s], gyration2[s],
                  radius[s]};
   }
   read_outlines(file, group, shapes);
+  read_holes(file, group, shapes);
   return shapes;
 }
 

@@ -54,11 +54,13 @@ void write_materials(hid_t throng, const std::vector<Material>& materials) {
 }
 
 void write_outlines(hid_t group, const std::vector<Shape>& shapes) {
-  Ragged outlines, parts;
-  std::vector<std::uint64_t> part_offset{0};
+  Ragged outlines, holes, parts;
+  std::vector<std::uint64_t> hole_offset{0}, part_offset{0};
   std::vector<double> part_radius;
   for (const Shape& shape : shapes) {
     outlines.add(shape.outline);
+    for (const std::vector<Vec>& hole : shape.holes) holes.add(hole);
+    hole_offset.push_back(holes.offset.size() - 1);
     for (const narrowphase::Convex& part : shape.parts) {
       parts.add(part.vertices);
       part_radius.push_back(part.radius);
@@ -67,6 +69,9 @@ void write_outlines(hid_t group, const std::vector<Shape>& shapes) {
   }
   write_array(group, "outline_offset", flat(outlines.offset));
   write_array(group, "outline", flat(outlines.points), 2);
+  write_array(group, "hole_offset", flat(hole_offset));
+  write_array(group, "ring_offset", flat(holes.offset));
+  write_array(group, "rings", flat(holes.points), 2);
   write_array(group, "part_offset", flat(part_offset));
   write_array(group, "part_radius", flat(part_radius));
   write_array(group, "vertex_offset", flat(parts.offset));

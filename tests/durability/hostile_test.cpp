@@ -71,6 +71,8 @@ Told everything(const std::string& path) {
   for (const Shape& s : scene.shapes) {
     all << s.name << static_cast<int>(s.kind) << s.centre << s.area << ' ' << s.gyration2 << ' ' << s.radius;
     for (const Vec& p : s.outline) all << p;
+    for (const auto& hole : s.holes)
+      for (const Vec& p : hole) all << p;
     for (const auto& part : s.parts) {
       all << part.radius;
       for (const Vec& p : part.vertices) all << p;

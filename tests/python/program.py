@@ -20,7 +20,7 @@ record = { fields = ["position", "angle", "velocity", "spin"] }
 friction = 0.1
 [shapes]
 ball = { disc = { radius = 0.3 } }
-brick = { polygon = [[0, 0], [0.6, 0], [0.6, 0.4], [0, 0.4]] }
+brick = { polygon = [[0, 0], [0.6, 0], [0.6, 0.4], [0, 0.4]], holes = [[[0.2, 0.1], [0.4, 0.1], [0.4, 0.3], [0.2, 0.3]]] }
 [[bodies]]
 shape = "brick"
 at = [3.5, 2.5]

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // throng info and throng replay, as their users run them.
+#include <cairo.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -214,6 +215,73 @@ TEST_F(Replay, DrawsThePictureOfTheFrameThatIsAskedFor) {
   EXPECT_EQ(picture("--at 0.2 --width 400"), last);
   EXPECT_EQ(picture("--at 0.104 --width 400"), middle);
   EXPECT_EQ(picture("").substr(16, 4), std::string("\0\0\x06\x40", 4));  // 1600
+}
+
+/// A frame of 4 m by 4 m that stands, of 0.5 m where its hole is there, and a ball that flies about in it.
+std::string framed(const std::string& holes) {
+  return R"(throng = 1
+time = { dt = 0.01, until = 0.5 }
+[shapes]
+frame = { polygon = [[-2, -2], [2, -2], [2, 2], [-2, 2]], holes = )" +
+         holes + R"( }
+ball = { disc = { radius = 0.1 } }
+[materials.rubber]
+restitution = 1.0
+[[bodies]]
+shape = "frame"
+at = [0, 0]
+kind = "static"
+[[bodies]]
+shape = "ball"
+material = "rubber"
+at = [0.5, 0.3]
+velocity = [9, 7]
+)";
+}
+
+constexpr const char* kHole = "[[[-1.5, -1.5], [1.5, -1.5], [1.5, 1.5], [-1.5, 1.5]]]";
+
+/// The share of a picture that has the colour of bodies that stand.
+double grey_share(const std::filesystem::path& file) {
+  cairo_surface_t* picture = cairo_image_surface_create_from_png(file.c_str());
+  const int width = cairo_image_surface_get_width(picture), height = cairo_image_surface_get_height(picture);
+  int grey = 0;
+  for (int y = 0; y < height; ++y) {
+    const unsigned char* row =
+        cairo_image_surface_get_data(picture) + y * cairo_image_surface_get_stride(picture);
+    for (int x = 0; x < width; ++x)
+      grey += row[4 * x + 2] == 158 && row[4 * x + 1] == 161 && row[4 * x] == 166;
+  }
+  cairo_surface_destroy(picture);
+  return static_cast<double>(grey) / (width * height);
+}
+
+TEST_F(Replay, ShowsThroughTheHolesOfPolygons) {
+  for (const std::string holes : {kHole, "[]"}) {
+    std::ofstream(folder / "frame.toml") << framed(holes);
+    EXPECT_EQ(throng("run frame.toml -o frame.h5 --force --progress none --set contact.model=none").code, 0);
+    EXPECT_EQ(throng("replay frame.h5 --png " + std::string(holes == kHole ? "hole.png" : "full.png")).code,
+              0);
+  }
+  const double hole = grey_share(folder / "hole.png"), full = grey_share(folder / "full.png");
+  EXPECT_GT(full, 0.2);
+  EXPECT_NEAR(hole / full, (16.0 - 9.0) / 16.0, 0.03);
+}
+
+// It can't get out, and loses no speed: every step is told again.
+TEST_F(Replay, VerifiesARunInAHole) {
+  std::ofstream(folder / "frame.toml") << framed(kHole);
+  const Answer run = throng("run frame.toml -o frame.h5 --progress none");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_THAT(run.text, testing::Not(HasSubstr("warning")));
+  EXPECT_THAT(run.text, HasSubstr("\"max_overlap\": 0"));
+  EXPECT_EQ(throng("replay frame.h5 --verify").text, "verified: 51 frames\n");
+  EXPECT_EQ(throng("resume frame.h5 --until 1.5 --progress none").code, 0);
+  EXPECT_EQ(throng("replay frame.h5 --verify").text, "verified: 151 frames\n");
+  ASSERT_EQ(shell("/usr/bin/python3 -c \"import h5py; x = h5py.File('frame.h5')['particles/trajectory/"
+                  "position/value'][:, 1]; assert abs(x).max() < 1.401 and (x.max(0) > 1.3).all()\"")
+                .text,
+            "");
 }
 
 TEST_F(Replay, RefusesAPictureThatCannotBeWritten) {

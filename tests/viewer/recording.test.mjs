@@ -53,6 +53,16 @@ test("single precision and a few fields are read, too", () => {
   assert.deepEqual([description.fields, description.domain.kind, description.steps[1]], [["position"], "periodic", 7]);
 });
 
+test("the holes of polygons are read, and none from files that know of none", () => {
+  const holes = "[[[0.1, 0.1], [0.2, 0.1], [0.1, 0.2]], [[0.3, 0.1], [0.4, 0.1], [0.4, 0.2], [0.3, 0.2]]]";
+  record("frame", MIXED.replace("[0.5, 0.3], [0, 0.3]]", `[0.5, 0.3], [0, 0.3]], holes = ${holes}`).replace("until = 1.0", "until = 0.1"));
+  const { shapes } = open(library, "frame.h5").description;
+  assert.deepEqual(shapes.map(shape => shape.holes.map(hole => hole.length / 2)), [[], [3, 4], [], []]);
+  assert.ok(Math.abs(shapes[1].holes[0][0] - shapes[1].outline[0] - 0.1) < 1e-12);
+  altered("older.h5", "[f['throng/shapes'].pop(name) for name in ('hole_offset', 'ring_offset', 'rings')]");
+  assert.deepEqual(open(library, "older.h5").description.shapes.map(shape => shape.holes), [[], [], [], []]);
+});
+
 test("what is no recording is refused by name", () => {
   writeFileSync(path("text.h5"), "no recording at all");
   assert.match(refusal("text.h5"), /is no HDF5 file/);
@@ -71,6 +81,7 @@ const FORGED = {
   "a shape that is not there": ["f['throng/bodies/shape'][3] = 99", /shape holds 99/],
   "a radius that is no number": ["f['throng/bodies/radius'][0] = np.nan", /radius holds NaN/],
   "offsets that run backwards": ["f['throng/shapes/vertex_offset'][1] = 10**9", /does not fit its points/],
+  "holes that run backwards": ["f['throng/shapes/hole_offset'][1] = 5", /hole_offset does not fit its points/],
   "time that goes back": ["f['throng/frames/time'][5] = 0.0", /time of frame 5 is wrong/],
   "a frame that is no number": ["f['particles/trajectory/position/value'][7, 0, 0] = np.inf", /position of frame 7 holds what is no number/],
   "frames that are missing": ["f['particles/trajectory/angle/value'].resize(50, axis=0)", /frames are missing/],

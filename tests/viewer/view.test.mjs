@@ -18,9 +18,9 @@ import { coarseFirst } from "../../tools/viewer/src/reader/scan.js";
 import { samples } from "../../tools/viewer/src/trails.js";
 
 const UNBOUNDED = { kind: "unbounded", min: [0, 0], max: [0, 0] };
-const disc = { name: "ball", kind: 0, radius: 0, gyration2: 0, outline: new Float64Array(0), parts: [] };
-const box = { name: "box", kind: 1, radius: 1, gyration2: 1, outline: Float64Array.of(0, 0, 1, 0, 1, 1, 0, 1), parts: [{ points: Float64Array.of(0, 0, 1, 0, 1, 1, 0, 1), radius: 0 }] };
-const pair = { name: "pair", kind: 2, radius: 1, gyration2: 1, outline: new Float64Array(0), parts: [{ points: Float64Array.of(-1, 0), radius: 0.5 }, { points: Float64Array.of(1, 0), radius: 0.25 }] };
+const disc = { name: "ball", kind: 0, radius: 0, gyration2: 0, outline: new Float64Array(0), holes: [], parts: [] };
+const box = { name: "box", kind: 1, radius: 1, gyration2: 1, outline: Float64Array.of(0, 0, 1, 0, 1, 1, 0, 1), holes: [], parts: [{ points: Float64Array.of(0, 0, 1, 0, 1, 1, 0, 1), radius: 0 }] };
+const pair = { name: "pair", kind: 2, radius: 1, gyration2: 1, outline: new Float64Array(0), holes: [], parts: [{ points: Float64Array.of(-1, 0), radius: 0.5 }, { points: Float64Array.of(1, 0), radius: 0.25 }] };
 
 function scene(shapes, rows, kinds = rows.map(() => 0)) {
   const n = rows.length, column = values => Float64Array.from(values);
@@ -209,6 +209,13 @@ test("a mesh has every disc, triangle and edge once", () => {
   assert.deepEqual([made.discs, made.composites, made.triangles, made.edges].map(rows => rows.count), [2, 2, 6, 4]);
   assert.deepEqual([made.discs.rows[4], made.discs.values[7]], [3, 0.5]);
   assert.deepEqual([made.composites.rows[0], ...made.composites.values.slice(1, 4)], [2, -1, 0, 0.5]);
+});
+
+test("a mesh has the edges of holes", () => {
+  const frame = { ...box, holes: [Float64Array.of(0.2, 0.2, 0.2, 0.4, 0.4, 0.2), Float64Array.of(0.6, 0.6, 0.6, 0.8, 0.8, 0.6)] };
+  const { edges } = mesh(scene([frame], [0]));
+  assert.equal(edges.count, 4 + 3 + 3);
+  assert.deepEqual([...edges.values.slice(5 * 7 + 1, 5 * 8)].map(x => Math.round(10 * x)), [8, 6, 6, 6]);
 });
 
 test("a rounded part is as far from its edges as its radius", () => {

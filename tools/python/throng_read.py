@@ -24,7 +24,7 @@ SIGNATURE = b"\x89HDF\r\n\x1a\n"
 SLACK = 1 << 20  # bytes by which the file of a killed run may fall short of what it declares
 
 Frame = namedtuple("Frame", "step time hash position angle velocity spin")  # None where it wasn't recorded
-Shape = namedtuple("Shape", "name kind radius area centre outline parts")  # parts: (vertices, radius)
+Shape = namedtuple("Shape", "name kind radius area centre outline parts holes")  # parts: (vertices, radius)
 Bodies = namedtuple("Bodies", "shape material kind radius mass")  # rows of shapes and materials; m, kg
 Material = namedtuple("Material", "name density restitution friction")
 Wall = namedtuple("Wall", "points closed material")
@@ -141,10 +141,18 @@ class Recording:
         names = ("outline_offset", "outline", "part_offset", "part_radius", "vertex_offset", "vertices")
         outline_at, outline, part_at, radius, vertex_at, vertices = (self._all(f"throng/shapes/{n}") for n in names)
         parts = [(vertices[a:b], float(r)) for a, b, r in zip(vertex_at, vertex_at[1:], radius)]
+        holes = self._holes(len(outline_at) - 1)
         rows = self._columns("throng/shapes", ("name", "kind", "radius", "area", "centre"))
         return [Shape(_text(name), ("disc", "polygon", "composite")[kind], float(r), float(area), centre,
-                      outline[outline_at[i]:outline_at[i + 1]], parts[part_at[i]:part_at[i + 1]])
+                      outline[outline_at[i]:outline_at[i + 1]], parts[part_at[i]:part_at[i + 1]], holes[i])
                 for i, (name, kind, r, area, centre) in enumerate(rows)]
+
+    def _holes(self, shapes):
+        if "throng/shapes/hole_offset" not in self._file:  # written before polygons had any
+            return [[] for _ in range(shapes)]
+        hole_at, ring_at, points = (self._all(f"throng/shapes/{n}") for n in ("hole_offset", "ring_offset", "rings"))
+        rings = [points[a:b] for a, b in zip(ring_at, ring_at[1:])]
+        return [rings[a:b] for a, b in zip(hole_at, hole_at[1:])]
 
     def _columns(self, group, names):
         return zip(*(self._all(f"{group}/{name}") for name in names))

@@ -95,7 +95,9 @@ TEST(Recording, HoldsManyBodies) {
 
 TEST(Recording, TellsWhatDrawingNeeds) {
   const Folder folder;
-  const Scene scene = mixed_scene(7);
+  Scene scene = mixed_scene(7);
+  scene.shapes[1].holes = {{{0, 0}, {0, 0.1}, {0.1, 0}},
+                           {{-0.2, -0.2}, {-0.2, -0.1}, {-0.1, -0.1}, {0, -0.2}}};
   record_drift(folder / "a.h5", scene, 1);
   const Recording recording(folder / "a.h5");
   const Scene& read = recording.geometry();
@@ -106,6 +108,7 @@ TEST(Recording, TellsWhatDrawingNeeds) {
   EXPECT_EQ(read.domain.max, scene.domain.max);
   ASSERT_EQ(read.shapes.size(), 3u);
   EXPECT_EQ(read.shapes[1].outline, scene.shapes[1].outline);
+  for (std::size_t s = 0; s < 3; ++s) EXPECT_EQ(read.shapes[s].holes, scene.shapes[s].holes);
   EXPECT_EQ(read.shapes[1].parts[0].normals, scene.shapes[1].parts[0].normals);
   EXPECT_EQ(read.shapes[2].parts[1].vertices, scene.shapes[2].parts[1].vertices);
   EXPECT_EQ(read.shapes[2].parts[1].radius, 0.2);

@@ -4,7 +4,8 @@ import { attribute, BadFile, damaged, numbers, texts } from "./h5.js";
 
 /**
  * @typedef {{points: Float64Array, radius: number}} Part  a convex part, grown by its radius (m)
- * @typedef {{name: string, kind: number, radius: number, gyration2: number, outline: Float64Array, parts: Part[]}} Shape
+ * @typedef {{name: string, kind: number, radius: number, gyration2: number, outline: Float64Array, holes: Float64Array[],
+ *   parts: Part[]}} Shape
  *   kind: 0 disc, 1 polygon, 2 composite; points are x, y, x, y about the centre of mass
  * @typedef {{count: number, id: Float64Array, shape: Float64Array, material: Float64Array, kind: Float64Array,
  *   radius: Float64Array, mass: Float64Array}} Bodies  kind: 0 dynamic, 1 static, 2 kinematic
@@ -48,6 +49,14 @@ function readDomain(file) {
   return { kind, min, max };
 }
 
+/** Of each shape; files of version 1.0 have none. @param {any} file @param {string} at @param {number} n @returns {Float64Array[][]} */
+function readHoles(file, at, n) {
+  if (!file.get(at + "hole_offset")) return Array.from({ length: n }, () => []);
+  const offset = numbers(file, at + "hole_offset", "int", [n + 1]), rings = ragged(file, at + "ring_offset", at + "rings");
+  expectOffsets(offset, rings.length, at + "hole_offset");
+  return Array.from({ length: n }, (_, i) => rings.slice(offset[i], offset[i + 1]));
+}
+
 /** @param {any} file @returns {Shape[]} */
 function readShapes(file) {
   const at = "throng/shapes/", names = texts(file, at + "name", [-1]), n = names.length;
@@ -55,13 +64,14 @@ function readShapes(file) {
   const radius = expectRange(numbers(file, at + "radius", "float", [n]), at + "radius", 0, Infinity);
   const gyration2 = expectRange(numbers(file, at + "gyration2", "float", [n]), at + "gyration2", 0, Infinity);
   const outlines = ragged(file, at + "outline_offset", at + "outline");
+  const holes = readHoles(file, at, n);
   const partOffset = numbers(file, at + "part_offset", "int", [n + 1]);
   const partRadius = expectRange(numbers(file, at + "part_radius", "float", [-1]), at + "part_radius", 0, Infinity);
   const vertices = ragged(file, at + "vertex_offset", at + "vertices");
   expectOffsets(partOffset, partRadius.length, at + "part_offset");
   if (outlines.length !== n || vertices.length !== partRadius.length) throw damaged(at + "outline");
   const parts = vertices.map((points, i) => ({ points, radius: partRadius[i] }));
-  return names.map((name, i) => ({ name, kind: kind[i], radius: radius[i], gyration2: gyration2[i], outline: outlines[i],
+  return names.map((name, i) => ({ name, kind: kind[i], radius: radius[i], gyration2: gyration2[i], outline: outlines[i], holes: holes[i],
                                    parts: parts.slice(partOffset[i], partOffset[i + 1]) }));
 }
 

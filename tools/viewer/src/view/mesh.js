@@ -45,7 +45,7 @@ export function mesh({ bodies, shapes }) {
   /** @type {number[][]} */
   const [discs, composites, triangles, edges] = [[], [], [], []];
   for (let row = 0; row < bodies.count; ++row) {
-    const { kind, parts, outline } = shapes[bodies.shape[row]];
+    const { kind, parts, outline, holes } = shapes[bodies.shape[row]];
     if (kind === 0) discs.push(row, 0, 0, bodies.radius[row]);
     else for (const part of parts) {
       if (part.points.length === 2) { composites.push(row, part.points[0], part.points[1], part.radius); continue; }
@@ -53,7 +53,7 @@ export function mesh({ bodies, shapes }) {
       addFan(triangles, row, around);
       if (outline.length === 0) addLoop(edges, row, around);
     }
-    if (outline.length > 0) addLoop(edges, row, outline);
+    if (outline.length > 0) for (const ring of [outline, ...holes]) addLoop(edges, row, ring);
   }
   return { discs: pack(discs, 4), composites: pack(composites, 4), triangles: pack(triangles, 3), edges: pack(edges, 5) };
 }
