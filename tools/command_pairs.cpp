@@ -18,6 +18,36 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kLongestLine = std::size_t{16} << 20;  // bytes
 
+constexpr const char* kFooter = R"(A line is {"a": SHAPE, "b": SHAPE}, and may have
+  "id"        a string or a number, which the answer has too
+  "epsilon"   accepted relative error of the distance, 0 unless given: of many-cornered shapes that are apart,
+              a rough distance takes less time
+SHAPE is one of
+  {"disc": {"at": [x, y], "radius": r}}   {"discs": [[x, y, r], ...]}
+  {"polygon": [[x, y], ...]}              {"segment": [[x, y], [x, y]]}
+A polygon is solid, convex or not, "holes": [[[x, y], ...], ...] taken out; what stands in a hole doesn't touch it.
+A polygon or a segment may be rounded by a "radius". Every shape may have a pose: "angle" (rad) turns it about
+(0, 0), then "at": [x, y] moves it. Lengths are in any one unit; shapes that move are not supported yet.
+
+An answer is one line of
+  "distance"  of the two shapes; where they overlap it is below 0: minus their depth
+  "lower", "upper"
+              what the distance surely lies between; "upper" is "distance". Where shapes overlap that are not both
+              convex, "upper" is minus the depth of the deepest two of their convex parts, and "lower" minus the
+              length of "way_out"
+  "way_out"   of shapes that overlap and are not both convex: a translation of b that surely parts them
+  "collide"   whether they touch or overlap: exact for any epsilon
+  "normal"    unit vector from a to b
+  "point_a", "point_b"
+              the points that are nearest, or deepest: point_b = point_a + distance * normal
+  "manifold"  of convex shapes that touch or overlap: one or two contact points, each with its "separation"
+  "repairs"   what was mended in a polygon; only where something was
+  "work"      with --work, what the distance took: pairs of bounding volumes ("nodes") and of leaves ("leaves")
+              compared, microseconds ("us")
+A faulty line is answered by its "id", "line" (counted from 1) and "error"; the exit code is then 2.
+Example:
+  echo '{"a": {"disc": {"radius": 1}}, "b": {"polygon": [[2,-1],[3,0],[2,1]]}}' | throng pairs -)";
+
 void print(const Json& line) {
   std::puts(line.dump(-1, ' ', false, Json::error_handler_t::replace).c_str());
 }
@@ -33,15 +63,25 @@ bool read_line(std::istream& in, std::string& line) {
   return true;
 }
 
+Json fault(std::size_t number, const Json& id, const std::string& what) {
+  Json line;
+  if (!id.is_null()) line["id"] = id;
+  line["line"] = number, line["error"] = what;
+  return line;
+}
+
 /// Answers all lines; true if none was faulty.
 bool answer_all(std::istream& in, bool work) {
   bool good = true;
   std::string line;
+  PairQuery query;
   for (std::size_t number = 1; read_line(in, line); ++number) try {
+      query.id = nullptr;
       if (line.size() > kLongestLine) throw InputError("longer than 16 MB");
-      print(answer(read_pair(line), work));
+      read_pair(line, query);
+      print(answer(query, work));
     } catch (const InputError& error) {
-      print({{"line", number}, {"error", error.what()}});
+      print(fault(number, query.id, error.what()));
       good = false;
     }
   return good;
@@ -66,19 +106,7 @@ void add_pairs(CLI::App& app, int& exit_code) {
   command->add_flag("--work", *work,
                     "adds to each answer what its distance took: pairs of volumes and of leaves compared, "
                     "microseconds");
-  command->footer(
-      "Shapes, each with an optional pose \"at\": [x, y], \"angle\": rad:\n"
-      "  {\"disc\": {\"at\": [x, y], \"radius\": r}}   {\"discs\": [[x, y, r], ...]}\n"
-      "  {\"polygon\": [[x, y], ...], \"radius\": r}   {\"segment\": [[x, y], [x, y]], \"radius\": r}\n"
-      "Polygons are solids, convex or not. The distance is below 0 where the shapes overlap: minus the "
-      "depth.\n"
-      "Where one of the two isn't convex, that is the depth of its deepest convex part, a lower bound of "
-      "what\n"
-      "parts the two; \"lower\" is then minus a translation that surely does.\n"
-      "A faulty line is answered by {\"line\": N, \"error\": ...}; the exit code is then 2.\n"
-      "Example:\n"
-      "  echo '{\"a\": {\"disc\": {\"radius\": 1}}, \"b\": {\"polygon\": [[2,-1],[3,0],[2,1]]}}' | throng "
-      "pairs -");
+  command->footer(kFooter);
   command->callback([file, work, &exit_code] { exit_code = answer_file(*file, *work) ? 0 : 2; });
 }
 

@@ -16,7 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using narrowphase::Convex;
-using narrowphase::Separation;
 using narrowphase::Vec;
 
 /// How far the solid reaches along a unit vector, from `origin`.
@@ -28,19 +27,25 @@ double support(const Solid& solid, const Vec& along, const Vec& origin) {
   return farthest + along.dot(solid.pose.position - origin);
 }
 
-/// What is surely enough to part two overlapping solids: the shortest of the ways out along their faces'
-/// normals.
-double sure_depth(const PairQuery& q, const Vec& normal) {
-  double least = std::numeric_limits<double>::infinity();
+/// Where b can move, along a unit vector, and how far it must to be surely apart from a.
+struct WayOut {
+  double length;
+  Vec along;
+};
+
+/// The shortest of the ways out along the faces' normals, and along `normal`.
+WayOut way_out(const PairQuery& q, const Vec& normal) {
+  WayOut shortest{std::numeric_limits<double>::infinity(), normal};
   const auto try_along = [&](const Vec& n) {
-    least = std::min(least, support(q.a, n, q.a.pose.position) + support(q.b, -n, q.a.pose.position));
+    const double length = support(q.a, n, q.a.pose.position) + support(q.b, -n, q.a.pose.position);
+    if (length < shortest.length) shortest = {length, n};
   };
   try_along(normal);
   for (const Convex& part : q.a.parts)
     for (const Vec& n : part.normals) try_along(q.a.pose.rotate(n));
   for (const Convex& part : q.b.parts)
     for (const Vec& n : part.normals) try_along(-q.b.pose.rotate(n));
-  return least;
+  return shortest;
 }
 
 Json json(const Vec& v) {
@@ -67,18 +72,27 @@ Json checked(Json result) {
   return result;
 }
 
+/// Of solids that overlap and are not both convex, whose depth lies between their deepest parts' and this.
+void add_way_out(const PairQuery& q, const narrowphase::Separation& s, Json& result) {
+  const WayOut out = way_out(q, s.normal);
+  const double length = std::max(out.length, -s.distance);
+  result["lower"] = -length;
+  result["way_out"] = json(Vec(length * out.along));
+}
+
 }  // namespace
 
 Json answer(const PairQuery& q, bool work) {
   narrowphase::BvhCounters counters;
   const auto begin = std::chrono::steady_clock::now();
-  const Separation s = separation(parts_bvh(q.a.parts), q.a.pose, parts_bvh(q.b.parts), q.b.pose, &counters);
+  const auto [s, lower] =
+      rough_separation(parts_bvh(q.a.parts), q.a.pose, parts_bvh(q.b.parts), q.b.pose, q.epsilon, &counters);
   const std::chrono::duration<double, std::micro> spent = std::chrono::steady_clock::now() - begin;
   const bool convex = q.a.parts.size() == 1 && q.b.parts.size() == 1;
   Json result;
   if (!q.id.is_null()) result["id"] = q.id;
   result["distance"] = s.distance;
-  result["lower"] = convex || s.distance >= 0.0 ? s.distance : std::min(s.distance, -sure_depth(q, s.normal));
+  result["lower"] = lower;
   result["upper"] = s.distance;
   result["collide"] = s.distance <= 0.0;
   result["normal"] = json(s.normal);
@@ -86,6 +100,7 @@ Json answer(const PairQuery& q, bool work) {
   result["point_b"] = json(s.point_b);
   if (convex && s.distance <= 0.0)
     result["manifold"] = json(manifold(q.a.parts[0], q.a.pose, q.b.parts[0], q.b.pose, 0.0));
+  if (!convex && s.distance < 0.0) add_way_out(q, s, result);
   if (!q.repairs.empty()) result["repairs"] = q.repairs;
   if (work) result["work"] = {{"nodes", counters.nodes}, {"leaves", counters.leaves}, {"us", spent.count()}};
   return checked(std::move(result));

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "narrowphase/decompose.h"
-#include "narrowphase/polygon.h"
+#include "narrowphase/holes.h"
 #include "sim/input_error.h"
 
 namespace throng::tools {
@@ -119,17 +119,42 @@ double rounding(const Json& solid, const std::string& path) {
   return solid.contains("radius") ? length(solid["radius"], path + ".radius") : 0.0;
 }
 
-std::vector<Convex> read_polygon(const Json& value, const std::string& path, double radius,
-                                 std::vector<std::string>& repairs) {
+std::vector<Vec> read_ring(const Json& value, const std::string& path) {
   if (!value.is_array()) fail(path, "a list of points is expected");
   if (value.size() > kMostVertices)
     fail(path, "at most " + std::to_string(kMostVertices) + " vertices are supported");
   std::vector<Vec> vertices;
   for (std::size_t i = 0; i < value.size(); ++i) vertices.push_back(point(value[i], at(path, i)));
-  const narrowphase::Cleaned cleaned = narrowphase::clean(vertices);
-  if (!cleaned.refusal.empty()) fail(path, cleaned.refusal);
-  for (const std::string& repair : cleaned.repairs) repairs.push_back(path + ": " + repair);
-  return narrowphase::decompose(cleaned.vertices, radius);
+  return vertices;
+}
+
+/// The outline, then the holes.
+std::vector<std::vector<Vec>> read_rings(const Json& solid, const std::string& path) {
+  std::vector<std::vector<Vec>> rings{read_ring(solid["polygon"], path + ".polygon")};
+  if (!solid.contains("holes")) return rings;
+  const Json& holes = solid["holes"];
+  if (!holes.is_array()) fail(path + ".holes", "a list of lists of points is expected");
+  std::size_t vertices = rings[0].size();
+  for (std::size_t i = 0; i < holes.size(); ++i) {
+    rings.push_back(read_ring(holes[i], at(path + ".holes", i)));
+    vertices += rings.back().size();
+    if (vertices > kMostVertices)
+      fail(path + ".holes",
+           "at most " + std::to_string(kMostVertices) + " vertices with the polygon's are supported");
+  }
+  return rings;
+}
+
+std::vector<Convex> read_polygon(const Json& solid, const std::string& path, double radius,
+                                 std::vector<std::string>& repairs) {
+  const auto place = [&](std::size_t ring) {
+    return ring == 0 ? path + ".polygon" : at(path + ".holes", ring - 1);
+  };
+  const narrowphase::CleanedRings cleaned = narrowphase::clean(read_rings(solid, path));
+  if (!cleaned.refusal.text.empty()) fail(place(cleaned.refusal.ring), cleaned.refusal.text);
+  for (const narrowphase::RingNote& repair : cleaned.repairs)
+    repairs.push_back(place(repair.ring) + ": " + repair.text);
+  return narrowphase::decompose(cleaned.rings, radius);
 }
 
 Convex read_disc(const Json& value, const std::string& path) {
@@ -168,46 +193,50 @@ std::vector<Convex> read_parts(const Json& solid, const std::string& path,
   const bool can_be_rounded = solid.contains("polygon") || solid.contains("segment");
   if (solid.contains("radius") && !can_be_rounded)
     fail(path + ".radius", "only a polygon or a segment is rounded");
-  if (solid.contains("polygon"))
-    return read_polygon(solid["polygon"], path + ".polygon", rounding(solid, path), repairs);
+  if (solid.contains("holes") && !solid.contains("polygon"))
+    fail(path + ".holes", "only a polygon has holes");
+  if (solid.contains("polygon")) return read_polygon(solid, path, rounding(solid, path), repairs);
   if (solid.contains("segment"))
     return {read_segment(solid["segment"], path + ".segment", rounding(solid, path))};
   if (solid.contains("disc")) return {read_disc(solid["disc"], path + ".disc")};
   return read_discs(solid["discs"], path + ".discs");
 }
 
-bool moves(const Json& solid, const std::string& path) {
-  const Vec velocity =
-      solid.contains("velocity") ? point(solid["velocity"], path + ".velocity") : Vec{0.0, 0.0};
-  return velocity != Vec(0.0, 0.0) || optional_number(solid, path, "spin") != 0.0;
+/// What doesn't move yet says so, rather than being taken for what stands still.
+void refuse_motion(const Json& object, const std::string& path, std::initializer_list<const char*> keys) {
+  for (const char* key : keys)
+    if (object.contains(key)) fail(path + key, "not supported yet: shapes that move");
 }
 
 Solid read_solid(const Json& line, const char* name, std::vector<std::string>& repairs) {
   if (!line.contains(name)) fail(name, "is missing");
   const Json& solid = line[name];
-  check_keys(solid, name,
-             {"polygon", "disc", "segment", "discs", "radius", "at", "angle", "velocity", "spin"});
-  if (moves(solid, name)) throw InputError("not supported yet: motion");
   const std::string path = name;
+  if (solid.is_object()) refuse_motion(solid, path + ".", {"velocity", "spin"});
+  check_keys(solid, path, {"polygon", "holes", "disc", "segment", "discs", "radius", "at", "angle"});
   const Vec position = solid.contains("at") ? point(solid["at"], path + ".at") : Vec{0.0, 0.0};
   return {read_parts(solid, path, repairs),
           narrowphase::pose(position, optional_number(solid, path, "angle"))};
 }
 
+Json read_id(const Json& line) {
+  if (!line.is_object() || !line.contains("id")) return {};
+  const Json& id = line["id"];
+  if (!id.is_null() && !id.is_string() && !id.is_number()) fail("id", "a string or a number is expected");
+  return id;
+}
+
 }  // namespace
 
-PairQuery read_pair(std::string_view text) {
+void read_pair(std::string_view text, PairQuery& query) {
+  query = {};
   const Json line = parse(text);
-  check_keys(line, "line", {"id", "a", "b", "until", "epsilon"});
-  PairQuery query;
-  if (line.contains("id")) query.id = line["id"];
-  if (!query.id.is_null() && !query.id.is_string() && !query.id.is_number())
-    fail("id", "a string or a number is expected");
-  if (optional_number(line, "line", "until") != 0.0) throw InputError("not supported yet: motion");
-  if (line.contains("epsilon")) length(line["epsilon"], "epsilon");
+  query.id = read_id(line);
+  if (line.is_object()) refuse_motion(line, "", {"until"});
+  check_keys(line, "line", {"id", "a", "b", "epsilon"});
+  if (line.contains("epsilon")) query.epsilon = length(line["epsilon"], "epsilon");
   query.a = read_solid(line, "a", query.repairs);
   query.b = read_solid(line, "b", query.repairs);
-  return query;
 }
 
 }  // namespace throng::tools

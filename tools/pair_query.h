@@ -20,12 +20,13 @@ struct Solid {
 struct PairQuery {
   nlohmann::ordered_json id;  ///< as given, a string or a number; null if none was
   Solid a, b;
+  double epsilon = 0.0;              ///< accepted relative error of the distance
   std::vector<std::string> repairs;  ///< what was mended in the polygons
 };
 
-/// Reads one line as design.md has it. Throws InputError with what is wrong and where in the line: no JSON, a
-/// key that is unknown, missing or there twice, a wrong type, a number that is not finite, a shape that is
-/// none.
-PairQuery read_pair(std::string_view line);
+/// Replaces `query` by what one line asks. Throws InputError with what is wrong and where in the line: no
+/// JSON, a key that is unknown, missing or there twice, a wrong type, a number that is not finite, a shape
+/// that is none, motion; `query.id` then stands as far as the line has one.
+void read_pair(std::string_view line, PairQuery& query);
 
 }  // namespace throng::tools

@@ -34,13 +34,18 @@ bool is_finite(const Json& value) {
   return !value.is_number_float() || std::isfinite(value.get<double>());
 }
 
-void check(const Json& answer, double size) {
+void check(const Json& answer, double size, double epsilon) {
   expect(is_finite(answer), "all figures are finite");
   const double distance = answer["distance"], lower = answer["lower"], upper = answer["upper"];
   expect(lower <= upper && upper == distance, "lower <= upper == distance");
+  if (distance > 0.0)
+    expect(upper <= (1.0 + epsilon) * lower * (1.0 + 1e-15), "apart, epsilon bounds how far they are off");
   expect(answer["collide"] == (distance <= 0.0), "what is not apart collides");
   const Vec normal = vec(answer["normal"]);
   expect(std::abs(normal.norm() - 1.0) <= 1e-15, "the normal has length 1");
+  if (answer.contains("way_out"))
+    expect(std::abs(vec(answer["way_out"]).norm() + lower) <= 1e-14 * size,
+           "the way out is as long as it says");
   const Vec off = vec(answer["point_a"]) + distance * normal - vec(answer["point_b"]);
   expect(off.cwiseAbs().maxCoeff() <= 1e-14 * size, "the points are the distance apart");
 }
@@ -52,14 +57,17 @@ void check(const Json& answer, double size) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace throng;
   try {
-    tools::PairQuery query = tools::read_pair({reinterpret_cast<const char*>(data), size});
+    tools::PairQuery query;
+    tools::read_pair({reinterpret_cast<const char*>(data), size}, query);
     const double length = fuzz::scale(query.a) + fuzz::scale(query.b);
     const fuzz::Json one = answer(query);
-    fuzz::check(one, length);
+    fuzz::check(one, length, query.epsilon);
     std::swap(query.a, query.b);
     const fuzz::Json other = answer(query);
-    fuzz::check(other, length);
-    fuzz::expect(one["distance"] == other["distance"], "swapped solids are as far apart");
+    fuzz::check(other, length, query.epsilon);
+    fuzz::expect(one["collide"] == other["collide"], "swapped solids collide as much");
+    if (query.epsilon == 0.0)
+      fuzz::expect(one["distance"] == other["distance"], "swapped solids are as far apart");
   } catch (const InputError&) {
   }
   return 0;

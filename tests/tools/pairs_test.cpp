@@ -2,9 +2,11 @@
 // throng pairs, run as its users run it.
 #include <gmock/gmock.h>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <random>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -16,6 +18,7 @@ namespace {
 
 using nlohmann::json;
 using testing::HasSubstr;
+using Vec = Eigen::Vector2d;
 
 struct Answers {
   std::vector<json> lines;
@@ -70,6 +73,54 @@ TEST_F(Pairs, SeesIntoTheNotchOfANonConvexPolygon) {
   EXPECT_EQ(answer["lower"], answer["upper"]);
 }
 
+// A square frame of 1 m round a hole of 2 m by 2 m.
+const std::string kFrame =
+    R"({"polygon":[[-2,-2],[2,-2],[2,2],[-2,2]],"holes":[[[-1,-1],[1,-1],[1,1],[-1,1]]]})";
+
+TEST_F(Pairs, LetsADiscStandInAHole) {
+  const json answer = ask_one(R"({"a":)" + kFrame + R"(,"b":{"disc":{"at":[0.25,0],"radius":0.5}}})");
+  EXPECT_EQ(answer["distance"], 0.25);
+  EXPECT_EQ(answer["collide"], false);
+  EXPECT_EQ(answer["normal"], json::parse("[-1.0,0.0]"));
+  EXPECT_EQ(answer["point_a"], json::parse("[1.0,0.0]"));
+  EXPECT_FALSE(answer.contains("repairs"));
+}
+
+TEST_F(Pairs, TouchesTheRimOfAHoleFromWithin) {
+  EXPECT_EQ(ask_one(R"({"a":)" + kFrame + R"(,"b":)" + kDisc + "}")["distance"], 0.0);
+  const json deep = ask_one(R"({"a":)" + kFrame + R"(,"b":{"disc":{"at":[1.5,0],"radius":0.25}}})");
+  EXPECT_EQ(deep["distance"], -0.75);
+  EXPECT_LE(deep["lower"].get<double>(), -0.75);
+}
+
+// Grown by 0.25 m, the frame leaves a hole of 1.5 m.
+TEST_F(Pairs, RoundsAPolygonIntoItsHoles) {
+  std::string rounded = kFrame;
+  rounded.insert(1, R"("radius":0.25,)");
+  const json answer = ask_one(R"({"a":)" + rounded + R"(,"b":{"disc":{"at":[0.25,0],"radius":0.25}}})");
+  EXPECT_EQ(answer["distance"], 0.25);
+}
+
+TEST_F(Pairs, RefusesHolesThatAreNone) {
+  const std::pair<std::string, std::string> cases[] = {
+      {"7", "b.holes: a list of lists"},
+      {"[7]", "b.holes[0]: a list of points"},
+      {"[[[1,1],[2,2]]]", "b.holes[0]: a polygon needs three"},
+      {"[[[1,1],[2,1],[2,2]],[[5,5],[6,6],[6,5],[5,6]]]", "b.holes[1]: edge 0-1 meets edge 2-3"},
+      {"[[[1,1],[2,1],[9,2]]]", "b.holes[0]: edge 1-2 meets edge 1-2 of the outline"},
+      {"[[[1,1],[5,1],[1,5]],[[4,2],[5,5],[6,6]]]", "b.holes[1]: edge "},
+      {"[[[10,1],[11,1],[10,2]]]", "b.holes[0]: lies outside the outline"},
+      {"[[[1,1],[8,1],[1,8]],[[2,2],[3,2],[2,3]]]", "b.holes[1]: lies in hole 0"},
+  };
+  for (const auto& [holes, why] : cases) {
+    const json answer =
+        ask_one(R"({"a":)" + kDisc + R"(,"b":{"polygon":[[0,0],[9,0],[9,9],[0,9]],"holes":)" + holes + "}}");
+    EXPECT_THAT(answer.value("error", ""), testing::StartsWith(why)) << holes;
+  }
+  EXPECT_THAT(ask_one(R"({"a":)" + kDisc + R"(,"b":{"disc":{"radius":1},"holes":[]}})").value("error", ""),
+              HasSubstr("b.holes: only a polygon"));
+}
+
 TEST_F(Pairs, BracketsTheDepthOfNonConvexSolids) {
   const json answer = ask_one(
       R"({"a":{"polygon":[[0,0],[3,0],[3,1],[1,1],[1,3],[0,3]]},"b":{"disc":{"at":[0.5,0.5],"radius":0.25}}})");
@@ -98,6 +149,62 @@ TEST_F(Pairs, FindsTheShortestSureWayOutAlongTheNormalsOfBoth) {
   EXPECT_EQ(one["lower"], other["lower"]);
   EXPECT_EQ(one["upper"], -0.625);
   EXPECT_DOUBLE_EQ(one["lower"].get<double>(), -0.875);
+  EXPECT_DOUBLE_EQ(one["way_out"][0].get<double>(), -0.875);
+  EXPECT_DOUBLE_EQ(other["way_out"][0].get<double>(), 0.875);
+}
+
+/// Random shapes, none of them convex, without their poses.
+std::string random_solid(std::mt19937_64& random, int kind) {
+  const auto uniform = [&] {
+    return std::to_string(4.0 * static_cast<double>(random() >> 11) * 0x1p-53 - 2.0);
+  };
+  if (kind == 0) return R"({"polygon":[[0,0],[3,0],[3,1],[1,1],[1,3],[0,3]])";
+  if (kind == 1) return kFrame.substr(0, kFrame.size() - 1) + R"(,"radius":0.125)";
+  const std::string x = uniform(), y = uniform();
+  return R"({"discs":[[0,0,1],[)" + x + ",1,0.5],[1," + y + ",0.25]]";
+}
+
+std::string placed(const std::string& solid, const Vec& at, double angle) {
+  std::ostringstream text;
+  text.precision(17);
+  text << solid << R"(,"at":[)" << at.x() << ',' << at.y() << R"(],"angle":)" << angle << '}';
+  return text.str();
+}
+
+TEST_F(Pairs, PartsWhatOverlapsByItsWayOut) {
+  std::mt19937_64 random(22);
+  const auto uniform = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
+  struct Pair {
+    std::string a, b;
+    Vec at;
+    double angle;
+    std::string line() const { return R"({"a":)" + a + R"(,"b":)" + placed(b, at, angle) + "}\n"; }
+  };
+  std::vector<Pair> pairs;
+  std::string text;
+  for (int i = 0; i < 300; ++i) {
+    const Vec at{8 * uniform() - 3, 8 * uniform() - 2};
+    pairs.push_back({placed(random_solid(random, i % 3), {1, 2}, 6 * uniform()),
+                     random_solid(random, i / 3 % 3), at, 6 * uniform()});
+    text += pairs.back().line();
+  }
+  const Answers answers = ask(text);
+  std::string moved;
+  std::size_t overlapping = 0;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const json& answer = answers.lines.at(i);
+    ASSERT_EQ(answer.contains("way_out"), answer["distance"] < 0.0) << answer;
+    if (!answer.contains("way_out")) continue;
+    const Vec way(answer["way_out"][0], answer["way_out"][1]);
+    EXPECT_NEAR(way.norm(), -answer["lower"].get<double>(), 1e-15 * way.norm()) << answer;
+    EXPECT_LE(answer["lower"], answer["upper"]);
+    pairs[i].at += way;
+    moved += pairs[i].line();
+    ++overlapping;
+  }
+  EXPECT_GT(overlapping, 90u);
+  EXPECT_LT(overlapping, 270u);
+  for (const json& answer : ask(moved).lines) EXPECT_GE(answer["distance"], -1e-14) << answer;
 }
 
 TEST_F(Pairs, FindsALargePartWhoseMiddleIsFarAway) {
@@ -172,9 +279,10 @@ TEST_F(Pairs, RefusesABadLineAndSaysWhy) {
       {R"({"a":)" + kDisc + R"(,"b":{"polygon":[[0,0],[2,2],[2,0],[0,2]]}})", "edge 0-1 meets edge 2-3"},
       {R"({"a":)" + kDisc + R"(,"b":{"segment":[[1,1],[1,1]]}})", "differ"},
       {R"({"a":)" + kDisc + R"(,"b":{"discs":[]}})", "b.discs"},
-      {R"({"a":)" + kDisc + R"(,"b":{"disc":{"radius":1},"velocity":[1,0]}})", "not supported yet: motion"},
-      {R"({"a":)" + kDisc + R"(,"b":)" + kDisc + R"(,"until":1})", "not supported yet: motion"},
-      {R"({"a":)" + kDisc + R"(,"b":{"disc":{"radius":1},"spin":1}})", "not supported yet: motion"},
+      {R"({"a":)" + kDisc + R"(,"b":{"disc":{"radius":1},"velocity":[1,0]}})",
+       "b.velocity: not supported yet"},
+      {R"({"a":)" + kDisc + R"(,"b":)" + kDisc + R"(,"until":1})", "until: not supported yet"},
+      {R"({"a":)" + kDisc + R"(,"b":{"disc":{"radius":1},"spin":0}})", "b.spin: not supported yet"},
       {R"({"a":)" + kDisc + R"(,"b":{"disc":{"radius":1},"radius":1}})", "b.radius: only"},
       {R"({"a":)" + kDisc + R"(,"b":{"disc":{"radius":1},"discs":[[0,0,1]]}})", "b: one of"},
       {R"({"a":)" + kDisc + R"(,"b":{"segment":[[0,0],[1,0]],"radius":-1}})",
@@ -203,6 +311,66 @@ TEST_F(Pairs, SaysWhatItMendedInAPolygon) {
   const json answer = ask_one(R"({"a":)" + kDisc + R"(,"b":{"polygon":[[3,0],[3,1],[4,1],[4,0],[4,0]]}})");
   EXPECT_EQ(answer["distance"], 2.0);
   EXPECT_EQ(answer["repairs"].size(), 2u);
+}
+
+TEST_F(Pairs, SaysWhatItMendedInAHole) {
+  const json answer = ask_one(
+      R"({"a":{"polygon":[[0,0],[9,0],[9,9],[0,9]],"holes":[[[1,1],[2,1],[1,2]],[[4,4],[4,4],[5,4],[4,5]]]},)"
+      R"("b":)" +
+      kDisc + "}");
+  EXPECT_EQ(answer["repairs"], json::parse(R"(["a.holes[1]: vertex 1 repeats the one before it: dropped"])"));
+}
+
+TEST_F(Pairs, KeepsTheIdOfAFaultyLine) {
+  const std::string good = R"("a":)" + kDisc + R"(,"b":)" + kDisc;
+  const Answers answers = ask(R"({"id":"x",)" + good + R"(,"until":1})" + "\n" + R"({"id":7})" + "\n" +
+                              R"({"id":[7],)" + good + "}\n" + R"({"a":7})" + "\n" + R"({"id":8,)" + "\n" +
+                              R"({"id":9,"a":{"segment":[[0,0],[9e99,0]],"at":[9e99,0],"radius":1e99},"b":)" +
+                              R"({"polygon":[[0,0],[1e-140,0],[0,1e-140]],"at":[-1e100,0]}})");
+  ASSERT_EQ(answers.lines.size(), 6u);
+  EXPECT_EQ(answers.lines[0]["id"], "x");
+  EXPECT_EQ(answers.lines[0]["line"], 1);
+  EXPECT_EQ(answers.lines[1]["id"], 7);
+  for (std::size_t i : {2, 3, 4}) {
+    EXPECT_FALSE(answers.lines[i].contains("id")) << i;
+    EXPECT_TRUE(answers.lines[i].contains("error")) << i;
+  }
+  EXPECT_EQ(answers.lines[5]["id"], 9);
+}
+
+// Two stars of a thousand corners: for a tenth of the distance one looks at less of them.
+TEST_F(Pairs, AnswersWithinEpsilon) {
+  std::string star;
+  for (int i = 0; i < 1000; ++i) {
+    const double radius = i % 2 ? 1.0 : 0.9, angle = 2 * 3.14159265358979 * i / 1000;
+    star += (i > 0 ? ",[" : "[") + std::to_string(radius * std::cos(angle)) + "," +
+            std::to_string(radius * std::sin(angle)) + "]";
+  }
+  const std::string pair =
+      R"("a":{"polygon":[)" + star + R"(]},"b":{"polygon":[)" + star + R"(],"at":[2.5,1]})";
+  const Answers answers = answers_of(throng(
+      "pairs --work " + write("pairs.jsonl", "{" + pair + "}\n{" + pair + R"(,"epsilon":0.1})" + "\n")));
+  const json exact = answers.lines.at(0), rough = answers.lines.at(1);
+  EXPECT_EQ(exact["lower"], exact["upper"]);
+  EXPECT_LE(rough["lower"], exact["distance"]);
+  EXPECT_GE(rough["upper"], exact["distance"]);
+  EXPECT_EQ(rough["upper"], rough["distance"]);
+  EXPECT_LE(rough["upper"].get<double>(), 1.1 * rough["lower"].get<double>() * (1 + 1e-15));
+  EXPECT_LT(rough["lower"], rough["upper"]);
+  EXPECT_LT(rough["work"]["nodes"], exact["work"]["nodes"]);
+}
+
+TEST_F(Pairs, SaysInItsHelpWhatEveryKeyMeans) {
+  const std::string help = throng("pairs --help").out;
+  const std::string line = R"({"id":1,"epsilon":0,"a":)" + kSquare + R"(,"b":{"polygon":)" +
+                           R"([[0,0],[1,0],[1,0],[1,1]],"radius":0,"at":[0,0],"angle":0}})";
+  const Answers answers = answers_of(throng("pairs --work " + write("pairs.jsonl", line + "\n7\n")));
+  EXPECT_EQ(answers.lines.at(0).size(), 11u) << answers.lines[0];
+  for (const json& answer : answers.lines)
+    for (const auto& item : answer.items()) EXPECT_THAT(help, HasSubstr('"' + item.key() + '"'));
+  for (const char* key :
+       {"way_out", "epsilon", "polygon", "holes", "disc", "discs", "segment", "radius", "at", "angle"})
+    EXPECT_THAT(help, HasSubstr('"' + std::string(key) + '"'));
 }
 
 TEST_F(Pairs, EndsWithTwoWhereThereIsNoFile) {
