@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Two polygons from bytes, mostly on a grid, where things touch, coincide and stand in line: all that the
-// hierarchies, the parts and the tracker say about them must agree with the definitions.
+// Two polygons from bytes, some with holes, mostly on a grid, where things touch, coincide and stand in line:
+// all that the hierarchies, the parts and the tracker say about them must agree with the definitions.
 #include <algorithm>
 #include <cmath>
 
 #include "narrowphase/bvh_exhaustive.h"
 #include "narrowphase/bvh_parts.h"
 #include "narrowphase/decompose.h"
+#include "narrowphase/holes.h"
 #include "narrowphase/nearest_parts.h"
 #include "narrowphase/polygon.h"
 #include "narrowphase/tracker.h"
@@ -18,6 +19,7 @@ namespace {
 
 using namespace narrowphase;
 using Ring = std::vector<Vec>;
+using Rings = std::vector<Ring>;
 
 /// Takes numbers from bytes; zeros where these have ended.
 struct Bytes {
@@ -37,7 +39,17 @@ Ring ring(Bytes& bytes, double scale) {
     if (wobble & (1 << (i % 8))) v *= 1.0 + 0x1p-40 * bytes.signed_byte();
     result.push_back(scale * v);
   }
-  return clean(result).vertices;
+  return result;
+}
+
+/// The rings of a solid, those holes left out that are none; empty where the outline is none.
+Rings rings(Bytes& bytes, double scale, int holes) {
+  Rings result{ring(bytes, scale)};
+  for (int i = 0; i < holes; ++i) {
+    result.push_back(ring(bytes, scale));
+    if (clean(result).rings.empty()) result.pop_back();
+  }
+  return clean(result).rings;
 }
 
 /// Every second one in quarter turns.
@@ -50,7 +62,7 @@ Pose place(Bytes& bytes, double scale) {
 }
 
 struct Placed {
-  Ring ring;
+  Rings rings;
   Pose pose;
 };
 
@@ -59,9 +71,17 @@ bool same(const Separation& one, const Separation& other) {
          one.point_b == other.point_b;
 }
 
+/// Convex parts, as much as the rings hold.
+void check_decomposition(const Rings& rings, double scale) {
+  double area = 0.0;
+  for (const Convex& part : decompose(rings)) area += mass_properties(part.vertices).area;
+  expect(std::abs(area - mass_properties(rings).area) <= 1e-14 * scale * scale,
+         "parts are as large as their solid");
+}
+
 /// Parts one by one and in hierarchies. Returns their distance.
 double check_parts(const Placed& a, const Placed& b, double radius) {
-  const auto of_a = decompose(a.ring, radius), of_b = decompose(b.ring);
+  const auto of_a = decompose(a.rings, radius), of_b = decompose(b.rings);
   const Separation all = separation(of_a, a.pose, of_b, b.pose);
   expect(same(all, separation(parts_bvh(of_a, {Split::sah, 1}), a.pose, parts_bvh(of_b), b.pose)),
          "a hierarchy of parts says what all pairs say");
@@ -70,10 +90,9 @@ double check_parts(const Placed& a, const Placed& b, double radius) {
 
 template <class Volume>
 void check_outlines(const Placed& a, const Placed& b, double scale, double of_parts) {
-  const std::vector<Ring> rings_a{a.ring}, rings_b{b.ring};
-  const auto shape_a = outline<Volume>(rings_a, {Split::middle, 1}), shape_b = outline<Volume>(rings_b);
+  const auto shape_a = outline<Volume>(a.rings, {Split::middle, 1}), shape_b = outline<Volume>(b.rings);
   const OutlineProximity all =
-      exhaustive_proximity(outline_edges(rings_a), a.pose, outline_edges(rings_b), b.pose);
+      exhaustive_proximity(outline_edges(a.rings), a.pose, outline_edges(b.rings), b.pose);
   const OutlineProximity found = proximity(shape_a, a.pose, shape_b, b.pose);
   const double rounding = 1e-13 * scale;
   expect(std::abs(found.upper - all.upper) <= rounding, "an outline is as far as all its edges say");
@@ -91,7 +110,7 @@ void check_outlines(const Placed& a, const Placed& b, double scale, double of_pa
 
 /// Their first parts, along a motion: what is remembered never misleads.
 void check_tracking(const Placed& a, Placed b, Bytes& bytes, double scale) {
-  const Convex of_a = decompose(a.ring)[0], of_b = decompose(b.ring)[0];
+  const Convex of_a = decompose(a.rings)[0], of_b = decompose(b.rings)[0];
   ClosestFeatures features;
   for (int step = 0; step < 6; ++step) {
     const Separation found = track(of_a, a.pose, of_b, b.pose, features);
@@ -108,12 +127,16 @@ void check_tracking(const Placed& a, Placed b, Bytes& bytes, double scale) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace throng::fuzz;
   Bytes bytes{data, data + size};
-  const double scale = std::ldexp(1.0, bytes.signed_byte() / 4);
-  Placed a{ring(bytes, scale), place(bytes, scale)}, b{ring(bytes, scale), place(bytes, scale)};
-  if (a.ring.empty() || b.ring.empty()) return 0;
+  const int first = bytes.byte(), holes = first % 4;
+  const double scale = std::ldexp(1.0, (first - 128) / 4);
+  Placed a{rings(bytes, scale, holes), place(bytes, scale)},
+      b{rings(bytes, scale, holes), place(bytes, scale)};
+  if (a.rings.empty() || b.rings.empty()) return 0;
   const double radius = bytes.byte() % 4 == 3 ? scale * bytes.byte() / 64.0 : 0.0;
+  const double reach = 64.0 * scale;
+  check_decomposition(a.rings, reach);
   check_parts(a, b, radius);
-  const double distance = check_parts(a, b, 0.0), reach = 64.0 * scale;
+  const double distance = check_parts(a, b, 0.0);
   constexpr decltype(&check_outlines<Box<2>>) kVolumes[] = {&check_outlines<Ball<2>>, &check_outlines<Box<2>>,
                                                             &check_outlines<OrientedBox<2>>,
                                                             &check_outlines<BoxAndBall<2>>};
