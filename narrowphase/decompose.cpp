@@ -31,9 +31,12 @@ class EarCutter {
   explicit EarCutter(std::span<const Vec> polygon) : polygon_(polygon), left_(polygon.size()) {
     const std::size_t count = polygon.size();
     for (std::size_t i = 0; i < count; ++i)
-      ring_.push_back({previous(i, count), narrowphase::next(i, count), kNone, false});
-    for (std::size_t i = 0; i < count; ++i)
-      if (!is_convex(i)) blunt_.push_back(i);
+      ring_.push_back({previous(i, count), narrowphase::next(i, count), kNone});
+    for (std::size_t i = 0; i < count; ++i) {
+      ring_[i].blunt = !is_convex(i);
+      if (ring_[i].blunt) blunt_.push_back(i);
+    }
+    std::sort(blunt_.begin(), blunt_.end(), [&](std::size_t i, std::size_t j) { return x(i) < x(j); });
   }
 
   /// An ear stays one, and what is none becomes one only when a neighbour goes: each vertex waits to be
@@ -59,7 +62,10 @@ class EarCutter {
   struct Link {
     std::size_t previous, next, across;
     bool gone = false;
+    bool blunt = false;  // turns right or not at all
   };
+
+  double x(std::size_t i) const { return polygon_[i].x(); }
 
   int turn(std::size_t i, std::size_t j, std::size_t k) const {
     return orientation(polygon_[i], polygon_[j], polygon_[k]);
@@ -71,10 +77,17 @@ class EarCutter {
   bool is_ear(std::size_t i) const {
     const std::size_t a = ring_[i].previous, c = ring_[i].next;
     if (!is_convex(i)) return false;
-    return std::none_of(blunt_.begin(), blunt_.end(), [&](std::size_t v) {
-      return turn(c, a, v) >= 0 && turn(a, i, v) >= 0 && turn(i, c, v) >= 0 && !share_place(v, a) &&
-             !share_place(v, i) && !share_place(v, c);
-    });
+    const double low = std::min({x(a), x(i), x(c)}), high = std::max({x(a), x(i), x(c)});
+    auto v = std::partition_point(blunt_.begin(), blunt_.end(), [&](std::size_t j) { return x(j) < low; });
+    for (; v != blunt_.end() && x(*v) <= high; ++v)
+      if (ring_[*v].blunt && holds(a, i, c, *v)) return false;
+    return true;
+  }
+
+  /// Whether v lies in the triangle a-i-c or on its rim, but at no corner.
+  bool holds(std::size_t a, std::size_t i, std::size_t c, std::size_t v) const {
+    return turn(c, a, v) >= 0 && turn(a, i, v) >= 0 && turn(i, c, v) >= 0 && !share_place(v, a) &&
+           !share_place(v, i) && !share_place(v, c);
   }
 
   bool share_place(std::size_t i, std::size_t j) const { return polygon_[i] == polygon_[j]; }
@@ -96,12 +109,12 @@ class EarCutter {
     ring_[a].next = c, ring_[c].previous = a, ring_[a].across = diagonal, ring_[i].gone = true;
     --left_;
     last_ = a;
-    std::erase_if(blunt_, [&](std::size_t v) { return (v == a || v == c) && is_convex(v); });
+    for (const std::size_t v : {a, c}) ring_[v].blunt = !is_convex(v);
   }
 
   std::span<const Vec> polygon_;
   std::vector<Link> ring_;
-  std::vector<std::size_t> blunt_;  // vertices that turn right or not at all
+  std::vector<std::size_t> blunt_;  // vertices that were blunt at first, from left to right
   std::vector<HalfEdge> edges_;
   std::size_t left_;
   std::size_t last_ = 0;  // a vertex that is still there
