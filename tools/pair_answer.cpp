@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "narrowphase/bvh_fit.h"
 #include "narrowphase/bvh_parts.h"
 #include "narrowphase/manifold.h"
 #include "sim/input_error.h"
@@ -27,24 +28,37 @@ double support(const Solid& solid, const Vec& along, const Vec& origin) {
   return farthest + along.dot(solid.pose.position - origin);
 }
 
+/// What is to be parted: the solid's hull as one part, or where its parts are not equally rounded all of
+/// them.
+Solid hull(const Solid& solid) {
+  const double radius = solid.parts[0].radius;
+  narrowphase::Points<2> points;
+  for (const Convex& part : solid.parts) {
+    if (part.radius != radius) return solid;
+    points.insert(points.end(), part.vertices.begin(), part.vertices.end());
+  }
+  narrowphase::reduce_to_hull<2>(points);
+  return {{narrowphase::convex(std::move(points), radius)}, solid.pose};
+}
+
 /// Where b can move, along a unit vector, and how far it must to be surely apart from a.
 struct WayOut {
   double length;
   Vec along;
 };
 
-/// The shortest of the ways out along the faces' normals, and along `normal`.
-WayOut way_out(const PairQuery& q, const Vec& normal) {
+/// The shortest of the ways out along the faces' normals, where the shortest of hulls is, and along `normal`.
+WayOut way_out(const Solid& a, const Solid& b, const Vec& normal) {
   WayOut shortest{std::numeric_limits<double>::infinity(), normal};
   const auto try_along = [&](const Vec& n) {
-    const double length = support(q.a, n, q.a.pose.position) + support(q.b, -n, q.a.pose.position);
+    const double length = support(a, n, a.pose.position) + support(b, -n, a.pose.position);
     if (length < shortest.length) shortest = {length, n};
   };
   try_along(normal);
-  for (const Convex& part : q.a.parts)
-    for (const Vec& n : part.normals) try_along(q.a.pose.rotate(n));
-  for (const Convex& part : q.b.parts)
-    for (const Vec& n : part.normals) try_along(-q.b.pose.rotate(n));
+  for (const Convex& part : a.parts)
+    for (const Vec& n : part.normals) try_along(a.pose.rotate(n));
+  for (const Convex& part : b.parts)
+    for (const Vec& n : part.normals) try_along(-b.pose.rotate(n));
   return shortest;
 }
 
@@ -74,7 +88,7 @@ Json checked(Json result) {
 
 /// Of solids that overlap and are not both convex, whose depth lies between their deepest parts' and this.
 void add_way_out(const PairQuery& q, const narrowphase::Separation& s, Json& result) {
-  const WayOut out = way_out(q, s.normal);
+  const WayOut out = way_out(hull(q.a), hull(q.b), s.normal);
   const double length = std::max(out.length, -s.distance);
   result["lower"] = -length;
   result["way_out"] = json(Vec(length * out.along));

@@ -76,7 +76,7 @@ TEST(Shapes, WhoseHolesCantBeHadSayWhichAndWhere) {
   const std::pair<std::string, std::string> cases[] = {
       {"[[[2, 2], [3, 2], [4, 2]]]", "s.toml:3:61: error: shapes.s.holes[0]: all vertices lie on a line"},
       {"[[[2, 2], [3, 2], [2, 3]], [[7, 6], [9, 6], [7, 7]]]",
-       "s.toml:3:87: error: shapes.s.holes[1]: edge 1-2 meets edge 1-2 of the outline"},
+       "s.toml:3:87: error: shapes.s.holes[1]: edge 0-1 meets edge 1-2 of the outline"},
       {"[[[2, 2], [3, 2], [2, 3]], [[1, 1], [6, 1], [1, 6]]]",
        "s.toml:3:61: error: shapes.s.holes[0]: lies in hole 1"},
       {"[[[9, 9], [10, 9], [9, 10]]]", "s.toml:3:61: error: shapes.s.holes[0]: lies outside the outline"},

@@ -130,14 +130,23 @@ TEST_F(Pairs, BracketsTheDepthOfNonConvexSolids) {
   EXPECT_FALSE(answer.contains("manifold"));
 }
 
-// The middle disc alone is left after 1.5 m; along the x axis all three are after 2.5 m.
-TEST_F(Pairs, BracketsTheDepthInACompositeOfDiscs) {
+// The middle disc is left after 1.5 m, and across their row so are all three.
+TEST_F(Pairs, FindsTheWayOutAcrossARowOfDiscs) {
   const std::string row = R"({"discs":[[0,0,1],[-1,0,1],[1,0,1]]})", disc = R"({"disc":{"radius":0.5}})";
   const json answer = ask_one(R"({"a":)" + row + R"(,"b":)" + disc + "}");
   EXPECT_EQ(answer["distance"], -1.5);
   EXPECT_EQ(answer["upper"], -1.5);
-  EXPECT_EQ(answer["lower"], -2.5);
-  EXPECT_EQ(ask_one(R"({"a":)" + disc + R"(,"b":)" + row + "}")["lower"], -2.5);
+  EXPECT_EQ(answer["lower"], -1.5);
+  EXPECT_EQ(answer["way_out"][0], 0.0);
+  EXPECT_EQ(ask_one(R"({"a":)" + disc + R"(,"b":)" + row + "}")["lower"], -1.5);
+}
+
+// Of unequal discs only the way along the normal is tried, here along the row.
+TEST_F(Pairs, BracketsTheDepthInACompositeOfUnequalDiscs) {
+  const std::string row = R"({"discs":[[0,0,1],[-1,0,1],[1,0,0.75]]})", disc = R"({"disc":{"radius":0.5}})";
+  const json answer = ask_one(R"({"a":)" + row + R"(,"b":)" + disc + "}");
+  EXPECT_EQ(answer["upper"], -1.5);
+  EXPECT_EQ(answer["lower"], answer["normal"][0] == 1.0 ? -2.25 : -2.5);
 }
 
 // To the right the disc leaves the upright of the L soonest, but only to the left it surely leaves all of it.
