@@ -197,7 +197,9 @@ double deepest(const Manifold& m) {
 /// wider by much, or where this one leaves out the deepest place.
 Manifold kept_manifold(const Roles& roles, std::size_t edge, const Face& widest, const Convex& owner,
                        double reach) {
-  constexpr double kMuch = 0x1p-10;  // of the shorter of the two faces
+  // Of the shorter of the two faces. More would press in what the wider face lets go: from 2^-16 on, stacked
+  // boxes rest deeper in each other.
+  constexpr double kMuch = 0x1p-18;
   if (edge >= roles.reference.normals.size()) return {};
   const Face face = face_at(roles.reference, edge, roles.incident, roles.incident_in_reference);
   const double much = kMuch * std::min(length(roles.reference, edge), length(owner, widest.edge));

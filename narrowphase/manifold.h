@@ -34,9 +34,9 @@ struct Manifold {
 /// nothing.
 ///
 /// The reference is the face that keeps the other shape farthest outside. Faces that do so equally well would
-/// take turns with each rounding: `kept`, the last manifold's, stays until another is wider by a thousandth
-/// of the shorter of the two. Any value may be passed, of whatever shapes; the manifold depends on nothing
-/// else.
+/// take turns with each rounding: `kept`, the last manifold's, stays until another is wider by 2^-18 (four
+/// millionths) of the shorter of the two. Any value may be passed, of whatever shapes; the manifold depends
+/// on nothing else.
 Manifold manifold(const Convex& a, const Pose& pose_a, const Convex& b, const Pose& pose_b, double reach,
                   const Reference& kept = {});
 

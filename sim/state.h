@@ -12,7 +12,7 @@ namespace throng {
 /// Impulses of one contact point, kept from step to step to start the solver warm.
 struct ContactImpulse {
   std::uint64_t key;       ///< which two colliders; see `Contacts`
-  std::uint32_t feature;   ///< the pair of features in contact
+  std::uint32_t feature;   ///< the pair of features in contact, and the reference face
   double normal, tangent;  ///< N s
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/contact/find_contacts.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "narrowphase/half_plane.h"
@@ -12,6 +13,7 @@ using narrowphase::Convex;
 using narrowphase::Manifold;
 using narrowphase::ManifoldPoint;
 using narrowphase::Pose;
+using narrowphase::Reference;
 
 namespace {
 
@@ -21,14 +23,25 @@ std::uint64_t key_of(Pair pair, bool obstacle) {
   return (obstacle ? kObstacle : 0) | std::uint64_t{pair.a} << 32 | pair.b;
 }
 
-/// The impulses of the last step. Both run in ascending order of key, so the search never goes back.
+/// The contacts of the last step that pressed. They and the questions ascend by key: the search never goes
+/// back.
 class Memory {
  public:
-  explicit Memory(std::span<const ContactImpulse> kept) : kept_(kept) {}
+  /// Keys below `first` won't be asked for.
+  explicit Memory(std::span<const ContactImpulse> kept, std::uint64_t first = 0) : kept_(kept) {
+    const auto below = [](const ContactImpulse& contact, std::uint64_t key) { return contact.key < key; };
+    next_ = static_cast<std::size_t>(std::lower_bound(kept.begin(), kept.end(), first, below) - kept.begin());
+  }
+
+  /// The first contact under that key; null where nothing pressed.
+  const ContactImpulse* find(std::uint64_t key) {
+    while (next_ < kept_.size() && kept_[next_].key < key) ++next_;
+    return next_ < kept_.size() && kept_[next_].key == key ? &kept_[next_] : nullptr;
+  }
 
   void recall(std::uint64_t key, std::uint32_t feature, ContactBase& contact) {
     contact.normal_impulse = contact.tangent_impulse = 0.0;
-    while (next_ < kept_.size() && kept_[next_].key < key) ++next_;
+    if (!find(key)) return;
     const std::uint32_t touch = narrowphase::without_reference(feature);
     for (std::size_t i = next_; i < kept_.size() && kept_[i].key == key; ++i)
       if (narrowphase::without_reference(kept_[i].feature) == touch) {
@@ -39,8 +52,13 @@ class Memory {
 
  private:
   std::span<const ContactImpulse> kept_;
-  std::size_t next_ = 0;
+  std::size_t next_;
 };
+
+/// The face that described the contact of a and b in the last step.
+Reference reference(const ContactImpulse* kept, const Convex& a, const Convex& b) {
+  return kept ? narrowphase::reference(kept->feature, a, b) : Reference{};
+}
 
 /// The mass that bodies a and b show to an impulse along `direction` at those arms.
 double effective_mass(const SolverBody& a, const SolverBody& b, const Vec& arm_a, const Vec& arm_b,
@@ -82,6 +100,10 @@ void place(PointContact& contact, const ManifoldPoint& point, const SolverBody& 
 
 }  // namespace
 
+std::uint64_t ContactFinder::Touch::key() const {
+  return key_of(pair, obstacle);
+}
+
 ContactFinder::ContactFinder(const Scene& scene, const Plan& plan) : scene_(scene), plan_(plan) {}
 
 void ContactFinder::find(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
@@ -98,7 +120,9 @@ void ContactFinder::find(const Candidates& candidates, const State& state, std::
     });
   }
   workers.for_ranges(touches_.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) manifolds_[i] = manifold(candidates, state, touches_[i]);
+    Memory memory(state.point_contacts, touches_[begin].key());
+    for (std::size_t i = begin; i < end; ++i)
+      manifolds_[i] = manifold(candidates, state, touches_[i], memory.find(touches_[i].key()));
   });
   add_points(candidates, state, bodies, contacts);
 }
@@ -129,7 +153,8 @@ Pose ContactFinder::pose(const State& state, std::uint32_t body) const {
   return plan_.polygons ? pose_[body] : Pose{state.position[body]};
 }
 
-Manifold ContactFinder::manifold(const Candidates& candidates, const State& state, const Touch& touch) const {
+Manifold ContactFinder::manifold(const Candidates& candidates, const State& state, const Touch& touch,
+                                 const ContactImpulse* kept) const {
   const Colliders& colliders = candidates.colliders();
   const auto [row_a, row_b] = touch.pair;
   // A disc about its body's centre has no shape of its own: it borrows one.
@@ -144,13 +169,15 @@ Manifold ContactFinder::manifold(const Candidates& candidates, const State& stat
   if (!touch.obstacle) {
     Pose pose_b = pose(state, colliders.body[row_b]);
     pose_b.position += touch.shift;
-    return narrowphase::manifold(a, pose_a, shape(row_b, disc_b), pose_b, candidates.reach(touch.pair));
+    const Convex& b = shape(row_b, disc_b);
+    return narrowphase::manifold(a, pose_a, b, pose_b, candidates.reach(touch.pair), reference(kept, a, b));
   }
   const Obstacles& obstacles = candidates.obstacles();
   const double reach = candidates.reach(row_a);
   const std::size_t sides = obstacles.side.size();
   if (row_b < sides) return narrowphase::manifold(a, pose_a, obstacles.side[row_b], reach);
-  return narrowphase::manifold(a, pose_a, obstacles.part[row_b - sides], Pose{touch.shift}, reach);
+  const Convex& part = obstacles.part[row_b - sides];
+  return narrowphase::manifold(a, pose_a, part, Pose{touch.shift}, reach, reference(kept, a, part));
 }
 
 /// What all points of one manifold share but the normal.
@@ -177,7 +204,7 @@ void ContactFinder::add_points(const Candidates& candidates, const State& state,
   for (std::size_t i = 0; i < touches_.size(); ++i) {
     const Touch& touch = touches_[i];
     if (manifolds_[i].count == 0) continue;
-    const std::uint64_t key = key_of(touch.pair, touch.obstacle);
+    const std::uint64_t key = touch.key();
     PointContact contact = point_contact(colliders, candidates.obstacles(), touch,
                                          static_cast<std::uint32_t>(bodies.size() - 1));
     contact.normal = manifolds_[i].normal;

@@ -23,7 +23,8 @@ struct Contacts {
   void save(State& state) const;  ///< the impulses of contacts that press, for the next step
 };
 
-/// Narrowphase: what the solver must look at among the candidates, with the impulses of the step before.
+/// Narrowphase: what the solver must look at among the candidates, with the impulses of the step before. A
+/// pair whose contact pressed then keeps its reference face while that is as good as the widest.
 class ContactFinder {
  public:
   ContactFinder(const Scene& scene, const Plan& plan);
@@ -38,12 +39,15 @@ class ContactFinder {
     broadphase::Pair pair;
     bool obstacle;  // the pair's b is an obstacle
     Vec shift;      // m, to the image of b that is nearest to a
+
+    std::uint64_t key() const;
   };
 
   void sort_out(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
                 Contacts& contacts);
   narrowphase::Pose pose(const State& state, std::uint32_t body) const;
-  narrowphase::Manifold manifold(const Candidates& candidates, const State& state, const Touch& touch) const;
+  narrowphase::Manifold manifold(const Candidates& candidates, const State& state, const Touch& touch,
+                                 const ContactImpulse* kept) const;
   void add_points(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
                   Contacts& contacts) const;
   PointContact point_contact(const Colliders& colliders, const Obstacles& obstacles, const Touch& touch,

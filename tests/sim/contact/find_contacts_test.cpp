@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "sim/contact/find_contacts.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/sim/trial.h"
+
+namespace throng {
+namespace {
+
+using narrowphase::Reference;
+
+/// A box of that kind and another that presses on it, tilted so little that their faces are equally wide but
+/// for a millionth: the sign says whose is the wider.
+std::string stack(const std::string& kind, const std::string& sign) {
+  return "gravity = [0, -9.81]\ntime = { dt = 0.01, substeps = 4 }\n"
+         "[shapes]\nbox = { polygon = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]] }\n"
+         "[[bodies]]\nshape = \"box\"\nat = [0, 0]\nkind = \"" +
+         kind + "\"\n[[bodies]]\nshape = \"box\"\nat = [0.25, 0.99]\nangle = " + sign + "2e-6\n";
+}
+
+/// The reference of the contact that pressed in the last step.
+Reference reference(const Trial& trial) {
+  const auto& shape = trial.scene.shapes.at(0).parts.at(0);
+  EXPECT_EQ(trial.state.point_contacts.size(), 2u);
+  return narrowphase::reference(trial.state.point_contacts.at(0).feature, shape, shape);
+}
+
+// Boxes that rock on each other: now one face is the wider, now the other.
+TEST(FindContacts, KeepsTheReferenceOfTheLastStep) {
+  for (const char* kind : {"kinematic", "static"})
+    for (bool left : {true, false}) {
+      Trial rocking(stack(kind, left ? "+" : "-")), afresh(stack(kind, left ? "-" : "+"));
+      rocking.steps(1), afresh.steps(1);
+      const Reference first = reference(rocking), other = reference(afresh);
+      EXPECT_NE(first.of_b, other.of_b) << "nothing to hold against";
+      const State tilted = initial_state(afresh.scene);
+      rocking.state.position = tilted.position, rocking.state.angle = tilted.angle;
+      rocking.steps(1);
+      EXPECT_EQ(reference(rocking).of_b, first.of_b) << kind << " " << left;
+      EXPECT_EQ(reference(rocking).edge, first.edge) << kind << " " << left;
+    }
+}
+
+TEST(FindContacts, ForgetsTheReferenceOfBoxesThatLetGo) {
+  Trial rocking(stack("kinematic", "+")), afresh(stack("kinematic", "-"));
+  rocking.steps(1), afresh.steps(1);
+  const State tilted = initial_state(afresh.scene);
+  rocking.state.position[1].y() = 5.0;
+  rocking.steps(1);
+  EXPECT_TRUE(rocking.state.point_contacts.empty());
+  rocking.state.position = tilted.position, rocking.state.angle = tilted.angle;
+  rocking.state.velocity = tilted.velocity, rocking.state.spin = tilted.spin;
+  rocking.steps(1);
+  EXPECT_EQ(reference(rocking).of_b, reference(afresh).of_b);
+}
+
+}  // namespace
+}  // namespace throng
