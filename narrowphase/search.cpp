@@ -23,7 +23,7 @@ bool leave_gap(const Placed& p, const Pose& b_in_a, const Pose& a_in_b, ClosestF
 }
 
 [[gnu::noinline]] Walk walk(const Placed& p, ClosestFeatures& f, SearchStatistics& statistics) {
-  const Walk to = walk(p, f);
+  const Walk to = walk(p, f, Look(p, f));
   statistics.steps += to.steps;
   return to;
 }

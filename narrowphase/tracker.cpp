@@ -20,11 +20,10 @@ namespace {
 
 /// Whether a walk would take longer than a search from nothing, by a guess: the vertex is many edges past the
 /// end of its edge, or the edge faces the place many edges further on. Few vertices are always near.
-bool are_far(const Placed& p, const ClosestFeatures& f) {
+bool are_far(const Placed& p, const ClosestFeatures& f, const Look& look) {
   constexpr std::size_t kFew = 64 * 64;  // pairs of vertices
   constexpr double kFar = 16.0;          // edges, of the length and the turn of those at hand
   if (p.a.vertices.size() * p.b.vertices.size() <= kFew) return false;
-  const Look look(p, f);
   if (std::max(-look.past_tail, look.past_head) > kFar * (look.past_tail - look.past_head)) return true;
   if (look.x->normals.empty()) return false;
   const Vec facing = -look.pose_x->unrotate(look.pose_y->rotate(look.y->normals[f.edge]));
@@ -35,8 +34,9 @@ bool are_far(const Placed& p, const ClosestFeatures& f) {
 
 [[gnu::noinline]] Separation walk_or_search(const Placed& placed, ClosestFeatures& f,
                                             SearchStatistics* statistics) {
-  if (are_far(placed, f)) return search_anew(placed, false, f, statistics);
-  const Walk to = walk(placed, f);
+  const Look look(placed, f);
+  if (are_far(placed, f, look)) return search_anew(placed, false, f, statistics);
+  const Walk to = walk(placed, f, look);
   if (statistics) statistics->steps += to.steps;
   if (to.proven) return to.answer;
   return search_anew(placed, to.seems_to_overlap, f, statistics);

@@ -44,15 +44,14 @@ inline ClosestFeatures closer_features(const Look& look, const ClosestFeatures& 
   return {swap ? end : stay, swap ? between : edge, swap != f.vertex_of_b, true};
 }
 
-/// From `f` on, which both shapes must have, each step to closer features; `f` is then where it ended.
+/// From `f` on, which `look` looks at, each step to closer features; `f` is then where it ended.
 /// Without proof where it ends in an overlap, or what looks like one, or takes too long. In an overlap the
 /// steps may lead round in a circle, but not closer all the way: that ends it. The first steps are free,
 /// since rounding may make them seem longer where shapes all but touch.
-[[gnu::always_inline]] inline Walk walk(const Placed& placed, ClosestFeatures& f) {
+[[gnu::always_inline]] inline Walk walk(const Placed& placed, ClosestFeatures& f, Look look) {
   constexpr int kLongest = 32, kFree = 4;
   double least = std::numeric_limits<double>::infinity();
   for (int step = 0;; ++step) {
-    const Look look(placed, f);
     if (look.proves()) [[likely]]
       return {answer(look, f.vertex_of_b), true, false, step};
     const double squared = look.at_corner ? look.squared : look.height * look.height;
@@ -60,6 +59,7 @@ inline ClosestFeatures closer_features(const Look& look, const ClosestFeatures& 
     if (step == kLongest || (step > kFree && squared >= least)) return {{}, false, false, step};
     least = squared;
     f = closer_features(look, f);
+    look = Look(placed, f);
   }
 }
 

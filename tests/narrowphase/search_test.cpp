@@ -83,7 +83,7 @@ TEST(Walk, EndsInAProofForAnyShapesApart) {
     ClosestFeatures f{static_cast<std::uint32_t>(random() % 3), static_cast<std::uint32_t>(random() % 3),
                       random() % 2 == 0, true};
     if (const Look look(placed, f); look.proves() || !leads_on(look)) continue;
-    const Walk to = walk(placed, f);
+    const Walk to = walk(placed, f, Look(placed, f));
     ++walked;
     lost += !to.proven && to.steps == 32;
   }
@@ -101,7 +101,7 @@ TEST(Walk, NeverGoesRoundInCircles) {
                       random() % 2 == 0, true};
     const Placed placed{a.shape, a.pose, b.shape, b.pose};
     if (!exist(f, placed)) continue;
-    const Walk to = walk(placed, f);
+    const Walk to = walk(placed, f, Look(placed, f));
     ASSERT_LT(to.steps, 32) << family << " " << i << " seed " << kSeed + 4;
     ASSERT_TRUE(exist(f, placed)) << family << " " << i << " seed " << kSeed + 4;
     ++(to.proven ? proven : given_up);
