@@ -213,11 +213,13 @@ Manifold polygon_manifold(const Convex& a, const Pose& pose_a, const Convex& b, 
                           double reach, const Reference& kept) {
   const double enough = reach + a.radius + b.radius;
   const Pose b_in_a = relative(pose_a, pose_b);
-  if (facing_face(a, b, b_in_a).separation > enough) return {};
+  if (!kept.known && facing_face(a, b, b_in_a).separation > enough) return {};
   const Pose a_in_b = inverse(b_in_a);
-  Face of_a = widest_face(a, b, b_in_a), of_b = widest_face(b, a, a_in_b);
+  Face of_a = widest_face(a, b, b_in_a);
+  if (of_a.separation > enough) return {};
+  Face of_b = widest_face(b, a, a_in_b);
+  if (of_b.separation > enough) return {};
   const double widest = std::max(of_a.separation, of_b.separation);
-  if (widest > enough) return {};
   const bool wall_a = is_wall(a), wall_b = is_wall(b);
   if (widest <= 0.0 && wall_a && !wall_b) take_sides(of_a, of_b, a, b, b_in_a, a_in_b);
   if (widest <= 0.0 && wall_b && !wall_a) take_sides(of_b, of_a, b, a, a_in_b, b_in_a);
