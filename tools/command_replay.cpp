@@ -11,6 +11,7 @@
 #include "sim/recording/recording.h"
 #include "tools/commands.h"
 #include "tools/picture.h"
+#include "tools/replace_file.h"
 #include "tools/replay_page.h"
 #include "tools/verify.h"
 
@@ -37,12 +38,6 @@ void refuse_what_does_nothing(const Options& options) {
   if (options.at && options.png.empty()) throw InputError("--at says which frame --png draws: give both");
   if (options.width && options.png.empty()) throw InputError("--width is that of --png's picture: give both");
   if (options.threads && !options.verify) throw InputError("--threads are for --verify: give both");
-}
-
-bool are_one_file(const std::string& a, const std::string& b) {
-  std::error_code neither;
-  return std::filesystem::weakly_canonical(a, neither) == std::filesystem::weakly_canonical(b, neither) ||
-         std::filesystem::equivalent(a, b, neither);
 }
 
 /// Pictures and pages replace what had their name; the recording is not to be had again.

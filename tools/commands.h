@@ -17,6 +17,7 @@ void add_replay(CLI::App& app, int& exit_code);
 void add_query(CLI::App& app, int& exit_code);
 void add_pairs(CLI::App& app, int& exit_code);
 void add_info(CLI::App& app, int& exit_code);
+void add_export(CLI::App& app, int& exit_code);
 void add_bench(CLI::App& app, int& exit_code);
 
 /// Leaves a whole number in decimals as CLI11 reads it, which alone takes 010 for 8 and what is out of range

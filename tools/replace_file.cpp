@@ -4,7 +4,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
+#include <climits>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -20,17 +23,55 @@ namespace {
   throw InputError("cannot write " + output + ": " + why);
 }
 
+char unfinished[PATH_MAX];  // the file's name, where the handler finds it
+
 /// An empty file that nobody else has, with the rights of the one that it replaces, or else of any new file.
-std::string new_file(const std::string& output, const std::string& target, const struct stat* replaced) {
-  std::string name = target + ".XXXXXX";
-  const int fd = mkstemp(name.data());
-  if (fd < 0) refuse(output, std::strerror(errno));
-  const mode_t masked = umask(0);
-  umask(masked);
-  fchmod(fd, replaced ? replaced->st_mode & 07777 : 0666 & ~masked);
-  close(fd);
-  return name;
-}
+/// It goes with this, and with the program where a signal ends it; signals that are ignored stay so.
+class Unfinished {
+ public:
+  Unfinished(const std::string& output, const std::string& target, const struct stat* replaced) {
+    const std::string pattern = target + ".XXXXXX";
+    if (pattern.size() >= sizeof unfinished) refuse(output, std::strerror(ENAMETOOLONG));
+    pattern.copy(unfinished, pattern.size());
+    unfinished[pattern.size()] = '\0';
+    take_signals();
+    const int fd = mkstemp(unfinished);
+    const int error = errno;
+    if (fd < 0) leave_signals();
+    if (fd < 0) refuse(output, std::strerror(error));
+    const mode_t masked = umask(0);
+    umask(masked);
+    fchmod(fd, replaced ? replaced->st_mode & 07777 : 0666 & ~masked);
+    close(fd);
+  }
+  ~Unfinished() {
+    unlink(unfinished);
+    leave_signals();
+  }
+  Unfinished(const Unfinished&) = delete;
+  Unfinished& operator=(const Unfinished&) = delete;
+
+  const char* name() const { return unfinished; }
+
+ private:
+  void take_signals() {
+    struct sigaction action = {};
+    action.sa_handler = [](int) {
+      unlink(unfinished);
+      _exit(130);
+    };
+    for (std::size_t i = 0; i < kSignals.size(); ++i) {
+      sigaction(kSignals[i], nullptr, &before_[i]);
+      if (before_[i].sa_handler != SIG_IGN) sigaction(kSignals[i], &action, nullptr);
+    }
+  }
+  void leave_signals() {
+    for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &before_[i], nullptr);
+  }
+
+  static constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP};
+  std::array<struct sigaction, kSignals.size()> before_;
+};
 
 }  // namespace
 
@@ -41,14 +82,15 @@ void replace_file(const std::string& output, const std::function<void(const std:
   if (exists && access(output.c_str(), W_OK) != 0) refuse(output, std::strerror(errno));
   if (exists && !S_ISREG(found.st_mode)) return write(output);
   const std::string target = exists ? std::filesystem::canonical(output).string() : output;
-  const std::string name = new_file(output, target, exists ? &found : nullptr);
-  try {
-    write(name);
-    if (std::rename(name.c_str(), target.c_str()) != 0) refuse(output, std::strerror(errno));
-  } catch (...) {
-    std::remove(name.c_str());
-    throw;
-  }
+  const Unfinished file(output, target, exists ? &found : nullptr);
+  write(file.name());
+  if (std::rename(file.name(), target.c_str()) != 0) refuse(output, std::strerror(errno));
+}
+
+bool are_one_file(const std::string& a, const std::string& b) {
+  std::error_code neither;
+  return std::filesystem::weakly_canonical(a, neither) == std::filesystem::weakly_canonical(b, neither) ||
+         std::filesystem::equivalent(a, b, neither);
 }
 
 }  // namespace throng::tools

@@ -76,6 +76,7 @@ int main(int argc, char** argv) {
   add_resume(app, exit_code, command_line);
   add_query(app, exit_code);
   add_replay(app, exit_code);
+  add_export(app, exit_code);
   add_info(app, exit_code);
   add_pairs(app, exit_code);
   add_bench(app, exit_code);

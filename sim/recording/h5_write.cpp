@@ -67,6 +67,11 @@ void write_static(hid_t at, const char* name, hid_t type, std::span<const hsize_
 
 }  // namespace
 
+Handle create_file(const std::string& path) {
+  prepare();
+  return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose, "cannot make the file"};
+}
+
 Handle create_group(hid_t at, const char* name) {
   return {H5Gcreate2(at, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, "cannot make a group"};
 }
@@ -130,6 +135,24 @@ Handle create_growing(hid_t at, const char* name, hid_t type, std::vector<hsize_
   const Handle access(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose, "cannot make a property list");
   if (fletcher32) check(H5Pset_chunk_cache(access, 0, 0, 1.0), "cannot set the chunk cache");
   return {H5Dcreate2(at, name, type, where, H5P_DEFAULT, layout, access), H5Dclose, "cannot make a dataset"};
+}
+
+Handle create_fixed(hid_t at, const char* name, hid_t type, const std::vector<hsize_t>& dims) {
+  const Handle where = space(dims);
+  return {H5Dcreate2(at, name, type, where, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose,
+          "cannot make a dataset"};
+}
+
+void write_rows(hid_t set, hsize_t first, hsize_t count, hid_t type, const void* data) {
+  const Handle to(H5Dget_space(set), H5Sclose, "cannot write rows");
+  std::vector<hsize_t> size(check(H5Sget_simple_extent_ndims(to), "cannot write rows")), start(size.size());
+  check(H5Sget_simple_extent_dims(to, size.data(), nullptr), "cannot write rows");
+  start[0] = first;
+  size[0] = count;
+  const Handle from = space(size);
+  check(H5Sselect_hyperslab(to, H5S_SELECT_SET, start.data(), nullptr, size.data(), nullptr),
+        "cannot write rows");
+  check(H5Dwrite(set, type, from, to, H5P_DEFAULT, data), "cannot write rows");
 }
 
 template void write_attribute(hid_t, const char*, double);

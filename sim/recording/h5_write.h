@@ -11,6 +11,9 @@
 /// Making groups, attributes and datasets that are complete when made. All throw h5::Error.
 namespace throng::recording::h5 {
 
+/// A file in the oldest format that holds it, so that every HDF5 reads it. Empties what is there.
+Handle create_file(const std::string& path);
+
 Handle create_group(hid_t at, const char* name);
 
 void write_attribute(hid_t at, const char* name, std::string_view text);
@@ -34,5 +37,11 @@ void write_array(hid_t at, const char* name, std::span<const T> values, hsize_t 
 /// An empty dataset that grows in its first dimension; `dims` and `chunk` without it hold one row each.
 Handle create_growing(hid_t at, const char* name, hid_t type, std::vector<hsize_t> dims,
                       std::vector<hsize_t> chunk, bool fletcher32);
+
+/// A dataset in one piece, whose rows are written later.
+Handle create_fixed(hid_t at, const char* name, hid_t type, const std::vector<hsize_t>& dims);
+
+/// Writes `count` rows of the first dimension from row `first` on, which are of type `type` in memory.
+void write_rows(hid_t set, hsize_t first, hsize_t count, hid_t type, const void* data);
 
 }  // namespace throng::recording::h5

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include <filesystem>
+#include <fstream>
+
+#include "sim/input_error.h"
+#include "tools/export.h"
+#include "tools/text_file.h"
+
+namespace throng::tools {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string xml(const std::string& text) {
+  std::string safe;
+  for (char c : text) {
+    if (c == '&') safe += "&amp;";
+    else if (c == '<') safe += "&lt;";
+    else if (c == '>') safe += "&gt;";
+    else if (c == '"') safe += "&quot;";
+    else safe += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+  }
+  return safe;
+}
+
+/// HDF5 itself, which is all that ParaView has, opens no file whose writer did not close it.
+void expect_closed(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  char head[12] = {};
+  in.read(head, sizeof head);
+  if (head[11] != 0)
+    throw InputError(file + " was not closed by its run, and ParaView would not open it: 'throng resume' ends the run, " +
+                     "'h5clear -s' closes a copy of what there is");
+}
+
+std::string path_to(const std::string& file, const std::string& place) {
+  const fs::path recording = fs::canonical(file);
+  std::error_code none;
+  if (fs::exists(place, none) && !fs::is_regular_file(place, none)) return recording.string();
+  return recording.lexically_relative(fs::weakly_canonical(fs::absolute(place)).parent_path()).string();
+}
+
+/// What of a recorded field an element shows: `columns` of its numbers a body, from `first` on.
+struct Part {
+  const char* field;
+  int width;  ///< numbers that the field has a body: 1 or 2
+  int first, columns;
+};
+
+/// Writes elements that point into the recording.
+class Pointers {
+ public:
+  Pointers(TextFile& out, const Recording& recording, const std::string& path)
+      : out_(out),
+        path_(xml(path)),
+        bodies_(std::to_string(recording.bodies())),
+        frames_(std::to_string(recording.frames())),
+        bytes_(recording.geometry().record.single ? "4" : "8") {}
+
+  void write_points(std::size_t frame) const {
+    out_ << "<Topology TopologyType=\"Polyvertex\" NumberOfElements=\"" << bodies_ << "\" NodesPerElement=\"1\"/>\n"
+         << "<Geometry GeometryType=\"XY\">";
+    write_slab(frame, {"position", 2, 0, 2});
+    out_ << "</Geometry>\n";
+  }
+
+  /// A number a body that is the same in all frames.
+  void write_constant(const char* name, const char* type, const char* path) const {
+    begin_attribute(name);
+    out_ << "<DataItem Format=\"HDF\" Dimensions=\"" << bodies_ << "\" NumberType=\"" << type << "\" Precision=\"8\">"
+         << path_ << ":" << path << "</DataItem></Attribute>\n";
+  }
+
+  void write_scalar(const char* name, std::size_t frame, const Part& part) const {
+    begin_attribute(name);
+    write_slab(frame, part);
+    out_ << "</Attribute>\n";
+  }
+
+ private:
+  void begin_attribute(const char* name) const {
+    out_ << "<Attribute Name=\"" << name << "\" AttributeType=\"Scalar\" Center=\"Node\">";
+  }
+
+  /// A selection, start, stride and count of each dimension, and all of what it is taken from.
+  void write_slab(std::size_t frame, const Part& part) const {
+    const bool flat = part.width == 1;
+    const std::string columns = " " + std::to_string(part.columns);
+    out_ << "<DataItem ItemType=\"HyperSlab\" Dimensions=\"" << bodies_ << (part.columns == 1 ? "" : columns)
+         << "\"><DataItem Format=\"XML\" Dimensions=\"3 " << (flat ? "2" : "3") << "\">" << std::to_string(frame) << " 0"
+         << (flat ? "" : " " + std::to_string(part.first)) << (flat ? " 1 1" : " 1 1 1") << " 1 " << bodies_
+         << (flat ? "" : columns) << "</DataItem><DataItem Format=\"HDF\" Dimensions=\"" << frames_ << " " << bodies_
+         << (flat ? "" : " 2") << "\" NumberType=\"Float\" Precision=\"" << bytes_ << "\">" << path_
+         << ":/particles/trajectory/" << part.field << "/value</DataItem></DataItem>";
+  }
+
+  TextFile& out_;
+  std::string path_, bodies_, frames_, bytes_;
+};
+
+void write_attributes(const Pointers& to, const Record& record, std::size_t frame) {
+  to.write_constant("id", "Int", "/particles/trajectory/id");
+  to.write_constant("radius", "Float", "/throng/bodies/radius");
+  if (record.velocity) to.write_scalar("vx", frame, {"velocity", 2, 0, 1});
+  if (record.velocity) to.write_scalar("vy", frame, {"velocity", 2, 1, 1});
+  if (record.angle) to.write_scalar("angle", frame, {"angle", 1, 0, 1});
+  if (record.spin) to.write_scalar("spin", frame, {"spin", 1, 0, 1});
+}
+
+}  // namespace
+
+void export_xdmf(const Recording& recording, const std::string& file, std::span<const std::size_t> frames,
+                 const ExportTarget& target) {
+  expect_closed(file);
+  TextFile out(target);
+  const Pointers to(out, recording, path_to(file, target.name));
+  out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Xdmf Version=\"2.0\"><Domain>\n<Grid Name=\""
+      << xml(recording.geometry().name) << "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
+  for (std::size_t i : frames) {
+    out << "<Grid Name=\"bodies\"><Time Value=\"" << recording.times()[i] << "\"/>\n";
+    to.write_points(i);
+    write_attributes(to, recording.geometry().record, i);
+    out << "</Grid>\n";
+  }
+  out << "</Grid>\n</Domain></Xdmf>\n";
+  out.close();
+}
+
+}  // namespace throng::tools
