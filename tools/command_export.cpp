@@ -49,8 +49,8 @@ std::vector<std::size_t> select(const Options& options, const Recording& recordi
     }
   if (!frames.empty()) return frames;
   char text[160];
-  std::snprintf(text, sizeof text, " has no frame from --from %g to --to %g: it goes from %g s to %g s", options.from,
-                options.to, times.front(), times.back());
+  std::snprintf(text, sizeof text, " has no frame from --from %g to --to %g: it goes from %g s to %g s",
+                options.from, options.to, times.front(), times.back());
   throw InputError(options.file + text);
 }
 
@@ -82,7 +82,8 @@ void add_export(CLI::App& app, int& exit_code) {
       ->required()
       ->check(CLI::IsMember({"csv", "pedpy", "xdmf", "h5md3"}));
   command->add_option("-o,--output", options->output, "file to write")->required();
-  command->add_option("--from", options->from, "time of the first frame (s); that of the recording without it");
+  command->add_option("--from", options->from,
+                      "time of the first frame (s); that of the recording without it");
   command->add_option("--to", options->to, "time of the last frame (s); likewise");
   command->add_option("--every", options->every, "exports each Nth recorded frame")
       ->transform(whole_number() & CLI::Range(std::int64_t{1}, std::int64_t{1} << 40));
@@ -90,9 +91,11 @@ void add_export(CLI::App& app, int& exit_code) {
   command->footer(
       "csv    a line a frame and body: step, time (s), id, and what was recorded of x, y (m), vx, vy (m/s),\n"
       "       angle (rad), spin (rad/s)\n"
-      "pedpy  HDF5 for pedpy.load_trajectory_from_ped_data_archive_hdf5 and load_walkable_area_from_...: all bodies\n"
+      "pedpy  HDF5 for pedpy.load_trajectory_from_ped_data_archive_hdf5 and load_walkable_area_from_...: all "
+      "bodies\n"
       "       but the static ones; the walkable area is the domain, without one a rectangle around all\n"
-      "xdmf   XML through which ParaView reads the recording where it lies, by its path from the XML: points with\n"
+      "xdmf   XML through which ParaView reads the recording where it lies, by its path from the XML: points "
+      "with\n"
       "       id, radius, vx, vy, angle, spin\n"
       "h5md3  HDF5 in three dimensions (z = 0) for MDAnalysis, lengths in m:\n"
       "       Universe.empty(bodies, trajectory=True).load_new(F, format=\"H5MD\", convert_units=False)\n"

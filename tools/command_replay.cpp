@@ -11,6 +11,7 @@
 #include "sim/recording/recording.h"
 #include "tools/commands.h"
 #include "tools/picture.h"
+#include "tools/play.h"
 #include "tools/replace_file.h"
 #include "tools/replay_page.h"
 #include "tools/verify.h"
@@ -30,11 +31,12 @@ struct Options {
 
 void refuse_what_is_to_come(const Options& options) {
   if (!options.video.empty()) throw InputError("not supported yet: --video");
-  if (options.speed) throw InputError("not supported yet: --speed");
 }
 
 /// An option that would do nothing is a mistake.
 void refuse_what_does_nothing(const Options& options) {
+  if (options.speed && options.verify)
+    throw InputError("--speed plays and --verify checks: give one of them");
   if (options.at && options.png.empty()) throw InputError("--at says which frame --png draws: give both");
   if (options.width && options.png.empty()) throw InputError("--width is that of --png's picture: give both");
   if (options.threads && !options.verify) throw InputError("--threads are for --verify: give both");
@@ -101,6 +103,8 @@ int replay(const Options& options) {
   if (!options.html.empty() && !write_replay_page(recording, options.file, options.html))
     std::fprintf(stderr, "throng: %s is not inside %s: the page asks for it when it opens\n",
                  options.file.c_str(), options.html.c_str());
+  if (options.speed && recording.frames() == 0) throw InputError(options.file + " holds no frames to play");
+  if (options.speed) return play(recording, *options.speed);
   if (options.verify) return verify(recording, options.file, options.threads.value_or(1));
   if (options.png.empty() && options.html.empty()) print_table(recording);
   return 0;
@@ -111,7 +115,7 @@ int replay(const Options& options) {
 void add_replay(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
-      app.add_subcommand("replay", "Checks or draws a recording; without options, lists its frames");
+      app.add_subcommand("replay", "Plays, checks or draws a recording; without options, lists its frames");
   command->add_option("FILE", options->file, "recording (.h5, or the .h5.part of a run)")->required();
   command->add_flag("--verify", options->verify,
                     "runs the scenario again and compares every frame, bit for bit");
@@ -124,11 +128,16 @@ void add_replay(CLI::App& app, int& exit_code) {
   command->add_option("--html", options->html,
                       "replay page to write or replace: one file that any browser opens, without network");
   command->add_option("--video", options->video, "not supported yet");
-  command->add_option("--speed", options->speed, "not supported yet");
+  command
+      ->add_option("--speed", options->speed,
+                   "plays it in the terminal, so many times as fast as it happened; Ctrl-C ends it")
+      ->check(CLI::Range(1e-9, 1e9));
   command->footer(
-      "Examples: throng replay pile.h5 --verify\n"
+      "Examples: throng replay pile.h5 --speed 0.5\n"
+      "          throng replay pile.h5 --verify\n"
       "          throng replay pile.h5 --png pile.png --at 2.5 --html pile.html\n"
-      "Exit codes: 0 done or verified, 1 the run diverges from the recording, 2 the file is unusable.");
+      "Exit codes: 0 done or verified, 1 the run diverges from the recording, 2 the file is unusable,\n"
+      "130 stopped by a signal.");
   command->callback([options, &exit_code] { exit_code = replay(*options); });
 }
 

@@ -15,11 +15,16 @@ namespace fs = std::filesystem;
 std::string xml(const std::string& text) {
   std::string safe;
   for (char c : text) {
-    if (c == '&') safe += "&amp;";
-    else if (c == '<') safe += "&lt;";
-    else if (c == '>') safe += "&gt;";
-    else if (c == '"') safe += "&quot;";
-    else safe += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    if (c == '&')
+      safe += "&amp;";
+    else if (c == '<')
+      safe += "&lt;";
+    else if (c == '>')
+      safe += "&gt;";
+    else if (c == '"')
+      safe += "&quot;";
+    else
+      safe += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
   }
   return safe;
 }
@@ -30,8 +35,9 @@ void expect_closed(const std::string& file) {
   char head[12] = {};
   in.read(head, sizeof head);
   if (head[11] != 0)
-    throw InputError(file + " was not closed by its run, and ParaView would not open it: 'throng resume' ends the run, " +
-                     "'h5clear -s' closes a copy of what there is");
+    throw InputError(
+        file + " was not closed by its run, and ParaView would not open it: 'throng resume' ends the run, " +
+        "'h5clear -s' closes a copy of what there is");
 }
 
 std::string path_to(const std::string& file, const std::string& place) {
@@ -59,7 +65,8 @@ class Pointers {
         bytes_(recording.geometry().record.single ? "4" : "8") {}
 
   void write_points(std::size_t frame) const {
-    out_ << "<Topology TopologyType=\"Polyvertex\" NumberOfElements=\"" << bodies_ << "\" NodesPerElement=\"1\"/>\n"
+    out_ << "<Topology TopologyType=\"Polyvertex\" NumberOfElements=\"" << bodies_
+         << "\" NodesPerElement=\"1\"/>\n"
          << "<Geometry GeometryType=\"XY\">";
     write_slab(frame, {"position", 2, 0, 2});
     out_ << "</Geometry>\n";
@@ -68,8 +75,8 @@ class Pointers {
   /// A number a body that is the same in all frames.
   void write_constant(const char* name, const char* type, const char* path) const {
     begin_attribute(name);
-    out_ << "<DataItem Format=\"HDF\" Dimensions=\"" << bodies_ << "\" NumberType=\"" << type << "\" Precision=\"8\">"
-         << path_ << ":" << path << "</DataItem></Attribute>\n";
+    out_ << "<DataItem Format=\"HDF\" Dimensions=\"" << bodies_ << "\" NumberType=\"" << type
+         << "\" Precision=\"8\">" << path_ << ":" << path << "</DataItem></Attribute>\n";
   }
 
   void write_scalar(const char* name, std::size_t frame, const Part& part) const {
@@ -88,9 +95,10 @@ class Pointers {
     const bool flat = part.width == 1;
     const std::string columns = " " + std::to_string(part.columns);
     out_ << "<DataItem ItemType=\"HyperSlab\" Dimensions=\"" << bodies_ << (part.columns == 1 ? "" : columns)
-         << "\"><DataItem Format=\"XML\" Dimensions=\"3 " << (flat ? "2" : "3") << "\">" << std::to_string(frame) << " 0"
-         << (flat ? "" : " " + std::to_string(part.first)) << (flat ? " 1 1" : " 1 1 1") << " 1 " << bodies_
-         << (flat ? "" : columns) << "</DataItem><DataItem Format=\"HDF\" Dimensions=\"" << frames_ << " " << bodies_
+         << "\"><DataItem Format=\"XML\" Dimensions=\"3 " << (flat ? "2" : "3") << "\">"
+         << std::to_string(frame) << " 0" << (flat ? "" : " " + std::to_string(part.first))
+         << (flat ? " 1 1" : " 1 1 1") << " 1 " << bodies_ << (flat ? "" : columns)
+         << "</DataItem><DataItem Format=\"HDF\" Dimensions=\"" << frames_ << " " << bodies_
          << (flat ? "" : " 2") << "\" NumberType=\"Float\" Precision=\"" << bytes_ << "\">" << path_
          << ":/particles/trajectory/" << part.field << "/value</DataItem></DataItem>";
   }

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "sim/input_error.h"
-#include "tools/framing.h"
 #include "tools/palette.h"
 #include "tools/picture_bodies.h"
 #include "tools/replace_file.h"
+#include "tools/view.h"
 
 namespace throng::tools {
 
@@ -137,12 +137,6 @@ void draw_scale_bar(cairo_t* cairo, const Page& page) {
   write(cairo, length(metres), page.border + bar / 2, y + 1.7 * page.unit, Align::centre);
 }
 
-/// The colours' speeds: from 0 to `top`, which some bodies may be beyond.
-struct SpeedScale {
-  double top;  ///< m/s, 0 where nothing moves
-  bool beyond;
-};
-
 void draw_colour_bar(cairo_t* cairo, const Page& page, const SpeedScale& scale) {
   const double width = std::min(18 * page.unit, 0.4 * page.width), height = 0.8 * page.unit;
   const double x = page.width - page.border - width, y = page.height - 2.9 * page.unit - height / 2;
@@ -171,37 +165,18 @@ void draw_legend(cairo_t* cairo, const Page& page, const Frame& frame, const Spe
         Align::right);
 }
 
-/// What creeps by less than a millionth of a radius a second stands still: its colours would be those of
-/// rounding.
-SpeedScale speed_scale(const Scene& scene, const Frame& frame) {
-  constexpr double kCreeping = 1e-6, kFewFastest = 100.0;
-  std::vector<double> speeds;
-  double fastest = 0.0, radius = 0.0;
-  for (std::size_t row = 0; row < frame.velocity.size(); ++row) {
-    if (scene.bodies.kind[row] != BodyKind::dynamic) continue;
-    speeds.push_back(frame.velocity[row].norm());
-    fastest = std::max(fastest, speeds.back());
-    radius = std::max(radius, scene.bodies.radius[row]);
-  }
-  if (fastest < kCreeping * radius) return {0.0, false};
-  const double most = top_speed(speeds.data(), static_cast<long>(speeds.size()));
-  const double top = std::max(most, fastest / kFewFastest);  // where few move and the others only creep
-  return {top, fastest > top};
-}
-
 }  // namespace
 
 void draw_png(const Scene& scene, const Frame& frame, const std::string& output, int width) {
   if (frame.position.empty() && scene.bodies.size() > 0)
     throw InputError("there is nothing to draw: the recording holds no positions");
-  const Extent shown = framing(scene, frame.position);
+  const auto [shown, scale] = view_of(scene, frame);
   const Page page(shown, width);
   const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, page.width, page.height),
                         cairo_surface_destroy);
   const Context cairo(cairo_create(surface.get()), cairo_destroy);
   cairo_set_source_rgb(cairo.get(), 1, 1, 1);
   cairo_paint(cairo.get());
-  const SpeedScale scale = speed_scale(scene, frame);
   draw_scene(cairo.get(), page, shown, scene, frame, scale.top);
   draw_title(cairo.get(), page, scene, frame);
   draw_legend(cairo.get(), page, frame, scale);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "tools/images.h"
+
 namespace throng::tools {
 
 namespace {
@@ -101,19 +103,8 @@ void draw_at(cairo_t* cairo, const Scene& scene, const Frame& frame, std::size_t
 void draw_body(cairo_t* cairo, const Scene& scene, const Frame& frame, std::size_t row, double pixel,
                double top) {
   const Colour colour = colour_of(scene, frame, row, top);
-  if (scene.domain.kind != DomainKind::periodic)
-    return draw_at(cairo, scene, frame, row, frame.position[row], colour, pixel);
-  const Vec size = scene.domain.max - scene.domain.min;
-  const double radius = scene.bodies.radius[row];
-  const Vec turns = ((frame.position[row] - scene.domain.min).array() / size.array()).floor();
-  const Vec home = frame.position[row] - size.cwiseProduct(turns);
-  for (int i = -1; i <= 1; ++i)
-    for (int j = -1; j <= 1; ++j) {
-      const Vec at = home + Vec(i * size.x(), j * size.y());
-      const bool seen = (at.array() + radius > scene.domain.min.array()).all() &&
-                        (at.array() - radius < scene.domain.max.array()).all();
-      if (seen) draw_at(cairo, scene, frame, row, at, colour, pixel);
-    }
+  at_images(scene.domain, frame.position[row], scene.bodies.radius[row],
+            [&](const Vec& at) { draw_at(cairo, scene, frame, row, at, colour, pixel); });
 }
 
 }  // namespace

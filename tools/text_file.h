@@ -10,8 +10,8 @@
 
 namespace throng::tools {
 
-/// A text file under construction. Numbers are written with the fewest digits that read back as they were. Everything
-/// throws InputError where it can't be written.
+/// A text file under construction. Numbers are written with the fewest digits that read back as they were.
+/// Everything throws InputError where it can't be written.
 class TextFile {
  public:
   explicit TextFile(const ExportTarget& target);

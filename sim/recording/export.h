@@ -6,9 +6,10 @@
 
 #include "sim/recording/recording.h"
 
-/// Recordings as HDF5 files that other programs of the field open. Both make the file at `target`, or empty the one
-/// that is there, and read a frame at a time; `frames` are ascending, one or more. Both throw InputError where
-/// `target` can't be written, which then holds a part, and what Recording::read throws. Expect recorded positions.
+/// Recordings as HDF5 files that other programs of the field open. Both make the file at `target`, or empty
+/// the one that is there, and read a frame at a time; `frames` are ascending, one or more. Both throw
+/// InputError where `target` can't be written, which then holds a part, and what Recording::read throws.
+/// Expect recorded positions.
 namespace throng {
 
 struct ExportTarget {
@@ -16,16 +17,18 @@ struct ExportTarget {
   std::string name;  ///< the path that it will have: what messages call it, and where it points from
 };
 
-/// The table of the Pedestrian Dynamics Data Archive (Jülich), as PedPy's load_trajectory_from_ped_data_archive_hdf5
-/// reads it: a row (id, frame, x, y) for each frame, counted from 0, and each body that isn't static. The walkable
-/// area is the domain, grown where a body has left it; in the unbounded plane the rectangle that holds the walls and
-/// everything that a body reached. Throws InputError where all bodies are static or the frames are not evenly spaced
-/// in time.
-void export_pedpy(const Recording& recording, std::span<const std::size_t> frames, const ExportTarget& target);
+/// The table of the Pedestrian Dynamics Data Archive (Jülich), as PedPy's
+/// load_trajectory_from_ped_data_archive_hdf5 reads it: a row (id, frame, x, y) for each frame, counted from
+/// 0, and each body that isn't static. The walkable area is the domain, grown where a body has left it; in
+/// the unbounded plane the rectangle that holds the walls and everything that a body reached. Throws
+/// InputError where all bodies are static or the frames are not evenly spaced in time.
+void export_pedpy(const Recording& recording, std::span<const std::size_t> frames,
+                  const ExportTarget& target);
 
-/// H5MD 1.1 in three dimensions with z = 0, which MDAnalysis needs: positions and, where recorded, velocities; mass,
-/// radius and id of the bodies. Plain numbers in SI units: no `unit` attributes, for MDAnalysis knows no metre. A
-/// periodic domain has edges, 1 m in z.
-void export_h5md3(const Recording& recording, std::span<const std::size_t> frames, const ExportTarget& target);
+/// H5MD 1.1 in three dimensions with z = 0, which MDAnalysis needs: positions and, where recorded,
+/// velocities; mass, radius and id of the bodies. Plain numbers in SI units: no `unit` attributes, for
+/// MDAnalysis knows no metre. A periodic domain has edges, 1 m in z.
+void export_h5md3(const Recording& recording, std::span<const std::size_t> frames,
+                  const ExportTarget& target);
 
 }  // namespace throng

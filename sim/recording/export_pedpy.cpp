@@ -41,9 +41,10 @@ class Area {
   }
 
   std::string wkt() const {
-    const std::string x0 = number(min_.x()), y0 = number(min_.y()), x1 = number(max_.x()), y1 = number(max_.y());
-    return "POLYGON ((" + x0 + " " + y0 + ", " + x1 + " " + y0 + ", " + x1 + " " + y1 + ", " + x0 + " " + y1 + ", " +
-           x0 + " " + y0 + "))";
+    const std::string x0 = number(min_.x()), y0 = number(min_.y()), x1 = number(max_.x()),
+                      y1 = number(max_.y());
+    return "POLYGON ((" + x0 + " " + y0 + ", " + x1 + " " + y0 + ", " + x1 + " " + y1 + ", " + x0 + " " + y1 +
+           ", " + x0 + " " + y0 + "))";
   }
 
  private:

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "tools/screen.h"
+#include "tools/view.h"
+
+namespace throng::tools {
+
+/// Cells of a screen that a picture fills.
+struct Area {
+  int column, row, columns, rows;
+};
+
+/// Draws a frame in Unicode's Braille patterns, two dots wide and four high a cell: bodies coloured by speed, static
+/// and driven ones grey, bodies of two dots and more a dot apart; every body has a dot at least. Expects positions.
+/// O(bodies + dots * bodies there).
+void draw_dots(Screen& screen, const Area& area, const Scene& scene, const View& view, const Frame& frame);
+
+}  // namespace throng::tools

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "tools/view.h"
+
+#include <algorithm>
+
+#include "tools/palette.h"
+
+namespace throng::tools {
+
+namespace {
+
+/// What creeps by less than a millionth of a radius a second stands still: its colours would be those of
+/// rounding. `velocities` are those of one frame after the other.
+SpeedScale speed_scale(const Scene& scene, std::span<const Vec> velocities) {
+  constexpr double kCreeping = 1e-6, kFewFastest = 100.0;
+  std::vector<double> speeds;
+  double fastest = 0.0, radius = 0.0;
+  for (std::size_t i = 0; i < velocities.size(); ++i) {
+    const std::size_t row = i % scene.bodies.size();
+    if (scene.bodies.kind[row] != BodyKind::dynamic) continue;
+    speeds.push_back(velocities[i].norm());
+    fastest = std::max(fastest, speeds.back());
+    radius = std::max(radius, scene.bodies.radius[row]);
+  }
+  if (fastest < kCreeping * radius) return {};
+  const double most = top_speed(speeds.data(), static_cast<long>(speeds.size()));
+  const double top = std::max(most, fastest / kFewFastest);  // where few move and the others only creep
+  return {top, fastest > top};
+}
+
+}  // namespace
+
+View view_of(const Scene& scene, const Frame& frame) {
+  return {framing(scene, frame.position), speed_scale(scene, frame.velocity)};
+}
+
+View view_of(const Recording& recording) {
+  constexpr std::size_t kFrames = 24, kEnough = 2'000'000;  // frames, bodies in all of them
+  const std::size_t last = recording.frames() - 1, fit = kEnough / std::max<std::size_t>(1, recording.bodies());
+  const std::size_t intervals = std::min(last, std::clamp<std::size_t>(fit, 2, kFrames) - 1);
+  std::vector<Vec> positions, velocities;
+  Frame frame;
+  for (std::size_t k = 0; k <= intervals; ++k) {
+    recording.read(intervals == 0 ? 0 : k * last / intervals, frame);
+    positions.insert(positions.end(), frame.position.begin(), frame.position.end());
+    velocities.insert(velocities.end(), frame.velocity.begin(), frame.velocity.end());
+  }
+  return {framing(recording.geometry(), positions), speed_scale(recording.geometry(), velocities)};
+}
+
+}  // namespace throng::tools
