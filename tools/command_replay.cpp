@@ -10,6 +10,7 @@
 #include "sim/input_error.h"
 #include "sim/recording/recording.h"
 #include "tools/commands.h"
+#include "tools/film.h"
 #include "tools/picture.h"
 #include "tools/play.h"
 #include "tools/replace_file.h"
@@ -25,30 +26,32 @@ constexpr std::size_t kLines = 20;  // of the table
 struct Options {
   std::string file, png, html, video;
   std::optional<double> at, speed;
-  std::optional<int> width, threads;
+  std::optional<int> width, fps, threads;
   bool verify = false;
 };
 
-void refuse_what_is_to_come(const Options& options) {
-  if (!options.video.empty()) throw InputError("not supported yet: --video");
-}
-
 /// An option that would do nothing is a mistake.
 void refuse_what_does_nothing(const Options& options) {
-  if (options.speed && options.verify)
+  if (options.speed && options.verify && options.video.empty())
     throw InputError("--speed plays and --verify checks: give one of them");
   if (options.at && options.png.empty()) throw InputError("--at says which frame --png draws: give both");
-  if (options.width && options.png.empty()) throw InputError("--width is that of --png's picture: give both");
+  if (options.width && options.png.empty() && options.video.empty())
+    throw InputError("--width is that of --png's or --video's pictures: give both");
+  if (options.fps && options.video.empty()) throw InputError("--fps is that of --video: give both");
   if (options.threads && !options.verify) throw InputError("--threads are for --verify: give both");
 }
 
-/// Pictures and pages replace what had their name; the recording is not to be had again.
+/// Pictures, films and pages replace what had their name; the recording is not to be had again.
 void refuse_to_overwrite(const Options& options) {
-  for (const std::string& output : {options.png, options.html})
-    if (!output.empty() && are_one_file(output, options.file))
-      throw InputError("cannot write " + output + ": it is the recording");
-  if (!options.png.empty() && !options.html.empty() && are_one_file(options.png, options.html))
-    throw InputError("--png and --html name the same file: " + options.png);
+  const std::string* outputs[] = {&options.png, &options.html, &options.video};
+  for (const std::string* output : outputs) {
+    if (output->empty()) continue;
+    if (are_one_file(*output, options.file))
+      throw InputError("cannot write " + *output + ": it is the recording");
+    for (const std::string* other : outputs)
+      if (other != output && !other->empty() && are_one_file(*output, *other))
+        throw InputError("two of --png, --html and --video name the same file: " + *output);
+  }
 }
 
 double mean_speed(const Frame& frame) {
@@ -87,11 +90,26 @@ std::size_t frame_to_draw(const Recording& recording, const Options& options) {
 
 void draw(const Recording& recording, const Options& options) {
   const Frame frame = recording.frame(frame_to_draw(recording, options));
-  draw_png(recording.geometry(), frame, options.png, options.width.value_or(1600));
+  Picture picture(recording.geometry(), view_of(recording.geometry(), frame), options.width.value_or(1600));
+  picture.draw(frame);
+  picture.write_png(options.png);
+}
+
+void make_film(const Recording& recording, const Options& options) {
+  if (recording.frames() == 0) throw InputError(options.file + " holds no frames to draw");
+  FilmOptions film;
+  film.speed = options.speed.value_or(film.speed);
+  film.rate = options.fps.value_or(film.rate);
+  film.width = options.width.value_or(film.width);
+  write_film(recording, options.video, film);
+}
+
+int play_frames(const Recording& recording, const Options& options) {
+  if (recording.frames() == 0) throw InputError(options.file + " holds no frames to play");
+  return play(recording, *options.speed);
 }
 
 int replay(const Options& options) {
-  refuse_what_is_to_come(options);
   refuse_what_does_nothing(options);
   refuse_to_overwrite(options);
   const Recording recording(options.file);
@@ -103,10 +121,10 @@ int replay(const Options& options) {
   if (!options.html.empty() && !write_replay_page(recording, options.file, options.html))
     std::fprintf(stderr, "throng: %s is not inside %s: the page asks for it when it opens\n",
                  options.file.c_str(), options.html.c_str());
-  if (options.speed && recording.frames() == 0) throw InputError(options.file + " holds no frames to play");
-  if (options.speed) return play(recording, *options.speed);
+  if (!options.video.empty()) make_film(recording, options);
+  if (options.speed && options.video.empty()) return play_frames(recording, options);
   if (options.verify) return verify(recording, options.file, options.threads.value_or(1));
-  if (options.png.empty() && options.html.empty()) print_table(recording);
+  if (options.png.empty() && options.html.empty() && options.video.empty()) print_table(recording);
   return 0;
 }
 
@@ -123,19 +141,26 @@ void add_replay(CLI::App& app, int& exit_code) {
       ->transform(whole_number() & CLI::Range(1, 256));
   command->add_option("--png", options->png, "picture to write or replace, of the frame nearest to --at");
   command->add_option("--at", options->at, "time of the picture (s); the last frame without it");
-  command->add_option("--width", options->width, "of the picture, in pixels; 1600 without it")
+  command->add_option("--width", options->width, "of the picture or the film, in pixels; 1600 without it")
       ->transform(whole_number() & CLI::Range(200, 8000));
   command->add_option("--html", options->html,
                       "replay page to write or replace: one file that any browser opens, without network");
-  command->add_option("--video", options->video, "not supported yet");
+  command->add_option(
+      "--video", options->video,
+      "film to write or replace, .mp4, .mov, .mkv or .webm: made by ffmpeg, which must be installed");
+  command->add_option("--fps", options->fps, "pictures of the film a second; 25 without it")
+      ->transform(whole_number() & CLI::Range(1, 240));
   command
-      ->add_option("--speed", options->speed,
-                   "plays it in the terminal, so many times as fast as it happened; Ctrl-C ends it")
+      ->add_option(
+          "--speed", options->speed,
+          "plays it in the terminal, so many times as fast as it happened, until its end or Ctrl-C;\n"
+          "with --video, how fast the film goes, 1 without it")
       ->check(CLI::Range(1e-9, 1e9));
   command->footer(
       "Examples: throng replay pile.h5 --speed 0.5\n"
       "          throng replay pile.h5 --verify\n"
       "          throng replay pile.h5 --png pile.png --at 2.5 --html pile.html\n"
+      "          throng replay pile.h5 --video pile.mp4 --speed 2 --width 1280\n"
       "Exit codes: 0 done or verified, 1 the run diverges from the recording, 2 the file is unusable,\n"
       "130 stopped by a signal.");
   command->callback([options, &exit_code] { exit_code = replay(*options); });

@@ -123,12 +123,14 @@ void draw_domain(Dots& dots, const Domain& domain) {
 }
 
 void draw_wall(Dots& dots, const Wall& wall) {
-  for (std::size_t i = 0; i + 1 < wall.points.size(); ++i) dots.draw_line(wall.points[i], wall.points[i + 1], kWall);
+  for (std::size_t i = 0; i + 1 < wall.points.size(); ++i)
+    dots.draw_line(wall.points[i], wall.points[i + 1], kWall);
   if (wall.closed) dots.draw_line(wall.points.back(), wall.points.front(), kWall);
 }
 
 /// Those dots that lie in the body and not in its outermost half dot.
-void draw_body(Dots& dots, const Shape& shape, double radius, const narrowphase::Pose& pose, std::uint8_t colour) {
+void draw_body(Dots& dots, const Shape& shape, double radius, const narrowphase::Pose& pose,
+               std::uint8_t colour) {
   dots.set(pose.position, colour);
   if (radius < dots.dot()) return;
   const double rim = std::min(0.5 * dots.dot(), 0.25 * radius);

@@ -1,49 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include "tools/picture.h"
 
-#include <cairo.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <memory>
-#include <vector>
 
 #include "sim/input_error.h"
 #include "tools/palette.h"
 #include "tools/picture_bodies.h"
 #include "tools/replace_file.h"
-#include "tools/view.h"
 
 namespace throng::tools {
 
 namespace {
 
-using Surface = std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)>;
 using Context = std::unique_ptr<cairo_t, void (*)(cairo_t*)>;
 
 constexpr Colour kInk{0.16, 0.17, 0.20}, kFaint{0.45, 0.47, 0.50}, kDomain{0.55, 0.57, 0.60};
-
-/// Sizes in pixels: the scene in the middle, a line of text above, the legend below.
-struct Page {
-  Page(const Extent& shown, int width);
-  double unit;  ///< the size of the text
-  double border, top, bottom, scale;
-  int width, height;
-};
-
-Page::Page(const Extent& shown, int wanted) {
-  unit = std::max(11.0, 0.0125 * wanted);
-  border = 1.2 * unit;
-  top = 3.2 * unit;
-  bottom = 4.6 * unit;
-  const Vec room(wanted - 2 * border, wanted - top - bottom);
-  scale = room.cwiseQuotient(shown.size()).minCoeff();
-  const double least = 30 * unit;  // for the legend
-  width =
-      std::min(wanted, static_cast<int>(std::ceil(std::max(least, scale * shown.size().x() + 2 * border))));
-  height = static_cast<int>(std::ceil(scale * shown.size().y() + top + bottom));
-}
 
 void set_colour(cairo_t* cairo, const Colour& c) {
   cairo_set_source_rgb(cairo, c.red, c.green, c.blue);
@@ -167,21 +141,46 @@ void draw_legend(cairo_t* cairo, const Page& page, const Frame& frame, const Spe
 
 }  // namespace
 
-void draw_png(const Scene& scene, const Frame& frame, const std::string& output, int width) {
-  if (frame.position.empty() && scene.bodies.size() > 0)
+Page::Page(const Extent& shown, int wanted) {
+  wanted -= wanted % 2;
+  unit = std::max(11.0, 0.0125 * wanted);
+  border = 1.2 * unit;
+  top = 3.2 * unit;
+  bottom = 4.6 * unit;
+  const Vec room(wanted - 2 * border, wanted - top - bottom);
+  scale = room.cwiseQuotient(shown.size()).minCoeff();
+  const double least = 30 * unit;  // for the legend
+  const auto even = [](double size) { return 2 * static_cast<int>(std::ceil(size / 2)); };
+  width = std::min(wanted, even(std::max(least, scale * shown.size().x() + 2 * border)));
+  height = even(scale * shown.size().y() + top + bottom);
+}
+
+Picture::Picture(const Scene& scene, const View& view, int width)
+    : scene_(scene),
+      view_(view),
+      page_(view.extent, width),
+      surface_(cairo_image_surface_create(CAIRO_FORMAT_RGB24, page_.width, page_.height),
+               cairo_surface_destroy) {}
+
+void Picture::draw(const Frame& frame) {
+  if (frame.position.empty() && scene_.bodies.size() > 0)
     throw InputError("there is nothing to draw: the recording holds no positions");
-  const auto [shown, scale] = view_of(scene, frame);
-  const Page page(shown, width);
-  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, page.width, page.height),
-                        cairo_surface_destroy);
-  const Context cairo(cairo_create(surface.get()), cairo_destroy);
+  const Context cairo(cairo_create(surface_.get()), cairo_destroy);
   cairo_set_source_rgb(cairo.get(), 1, 1, 1);
   cairo_paint(cairo.get());
-  draw_scene(cairo.get(), page, shown, scene, frame, scale.top);
-  draw_title(cairo.get(), page, scene, frame);
-  draw_legend(cairo.get(), page, frame, scale);
+  draw_scene(cairo.get(), page_, view_.extent, scene_, frame, view_.speeds.top);
+  draw_title(cairo.get(), page_, scene_, frame);
+  draw_legend(cairo.get(), page_, frame, view_.speeds);
+}
+
+std::span<const unsigned char> Picture::pixels() {
+  cairo_surface_flush(surface_.get());
+  return {cairo_image_surface_get_data(surface_.get()), std::size_t{4} * page_.width * page_.height};
+}
+
+void Picture::write_png(const std::string& output) {
   replace_file(output, [&](const std::string& name) {
-    const cairo_status_t status = cairo_surface_write_to_png(surface.get(), name.c_str());
+    const cairo_status_t status = cairo_surface_write_to_png(surface_.get(), name.c_str());
     if (status != CAIRO_STATUS_SUCCESS)
       throw InputError("cannot write " + output + ": " + cairo_status_to_string(status));
   });

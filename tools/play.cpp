@@ -23,7 +23,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
 
-constexpr Seconds kRest{0.04}, kNap{0.1};  // between two pictures; without a look at the clock and the terminal
+constexpr Seconds kRest{0.04},
+    kNap{0.1};  // between two pictures; without a look at the clock and the terminal
 constexpr std::uint8_t kFaint = 245;
 
 template <class... Arguments>
@@ -46,7 +47,8 @@ std::string measures(const Scene& scene, const Frame& frame) {
   if (!frame.spin.empty()) state.spin = frame.spin;
   std::string line = counted_bodies(frame.position.size());
   if (!frame.velocity.empty())
-    line += text("   kinetic %.4g J%s", kinetic_energy(scene, state), frame.spin.empty() ? " without spin" : "");
+    line +=
+        text("   kinetic %.4g J%s", kinetic_energy(scene, state), frame.spin.empty() ? " without spin" : "");
   if (frame.angle.empty() && !are_all_discs(scene)) return line;
   return line + text("   deepest overlap %.3g m", overlap(scene, state).max);
 }

@@ -88,9 +88,12 @@ void replace_file(const std::string& output, const std::function<void(const std:
 }
 
 bool are_one_file(const std::string& a, const std::string& b) {
+  namespace fs = std::filesystem;
   std::error_code neither;
-  return std::filesystem::weakly_canonical(a, neither) == std::filesystem::weakly_canonical(b, neither) ||
-         std::filesystem::equivalent(a, b, neither);
+  const auto place = [&](const std::string& name) {
+    return fs::weakly_canonical(fs::absolute(name, neither), neither);
+  };
+  return place(a) == place(b) || fs::equivalent(a, b, neither);
 }
 
 }  // namespace throng::tools

@@ -7,8 +7,8 @@ namespace throng::tools {
 
 namespace {
 
-/// Takes the first character off a text: '?' for what is no UTF-8, for controls, and for all beyond U+02FF, where
-/// characters begin that combine or are wide.
+/// Takes the first character off a text: '?' for what is no UTF-8, for controls, and for all beyond U+02FF,
+/// where characters begin that combine or are wide.
 char32_t take(std::string_view& text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   std::size_t length = 1;
@@ -23,9 +23,12 @@ char32_t take(std::string_view& text) {
 
 void append_utf8(std::string& text, char32_t glyph) {
   const auto tail = [glyph](int shift) { return static_cast<char>(0x80U | (glyph >> shift & 0x3FU)); };
-  if (glyph < 0x80) text += static_cast<char>(glyph);
-  else if (glyph < 0x800) text += {static_cast<char>(0xC0U | glyph >> 6U), tail(0)};
-  else text += {static_cast<char>(0xE0U | glyph >> 12U), tail(6), tail(0)};
+  if (glyph < 0x80)
+    text += static_cast<char>(glyph);
+  else if (glyph < 0x800)
+    text += {static_cast<char>(0xC0U | glyph >> 6U), tail(0)};
+  else
+    text += {static_cast<char>(0xE0U | glyph >> 12U), tail(6), tail(0)};
 }
 
 /// Text in the making, and the colour that the terminal has come to.

@@ -26,11 +26,12 @@ class Screen {
   Cell& at(int column, int row) { return cells_[std::size_t(row) * columns_ + column]; }
   const Cell& at(int column, int row) const { return cells_[std::size_t(row) * columns_ + column]; }
 
-  /// Puts UTF-8 text from `column` on, cut off at the border. What may not take one cell, or may steer the terminal,
-  /// becomes '?'. Returns the column after it.
+  /// Puts UTF-8 text from `column` on, cut off at the border. What may not take one cell, or may steer the
+  /// terminal, becomes '?'. Returns the column after it.
   int put(int column, int row, std::string_view text, std::uint8_t colour = 0);
 
-  /// What brings a terminal from `shown` to this: the cells that differ, or, where it has another size, all of it.
+  /// What brings a terminal from `shown` to this: the cells that differ, or, where it has another size, all
+  /// of it.
   std::string update(const Screen& shown) const;
 
   /// This as lines of text, without the spaces at their ends.

@@ -64,7 +64,8 @@ Terminal::Terminal(const char* what) {
 Terminal::~Terminal() {
   write_all(kLeave);
   signal(SIGTSTP, SIG_DFL);
-  if (echoes_) tcsetattr(STDIN_FILENO, TCSAFLUSH, &input_);  // what was typed blindly is not meant for the shell
+  if (echoes_)
+    tcsetattr(STDIN_FILENO, TCSAFLUSH, &input_);  // what was typed blindly is not meant for the shell
 }
 
 Terminal::Size Terminal::size() const {
@@ -80,7 +81,8 @@ bool Terminal::was_cleared() {
 }
 
 void Terminal::write(std::string_view text) const {
-  if (!write_all(text)) throw std::runtime_error(std::string("cannot write to the terminal: ") + std::strerror(errno));
+  if (!write_all(text))
+    throw std::runtime_error(std::string("cannot write to the terminal: ") + std::strerror(errno));
 }
 
 }  // namespace throng::tools

@@ -7,8 +7,9 @@
 
 namespace throng::tools {
 
-/// The terminal on the standard output, as a place for moving pictures: on a screen of its own, without a cursor and
-/// without echo. What was there comes back when this goes, and while the program is stopped by Ctrl-Z. One at a time.
+/// The terminal on the standard output, as a place for moving pictures: on a screen of its own, without a
+/// cursor and without echo. What was there comes back when this goes, and while the program is stopped by
+/// Ctrl-Z. One at a time.
 class Terminal {
  public:
   /// Throws InputError, saying that `what` needs a terminal, where there is none that can do this.

@@ -36,7 +36,8 @@ View view_of(const Scene& scene, const Frame& frame) {
 
 View view_of(const Recording& recording) {
   constexpr std::size_t kFrames = 24, kEnough = 2'000'000;  // frames, bodies in all of them
-  const std::size_t last = recording.frames() - 1, fit = kEnough / std::max<std::size_t>(1, recording.bodies());
+  const std::size_t last = recording.frames() - 1,
+                    fit = kEnough / std::max<std::size_t>(1, recording.bodies());
   const std::size_t intervals = std::min(last, std::clamp<std::size_t>(fit, 2, kFrames) - 1);
   std::vector<Vec> positions, velocities;
   Frame frame;

@@ -10,7 +10,7 @@ namespace throng::tools {
 
 /// The colours' speeds: from 0 to `top`, which some bodies may be beyond.
 struct SpeedScale {
-  double top = 0.0;     ///< m/s, 0 where nothing moves or no velocity was recorded
+  double top = 0.0;  ///< m/s, 0 where nothing moves or no velocity was recorded
   bool beyond = false;
 };
 
@@ -23,8 +23,8 @@ struct View {
 /// The view that suits one frame. O(bodies log bodies).
 View view_of(const Scene& scene, const Frame& frame);
 
-/// One view for all frames, so that nothing jumps from one to the next: what suits up to 24 of them, evenly spread,
-/// together. Expects frames and recorded positions.
+/// One view for all frames, so that nothing jumps from one to the next: what suits up to 24 of them, evenly
+/// spread, together. Expects frames and recorded positions.
 View view_of(const Recording& recording);
 
 }  // namespace throng::tools
