@@ -57,9 +57,7 @@ std::vector<std::size_t> select(const Options& options, const Recording& recordi
 int export_recording(const Options& options) {
   check_output(options);
   const Recording recording(options.file);
-  if (!recording.complete())
-    std::fprintf(stderr, "throng: %s is of a run that did not end: these are the frames it committed\n",
-                 options.file.c_str());
+  say_where_incomplete(recording, options.file);
   check_contents(options, recording);
   const std::vector<std::size_t> frames = select(options, recording);
   replace_file(options.output, [&](const std::string& path) {

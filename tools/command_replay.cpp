@@ -113,10 +113,7 @@ int replay(const Options& options) {
   refuse_what_does_nothing(options);
   refuse_to_overwrite(options);
   const Recording recording(options.file);
-  if (!recording.complete())
-    std::fprintf(stderr, "throng: %s is %s\n", options.file.c_str(),
-                 recording.running() ? "still being written: these are its frames so far"
-                                     : "of a run that did not end: these are the frames it committed");
+  say_where_incomplete(recording, options.file);
   if (!options.png.empty()) draw(recording, options);
   if (!options.html.empty() && !write_replay_page(recording, options.file, options.html))
     std::fprintf(stderr, "throng: %s is not inside %s: the page asks for it when it opens\n",

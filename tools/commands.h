@@ -3,6 +3,10 @@
 
 #include <CLI/CLI.hpp>
 
+namespace throng {
+class Recording;
+}
+
 /// The commands of the program, a file each. `add_x` declares the command's options on `app`; when the user
 /// chose it, its callback runs and leaves the exit code of design.md in `exit_code`. Errors are thrown:
 /// InputError ends with 2.
@@ -19,6 +23,9 @@ void add_pairs(CLI::App& app, int& exit_code);
 void add_info(CLI::App& app, int& exit_code);
 void add_export(CLI::App& app, int& exit_code);
 void add_bench(CLI::App& app, int& exit_code);
+
+/// Says on the standard error where the recording, that of `file`, isn't complete, and why.
+void say_where_incomplete(const Recording& recording, const std::string& file);
 
 /// Leaves a whole number in decimals as CLI11 reads it, which alone takes 010 for 8 and what is out of range
 /// for the largest there is.

@@ -23,11 +23,13 @@ namespace {
 constexpr int kFilm = 3;  // the film's descriptor in ffmpeg, which thus makes no file of its own
 
 std::vector<std::string> arguments(const FilmFormat& format) {
-  std::vector<std::string> all{"ffmpeg", "-hide_banner", "-loglevel", "error", "-nostdin", "-y", "-f", "rawvideo"};
+  std::vector<std::string> all{"ffmpeg",   "-hide_banner", "-loglevel", "error",
+                               "-nostdin", "-y",           "-f",        "rawvideo"};
   const std::string size = std::to_string(format.width) + "x" + std::to_string(format.height);
-  for (const std::string& one : {std::string("-pixel_format"), std::string("bgr0"), std::string("-video_size"), size,
-                                 std::string("-framerate"), std::to_string(format.rate), std::string("-i"),
-                                 std::string("pipe:0"), std::string("-pix_fmt"), std::string("yuv420p")})
+  for (const std::string& one :
+       {std::string("-pixel_format"), std::string("bgr0"), std::string("-video_size"), size,
+        std::string("-framerate"), std::to_string(format.rate), std::string("-i"), std::string("pipe:0"),
+        std::string("-pix_fmt"), std::string("yuv420p")})
     all.push_back(one);
   if (format.name == "mp4" || format.name == "mov") all.insert(all.end(), {"-movflags", "+faststart"});
   all.insert(all.end(), {"-f", format.name, "/dev/fd/" + std::to_string(kFilm)});
@@ -75,8 +77,9 @@ Encoder::Encoder(const std::string& path, const FilmFormat& format) {
   if (error == 0) return;
   close(pipe_);
   std::signal(SIGPIPE, before_);
-  throw InputError(error == ENOENT ? "films are made by ffmpeg, which is not installed (Debian: apt install ffmpeg)"
-                                   : "cannot start ffmpeg: " + std::string(std::strerror(error)));
+  throw InputError(error == ENOENT
+                       ? "films are made by ffmpeg, which is not installed (Debian: apt install ffmpeg)"
+                       : "cannot start ffmpeg: " + std::string(std::strerror(error)));
 }
 
 Encoder::~Encoder() {
@@ -109,7 +112,8 @@ void Encoder::wait() {
   }
   process_ = -1;
   if (WIFSIGNALED(status)) throw InputError("ffmpeg was ended by signal " + std::to_string(WTERMSIG(status)));
-  if (WEXITSTATUS(status) != 0) throw InputError("ffmpeg failed with exit code " + std::to_string(WEXITSTATUS(status)));
+  if (WEXITSTATUS(status) != 0)
+    throw InputError("ffmpeg failed with exit code " + std::to_string(WEXITSTATUS(status)));
 }
 
 }  // namespace throng::tools

@@ -8,8 +8,8 @@
 
 namespace throng::tools {
 
-/// The name of ffmpeg's format for films called like `output`. Throws InputError where it is none of .mp4, .mov, .mkv
-/// and .webm.
+/// The name of ffmpeg's format for films called like `output`. Throws InputError where it is none of .mp4,
+/// .mov, .mkv and .webm.
 std::string film_format(const std::string& output);
 
 /// What a film is made of: pictures as Picture::pixels has them.
@@ -22,7 +22,8 @@ struct FilmFormat {
 /// ffmpeg at work on a film. Its complaints go to the standard error. One at a time.
 class Encoder {
  public:
-  /// Starts it, to replace what is in the file at `path`. Throws InputError where there is no ffmpeg or no such file.
+  /// Starts it, to replace what is in the file at `path`. Throws InputError where there is no ffmpeg or no
+  /// such file.
   Encoder(const std::string& path, const FilmFormat& format);
   ~Encoder();
   Encoder(const Encoder&) = delete;

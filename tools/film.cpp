@@ -13,7 +13,8 @@ namespace throng::tools {
 
 namespace {
 
-void write_pictures(const Recording& recording, Picture& picture, const FilmOptions& options, Encoder& encoder) {
+void write_pictures(const Recording& recording, Picture& picture, const FilmOptions& options,
+                    Encoder& encoder) {
   const auto times = recording.times();
   const double seconds = options.speed / options.rate, first = times.front();  // s of the recording a picture
   const double intervals = std::ceil((times.back() - first) / seconds * (1 - 1e-9));

@@ -32,7 +32,7 @@ class Export(Program):
 
     def record_until_killed(self):
         """Leaves a.h5.part with a second or more of what it shows."""
-        run = subprocess.Popen([PROGRAM, "run", "three.toml", "-o", "a.h5", "--until", "1e5", "--progress", "none"],
+        run = subprocess.Popen([PROGRAM, "run", "three.toml", "-o", "a.h5", "--until", "3e4", "--progress", "none"],
                                cwd=self.folder, stdout=subprocess.DEVNULL)
         part = self.folder / "a.h5.part"
         while not part.exists() or part.stat().st_size < 1 << 20 or self.throng("replay", part.name, "--png", "/dev/null", "--at", "1")[0] != 0:
