@@ -4,7 +4,6 @@ import csv
 import os
 import pathlib
 import re
-import signal
 import subprocess
 import unittest
 import xml.etree.ElementTree as xml
@@ -315,18 +314,6 @@ class Files(Export):
             self.assertEqual(done.returncode, 2, (format, done.stderr))
             self.assertRegex(done.stderr, "^throng: cannot write old: .*File too large\n$", format)
             self.assertEqual(self.contents(), before, format)
-
-    def test_that_a_signal_interrupts_leave_nothing(self):
-        self.record("a.h5", "--until", "200")
-        before = self.contents().keys()
-        for format in self.FORMATS:
-            for number in (signal.SIGINT, signal.SIGTERM):
-                export = subprocess.Popen([PROGRAM, "export", "a.h5", "--format", format, "-o", "new"], cwd=self.folder)
-                while self.contents().keys() == before:
-                    self.assertIsNone(export.poll(), "it came too late")
-                export.send_signal(number)
-                self.assertEqual(export.wait(), 130, format)
-                self.assertEqual(self.contents().keys(), before, format)
 
     def test_that_are_damaged_are_refused_and_leave_nothing(self):
         with h5py.File(self.record(), "r+") as file:
