@@ -45,24 +45,34 @@ void AllPairs::find(std::span<const Point> points, double reach, const Period* p
 
 void AllPairs::find_discs(std::span<const Point> centres, std::span<const double> reach, const Period* period,
                           PairList& found) {
-  assert(centres.size() == reach.size());
-  find(
-      {centres, 0.0, reach, {}, period}, [&](std::size_t row) { return 2.0 * reach[row]; }, found);
+  const Items discs{centres, 0.0, reach, {}, period};
+  index(discs, [&](std::size_t row) { return 2.0 * reach[row]; });
+  gather(discs, found);
+}
+
+void AllPairs::find_discs(std::span<const Point> centres, std::span<const double> reach, const Period* period,
+                          HigherRows& found) {
+  const Items discs{centres, 0.0, reach, {}, period};
+  index(discs, [&](std::size_t row) { return 2.0 * reach[row]; });
+  if (count_ == 1 && team_.threads() == 1) return gather_higher(levels_[0].grid, discs, found);
+  gather(discs, met_);
+  found.assign(met_, centres.size());
 }
 
 void AllPairs::find_boxes(std::span<const Eigen::AlignedBox2d> boxes, PairList& found) {
-  find(
-      {{}, 0.0, {}, boxes, nullptr}, [&](std::size_t row) { return boxes[row].sizes().maxCoeff(); }, found);
+  const Items items{{}, 0.0, {}, boxes, nullptr};
+  index(items, [&](std::size_t row) { return boxes[row].sizes().maxCoeff(); });
+  gather(items, found);
 }
 
 template <class Size>
-void AllPairs::find(const Items& items, const Size& size, PairList& found) {
+void AllPairs::index(const Items& items, const Size& size) {
+  assert(items.boxes.empty() ? items.points.size() == items.reach.size() : !items.period);
   count_ = choose_levels(items, size);
   if (count_ == 1)
     levels_[0].grid.rebuild(items, {}, levels_[0].size, team_);
   else
     fill_levels(items, size);
-  gather(items, found);
 }
 
 /// Gives two powers of two a level; and all the rest too once it is thin: then looking among too large cells

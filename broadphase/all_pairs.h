@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "broadphase/fixed_grid.h"
+#include "broadphase/higher_rows.h"
 #include "broadphase/items.h"
 #include "broadphase/pairs.h"
 #include "broadphase/team.h"
@@ -20,7 +21,8 @@
 /// grid candidates are told from pairs in fixed point, many at a time.
 ///
 /// The order is that of the grids' cells: it depends on the items alone, for any number of threads and any
-/// width of vectors. Who needs ascending rows uses `PairSorter`, for about the price of finding the pairs.
+/// width of vectors. Who needs ascending rows uses `HigherRows`, for about the price of finding the pairs, or
+/// `DiscPairs`.
 ///
 /// Costs O(n (k + l)): k candidates, about three times the pairs, l levels, at most one for every factor of
 /// four between the sizes; all that aren't crowded in a level's cells share it. Memory in proportion to n and
@@ -42,6 +44,12 @@ class AllPairs {
   void find_discs(std::span<const Point> centres, std::span<const double> reach, const Period* period,
                   PairList& found);
 
+  /// The same by rows. Where sizes need one level and there is one thread, each item looks all round and
+  /// keeps the higher rows, for about a third more; else pairs are found in any order, and sorted by their
+  /// lower row, for about as much again.
+  void find_discs(std::span<const Point> centres, std::span<const double> reach, const Period* period,
+                  HigherRows& found);
+
   /// Replaces `found` by all rows a < b of boxes that share a point, be it on the border. A box costs as a
   /// square of its longer side.
   void find_boxes(std::span<const Eigen::AlignedBox2d> boxes, PairList& found);
@@ -59,7 +67,7 @@ class AllPairs {
   };
 
   template <class Size>
-  void find(const Items& items, const Size& size, PairList& found);
+  void index(const Items& items, const Size& size);
   template <class Size>
   std::size_t choose_levels(const Items& items, const Size& size);
   template <class Size>
@@ -76,6 +84,7 @@ class AllPairs {
   std::vector<std::uint32_t> of_octave_;  // per power of two below the largest size: its level
   std::vector<std::uint64_t> sample_;     // cells of some items
   std::vector<Job> jobs_;
+  PairList met_;  // on their way to HigherRows
 };
 
 }  // namespace throng::broadphase

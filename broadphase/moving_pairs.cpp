@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kMargin = 0.15;  // of the mean reach: the list is then about a third longer than the pairs
 constexpr int kGain = 3;          // calls that a list must answer to be worth its making
-constexpr int kWait = 32;         // calls without one where it was not
+constexpr int kWait = 100;        // calls without one where it was not
 
 /// Rounding in the comparison of distances, as a part of each reach: far more than it can be.
 constexpr double kRounding = 1e-12;

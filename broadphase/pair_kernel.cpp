@@ -10,13 +10,13 @@
 HWY_BEFORE_NAMESPACE();
 namespace throng::broadphase::HWY_NAMESPACE {
 
-/// Where the candidates of a cell's points stand behind its own stretch.
+/// Where the candidates of a cell's points stand, and from where they are seen.
 struct Stretch {
   std::uint32_t first, end, shift;
 };
 
 struct Stretches {
-  std::array<Stretch, 4> all;
+  std::array<Stretch, 9> all;
   std::size_t count = 0;
   std::size_t candidates = 0;
   void add(const std::uint32_t* start, std::uint32_t bucket, std::uint32_t end, std::uint32_t shift) {
@@ -26,38 +26,55 @@ struct Stretches {
   }
 };
 
-void add_borders(const Strips::Around& around, const FixedGrid& grid, std::uint32_t x, Stretches& to) {
-  const std::uint32_t* start = grid.start();
-  const std::uint32_t south = around.wraps_south ? grid.wrap_y() : 0;
-  if (x + 1 == around.cells) {
-    const std::uint32_t east = around.wraps_east ? grid.wrap_x() : 0;
-    if (around.east != Strips::kNone) to.add(start, around.east, around.east + 1, east);
-    if (around.south_east != Strips::kNone)
-      to.add(start, around.south_east, around.south_east + 1, east | south);
+/// The cells that a strip's points meet in one row of them.
+class Meetings {
+ public:
+  Meetings(const FixedGrid& grid, std::size_t strip, int rows)
+      : start_(grid.start()), strip_(grid.strips().strip(strip)), beside_(grid.strips().beside(strip, rows)) {
+    if (beside_.wraps) shift_ = rows < 0 ? 0 - grid.wrap_y() : grid.wrap_y();
+    if (strip_.wraps_west) west_ = (0x10000 - grid.wrap_x()) & 0xffff;
+    if (strip_.wraps_east) east_ = grid.wrap_x();
   }
-  if (x == 0 && around.south_west != Strips::kNone) {
-    const std::uint32_t west = around.wraps_west ? (0x10000 - grid.wrap_x()) & 0xffff : 0;
-    to.add(start, around.south_west, around.south_west + 1, west | south);
+
+  void add(std::uint32_t x, Stretches& to) const {
+    const bool first = x == 0, last = x + 1 == strip_.cells;
+    if (beside_.middle != Strips::kNone)
+      to.add(start_, beside_.middle + x - (first ? 0 : 1), beside_.middle + x + (last ? 1 : 2), shift_);
+    if (first && beside_.west != Strips::kNone)
+      to.add(start_, beside_.west, beside_.west + 1, west_ | shift_);
+    if (last) add_east(to);
   }
+  void add_east(Stretches& to) const {
+    if (beside_.east != Strips::kNone) to.add(start_, beside_.east, beside_.east + 1, east_ | shift_);
+  }
+
+ private:
+  const std::uint32_t* start_;
+  const Strips::Strip strip_;
+  const Strips::Beside beside_;
+  std::uint32_t shift_ = 0, west_ = 0, east_ = 0;
+};
+
+template <Kind kKind>
+HWY_INLINE Query query_at(const FixedGrid& grid, std::uint32_t i) {
+  return {grid.at()[i], kKind == Kind::points ? 0 : grid.sizes()[i], grid.rows()[i]};
 }
 
 template <Kind kKind>
-HWY_INLINE void gather_strip(const FixedGrid& grid, std::size_t strip, const Search<kKind> search,
+HWY_INLINE void gather_strip(const FixedGrid& grid, std::size_t i_strip, const Search<kKind> search,
                              PairBuffer& found) {
-  const Strips::Around around = grid.strips().around(strip);
-  const std::uint32_t* start = grid.start();
-  const std::uint32_t* own = start + around.first;
-  const std::uint32_t south_shift = around.wraps_south ? grid.wrap_y() : 0;
-  for (std::uint32_t x = 0; x < around.cells; ++x) {
+  const Strips::Strip strip = grid.strips().strip(i_strip);
+  const Meetings own_row(grid, i_strip, 0), south(grid, i_strip, 1);
+  const std::uint32_t* own = grid.start() + strip.first;
+  for (std::uint32_t x = 0; x < strip.cells; ++x) {
     if (own[x] == own[x + 1]) continue;
-    const bool first = x == 0, last = x + 1 == around.cells;
+    const bool last = x + 1 == strip.cells;
     const std::uint32_t right = own[last ? x + 1 : x + 2];
     Stretches rest;
-    if (around.south != Strips::kNone)
-      rest.add(start, around.south + x - (first ? 0 : 1), around.south + x + (last ? 1 : 2), south_shift);
-    if (first || last) add_borders(around, grid, x, rest);
+    south.add(x, rest);
+    if (last) own_row.add_east(rest);
     for (std::uint32_t i = own[x]; i < own[x + 1]; ++i) {
-      const Query query{grid.at()[i], kKind == Kind::points ? 0 : grid.sizes()[i], grid.rows()[i]};
+      const Query query = query_at<kKind>(grid, i);
       Pair* out = found.room(search.room(right - i + rest.candidates, 1 + rest.count));
       out = search.meet(query, i + 1, right, 0, out);
       for (std::size_t k = 0; k < rest.count; ++k)
@@ -68,17 +85,51 @@ HWY_INLINE void gather_strip(const FixedGrid& grid, std::size_t strip, const Sea
 }
 
 template <Kind kKind>
+HWY_INLINE void gather_strip(const FixedGrid& grid, std::size_t i_strip, const Search<kKind> search,
+                             HigherRows& found) {
+  const Strips::Strip strip = grid.strips().strip(i_strip);
+  const Meetings north(grid, i_strip, -1), own_row(grid, i_strip, 0), south(grid, i_strip, 1);
+  const std::uint32_t* own = grid.start() + strip.first;
+  for (std::uint32_t x = 0; x < strip.cells; ++x) {
+    if (own[x] == own[x + 1]) continue;
+    Stretches around;
+    for (const Meetings* row : {&north, &own_row, &south}) row->add(x, around);
+    for (std::uint32_t i = own[x]; i < own[x + 1]; ++i) {
+      const Query query = query_at<kKind>(grid, i);
+      std::uint32_t* const begin = found.rows.room(search.room(around.candidates, around.count));
+      std::uint32_t* out = begin;
+      for (std::size_t k = 0; k < around.count; ++k)
+        out = search.meet(query, around.all[k].first, around.all[k].end, around.all[k].shift, out);
+      found.of[query.row] = {static_cast<std::uint32_t>(found.rows.size()),
+                             static_cast<std::uint32_t>(out - begin)};
+      found.rows.keep(out);
+    }
+  }
+}
+
+template <Kind kKind, class Found>
 void gather_strips(const FixedGrid& grid, const Items& items, std::size_t first, std::size_t end,
-                   PairBuffer& found) {
+                   Found& found) {
   const Search<kKind> search(grid, items);
   for (std::size_t strip = first; strip < end; ++strip) gather_strip(grid, strip, search, found);
 }
 
-void gather_pairs(const FixedGrid& grid, const Items& items, std::size_t first, std::size_t end,
-                  PairBuffer& found) {
+template <class Found>
+void gather(const FixedGrid& grid, const Items& items, std::size_t first, std::size_t end, Found& found) {
   if (!items.boxes.empty()) return gather_strips<Kind::boxes>(grid, items, first, end, found);
   if (!items.reach.empty()) return gather_strips<Kind::discs>(grid, items, first, end, found);
   gather_strips<Kind::points>(grid, items, first, end, found);
+}
+
+void gather_pairs(const FixedGrid& grid, const Items& items, std::size_t first, std::size_t end,
+                  PairBuffer& found) {
+  gather(grid, items, first, end, found);
+}
+
+void gather_higher(const FixedGrid& grid, const Items& items, HigherRows& found) {
+  found.of.resize(items.size());
+  found.rows.clear();
+  gather(grid, items, 0, grid.strips().size(), found);
 }
 
 }  // namespace throng::broadphase::HWY_NAMESPACE
@@ -88,10 +139,15 @@ HWY_AFTER_NAMESPACE();
 namespace throng::broadphase {
 
 HWY_EXPORT(gather_pairs);
+HWY_EXPORT(gather_higher);
 
 void gather_pairs(const FixedGrid& grid, const Items& items, std::size_t first, std::size_t end,
                   PairBuffer& found) {
   HWY_DYNAMIC_DISPATCH(gather_pairs)(grid, items, first, end, found);
+}
+
+void gather_higher(const FixedGrid& grid, const Items& items, HigherRows& found) {
+  HWY_DYNAMIC_DISPATCH(gather_higher)(grid, items, found);
 }
 
 }  // namespace throng::broadphase

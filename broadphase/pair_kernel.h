@@ -2,6 +2,7 @@
 #pragma once
 
 #include "broadphase/fixed_grid.h"
+#include "broadphase/higher_rows.h"
 #include "broadphase/items.h"
 #include "broadphase/pairs.h"
 
@@ -12,6 +13,9 @@ namespace throng::broadphase {
 /// Appends the pairs of a grid of which the first in its order lies in strips [first, end), in that order.
 void gather_pairs(const FixedGrid& grid, const Items& items, std::size_t first, std::size_t end,
                   PairBuffer& found);
+
+/// Replaces `found` by the partners of higher rows of each of a grid's items, which are all.
+void gather_higher(const FixedGrid& grid, const Items& items, HigherRows& found);
 
 /// Appends the pairs of each item of `fine`, from place `first` to `end` in its order, with all of `coarse`,
 /// whose cells are as large as the largest of these pairs is wide.

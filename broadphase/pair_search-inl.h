@@ -46,15 +46,13 @@ class Search {
 
   static std::size_t room(std::size_t candidates, std::size_t) { return candidates + 1; }
 
-  Pair* meet(const Query& query, std::uint32_t first, std::uint32_t end, std::uint32_t shift,
-             Pair* out) const {
+  template <class Out>
+  Out* meet(const Query& query, std::uint32_t first, std::uint32_t end, std::uint32_t shift, Out* out) const {
     const std::uint32_t own = shifted(query.at, shift);
     for (std::uint32_t j = first; j < end; ++j) {
-      const std::uint32_t other = grid_.rows()[j];
       const std::uint32_t size = kKind == Kind::points ? 0 : grid_.sizes()[j];
       const Answer answer = ask(query.size, shifted(grid_.at()[j], own), size);
-      *out = {std::min(query.row, other), std::max(query.row, other)};
-      out += answer == Answer::near || (answer == Answer::open && items_.near(query.row, other));
+      out = keep(query.row, grid_.rows()[j], answer, out);
     }
     return out;
   }
@@ -62,6 +60,18 @@ class Search {
  private:
   enum class Answer { near, far, open };
   static Answer answer(bool near, bool far) { return near ? Answer::near : far ? Answer::far : Answer::open; }
+
+  bool near(std::uint32_t row, std::uint32_t other, Answer answer) const {
+    return answer == Answer::near || (answer == Answer::open && items_.near(row, other));
+  }
+  Pair* keep(std::uint32_t row, std::uint32_t other, Answer answer, Pair* out) const {
+    *out = {std::min(row, other), std::max(row, other)};
+    return out + near(row, other, answer);
+  }
+  std::uint32_t* keep(std::uint32_t row, std::uint32_t other, Answer answer, std::uint32_t* out) const {
+    *out = other;
+    return out + (row < other && near(row, other, answer));
+  }
 
   Answer ask(std::uint32_t own, std::uint32_t apart, std::uint32_t size) const {
     if (grid_.slack() < 0) return Answer::open;
@@ -181,9 +191,11 @@ class Search {
     return candidates + stretches * lanes();
   }
 
-  /// Writes the pairs of an item with those of a stretch; returns behind the last.
-  HWY_INLINE Pair* meet(const Query& query, std::uint32_t first, std::uint32_t end, std::uint32_t shift,
-                        Pair* out) const {
+  /// Writes the pairs of an item with those of a stretch; or their rows, where higher than its own. Returns
+  /// behind the last.
+  template <class Out>
+  HWY_INLINE Out* meet(const Query& query, std::uint32_t first, std::uint32_t end, std::uint32_t shift,
+                       Out* out) const {
     const auto at = hn::BitCast(Halves(), hn::Set(Rows(), shifted(query.at, shift)));
     const auto row = hn::Set(Rows(), query.row);
     const auto step = static_cast<std::uint32_t>(lanes());
@@ -202,9 +214,22 @@ class Search {
  private:
   HWY_INLINE Pair* keep(std::uint32_t row, hn::Vec<Rows> rows, std::uint32_t j, Mask sure, Mask near,
                         Pair* out) const {
+    return append(hn::LoadU(Rows(), rows_ + j), settled(row, j, sure, near), rows, halves_, spill_, out);
+  }
+
+  HWY_INLINE std::uint32_t* keep(std::uint32_t row, hn::Vec<Rows> rows, std::uint32_t j, Mask sure, Mask near,
+                                 std::uint32_t* out) const {
+    const Units units;  // rows are below 2^31
+    const auto others = hn::LoadU(Rows(), rows_ + j);
+    near = hn::And(near, hn::Gt(hn::BitCast(units, others), hn::BitCast(units, rows)));
+    near = settled(row, j, sure, near);
+    hn::StoreU(compress(others, near), Rows(), out);
+    return out + hn::CountTrue(units, near);
+  }
+
+  HWY_INLINE Mask settled(std::uint32_t row, std::uint32_t j, Mask sure, Mask near) const {
     const Mask open = hn::AndNot(sure, near);
-    if (HWY_UNLIKELY(!hn::AllFalse(Units(), open))) near = settle(items_, row, rows_ + j, near, open);
-    return append(hn::LoadU(Rows(), rows_ + j), near, rows, halves_, spill_, out);
+    return HWY_UNLIKELY(!hn::AllFalse(Units(), open)) ? settle(items_, row, rows_ + j, near, open) : near;
   }
 
   /// Which of the items at `j` are surely near, and which may be.

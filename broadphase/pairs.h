@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <compare>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
 
-/// Pairs of rows: how they are collected as a search meets them, and how they are brought into order.
+/// Pairs of rows, collected as a search meets them.
 namespace throng::broadphase {
 
 /// Two rows of the array that was indexed, a < b.
@@ -17,28 +18,38 @@ struct Pair {
   friend auto operator<=>(const Pair&, const Pair&) = default;
 };
 
-/// Pairs as met, in any order. Grows like a vector, and keeps its memory; appends without a branch.
-class PairBuffer {
+/// What a search met, in any order. Grows like a vector, and keeps its memory; appends without a branch.
+template <class T>
+class Buffer {
  public:
   void clear() { count_ = 0; }
   std::size_t size() const { return count_; }
 
-  /// Where the next `most` pairs may be written; `keep` says how many of them were.
-  Pair* room(std::size_t most) {
+  /// Where the next `most` may be written; `keep` says how many of them were.
+  T* room(std::size_t most) {
     if (capacity_ - count_ < most) grow(most);
-    return pairs_.get() + count_;
+    return all_.get() + count_;
   }
-  void keep(const Pair* end) { count_ = static_cast<std::size_t>(end - pairs_.get()); }
+  void keep(const T* end) { count_ = static_cast<std::size_t>(end - all_.get()); }
 
-  std::span<Pair> pairs() { return {pairs_.get(), count_}; }
-  std::span<const Pair> pairs() const { return {pairs_.get(), count_}; }
+  std::span<T> all() { return {all_.get(), count_}; }
+  std::span<const T> all() const { return {all_.get(), count_}; }
 
  private:
   void grow(std::size_t most);
 
-  std::unique_ptr<Pair[]> pairs_;  // more than are in use, so that a write costs no check
+  std::unique_ptr<T[]> all_;  // more than are in use, so that a write costs no check
   std::size_t count_ = 0, capacity_ = 0;
 };
+using PairBuffer = Buffer<Pair>;
+
+template <class T>
+void Buffer<T>::grow(std::size_t most) {
+  capacity_ = 2 * (count_ + most);
+  std::unique_ptr<T[]> larger(new T[capacity_]);  // not filled with zeros
+  std::copy_n(all_.get(), count_, larger.get());
+  all_ = std::move(larger);
+}
 
 /// Pairs in the order in which a search met them, one buffer after the other: threads fill one each, and none
 /// is copied. Where the buffers meet depends on the number of threads, the order on nothing but the points.
@@ -49,7 +60,7 @@ class PairList {
   PairBuffer& buffer(std::size_t i) { return buffers_[i]; }
 
   std::size_t buffers() const { return count_; }
-  std::span<const Pair> pairs(std::size_t buffer) const { return buffers_[buffer].pairs(); }
+  std::span<const Pair> pairs(std::size_t buffer) const { return buffers_[buffer].all(); }
   std::size_t size() const;
 
   template <class F>
@@ -61,17 +72,6 @@ class PairList {
  private:
   std::vector<PairBuffer> buffers_;  // the first count_ are in use
   std::size_t count_ = 0;
-};
-
-/// Brings pairs into ascending order: a counting sort by `a`, then a short sort by `b` for each `a`.
-class PairSorter {
- public:
-  /// Replaces `sorted` by `found` in ascending order. Rows are below `rows`.
-  /// O(rows + m log k), m pairs, k of them for the busiest row; allocates only to grow.
-  void sort(const PairList& found, std::size_t rows, std::vector<Pair>& sorted);
-
- private:
-  std::vector<std::uint32_t> next_;  // per row: where its next pair goes
 };
 
 }  // namespace throng::broadphase

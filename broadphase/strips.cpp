@@ -64,31 +64,38 @@ std::uint32_t Strips::first_bucket(std::int64_t y, std::int64_t x) const {
   return strip == kNone ? kNone : strip << kBits;
 }
 
-Strips::Around Strips::around(std::size_t strip) const {
-  const Key key = dense_ ? Key{static_cast<std::int64_t>(strip), 0} : keys_[strip];
-  const std::int64_t length = dense_ ? columns_ : kCells;
-  const std::int64_t last = (columns_ - 1) / length;  // strip of a row
-  const auto cells = [&](std::int64_t x) { return x < last ? length : columns_ - last * length; };
-  Around around{static_cast<std::uint32_t>(strip) * static_cast<std::uint32_t>(length),
-                static_cast<std::uint32_t>(cells(key.x)),
-                kNone,
-                kNone,
-                kNone,
-                kNone,
-                key.x == last,
-                key.x == 0,
-                key.y + 1 == rows_};
+Strips::Key Strips::key(std::size_t strip) const {
+  return dense_ ? Key{static_cast<std::int64_t>(strip), 0} : keys_[strip];
+}
+
+/// Of the strip at x in its row.
+std::uint32_t Strips::cells(std::int64_t x) const {
+  if (dense_) return static_cast<std::uint32_t>(columns_);
+  return static_cast<std::uint32_t>(std::min(kCells, columns_ - x * kCells));
+}
+
+Strips::Strip Strips::strip(std::size_t i) const {
+  const Key key = this->key(i);
+  const auto length = static_cast<std::uint32_t>(dense_ ? columns_ : kCells);
+  return {static_cast<std::uint32_t>(i) * length, cells(key.x), key.x == 0, key.x == last_of_row()};
+}
+
+Strips::Beside Strips::beside(std::size_t i, int rows) const {
+  const Key key = this->key(i);
   const bool wraps_x = periodic_ && columns_ > 1, wraps_y = periodic_ && rows_ > 1;
+  const std::int64_t last = last_of_row();
+  std::int64_t y = key.y + rows;
+  Beside beside;
+  beside.wraps = y < 0 || y >= rows_;
+  if (beside.wraps && !wraps_y) return beside;
+  if (beside.wraps) y = y < 0 ? rows_ - 1 : 0;
   const std::int64_t east = key.x < last ? key.x + 1 : wraps_x ? 0 : -1;
   const std::int64_t west = key.x > 0 ? key.x - 1 : wraps_x ? last : -1;
-  const std::int64_t south = key.y + 1 < rows_ ? key.y + 1 : wraps_y ? 0 : -1;
-  if (east >= 0) around.east = first_bucket(key.y, east);
-  if (south < 0) return around;
-  around.south = first_bucket(south, key.x);
-  if (east >= 0) around.south_east = first_bucket(south, east);
-  if (west >= 0) around.south_west = first_bucket(south, west);
-  if (around.south_west != kNone) around.south_west += static_cast<std::uint32_t>(cells(west)) - 1;
-  return around;
+  beside.middle = first_bucket(y, key.x);
+  if (east >= 0) beside.east = first_bucket(y, east);
+  if (west >= 0) beside.west = first_bucket(y, west);
+  if (beside.west != kNone) beside.west += cells(west) - 1;
+  return beside;
 }
 
 }  // namespace throng::broadphase

@@ -20,12 +20,17 @@ class Strips {
   static constexpr std::int64_t kCells = 1 << kBits;
   static constexpr std::uint32_t kNone = 0xffffffff;
 
-  /// What lies round a strip where pairs with lower cells are left to those: the first bucket of each
-  /// neighbour, or kNone. Cells of the west are the last of their strip, those of the east the first.
-  struct Around {
+  /// The part of a row of cells that a strip lies in, or touches: the first bucket of each strip, or kNone;
+  /// to the west the last cell's bucket.
+  struct Beside {
+    std::uint32_t west = kNone, middle = kNone, east = kNone;
+    bool wraps = false;  ///< the row is an image across the seam
+  };
+
+  /// A strip: its first bucket, and how many cells it has.
+  struct Strip {
     std::uint32_t first, cells;
-    std::uint32_t east, south_west, south, south_east;
-    bool wraps_east, wraps_west, wraps_south;  ///< the neighbours there are images across the seam
+    bool wraps_west, wraps_east;  ///< the neighbours there are images across the seam
   };
 
   /// Starts anew for cells that were fitted to points.
@@ -50,7 +55,10 @@ class Strips {
   std::size_t buckets() const {
     return dense_ ? static_cast<std::size_t>(rows_ * columns_) : keys_.size() * kCells;
   }
-  Around around(std::size_t strip) const;
+  Strip strip(std::size_t i) const;
+
+  /// The row of strip `i`, `rows` = 0; the one behind it, 1; or the one before, -1.
+  Beside beside(std::size_t i, int rows) const;
 
   /// Calls `f(bucket, end_bucket, column, row)` for stretches of buckets that make up a range of cells,
   /// wrapped round where the domain is periodic: then `column` or `row`, before wrapping, says so.
@@ -80,6 +88,9 @@ class Strips {
   std::uint32_t append(const Key& key, std::size_t slot);
   std::uint32_t find(const Key& key) const;
   std::uint32_t first_bucket(std::int64_t y, std::int64_t x) const;
+  Key key(std::size_t strip) const;
+  std::int64_t last_of_row() const { return dense_ ? 0 : (columns_ - 1) >> kBits; }
+  std::uint32_t cells(std::int64_t x) const;
   void grow();
 
   bool dense_ = true, periodic_ = false;

@@ -15,7 +15,9 @@ using Pairs = std::vector<Pair>;
 
 Pairs ascending(const PairList& found) {
   Pairs pairs;
-  PairSorter().sort(found, 1000, pairs);
+  HigherRows higher;
+  higher.assign(found, 1000);
+  higher.write(pairs);
   return pairs;
 }
 

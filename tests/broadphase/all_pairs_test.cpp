@@ -15,7 +15,9 @@ using Pairs = std::vector<Pair>;
 
 Pairs ascending(const PairList& found, std::size_t rows) {
   Pairs pairs{{7, 7}};  // what stood there before is replaced
-  PairSorter().sort(found, rows, pairs);
+  HigherRows higher;
+  higher.assign(found, rows);
+  higher.write(pairs);
   return pairs;
 }
 

@@ -52,7 +52,7 @@ void race_all_pairs(const Cloud& cloud, const Options& options, std::vector<Row>
       "throng", [&] { find(search, cloud, found); }, [&] { return digest(found); });
   race.add(
       "plain", [&] { plain.find(cloud.points, widest_pair(cloud), cloud.radii, plain_found); },
-      [&] { return digest(plain_found.pairs()); });
+      [&] { return digest(plain_found.all()); });
   if (n <= 1000000)
     race.add(
         "nanoflann", [&] { find_with_nanoflann(cloud, kd_found); }, [&] { return digest(kd_found); });
@@ -79,17 +79,16 @@ void race_sizes(std::size_t n, const Options& options, std::vector<Row>& rows) {
   }
 }
 
-/// A cloud of which every point moves by a twentieth of the reach a step, straight on.
+/// A cloud of which every point moves by a part of the reach a step, straight on.
 class MovingCloud {
  public:
-  MovingCloud(std::size_t n, bool spatial)
+  MovingCloud(std::size_t n, bool spatial, double pace)
       : start_(cloud(Kind::uniform, n, 10, spatial)), now_(start_.points) {
     for (std::size_t i = 0; i < n; ++i) {
       const double angle = 2.0 * 3.141592653589793 * random_unit(9, i);
-      step_.push_back(0.05 * start_.reach * broadphase::Point(std::cos(angle), std::sin(angle)));
+      step_.push_back(pace * start_.reach * broadphase::Point(std::cos(angle), std::sin(angle)));
     }
   }
-  const std::string& name() const { return start_.name; }
   double reach() const { return start_.reach; }
   const std::vector<broadphase::Point>& points() const { return now_; }
   void step() {
@@ -102,18 +101,31 @@ class MovingCloud {
   std::vector<broadphase::Point> now_, step_;
 };
 
-/// Each block is kSteps steps from the same start; the check is of the last one.
-void race_moving(std::size_t n, bool spatial, const Options& options, std::vector<Row>& rows) {
+/// How far points move a step, and how a case says so: the plain name is of a twentieth of the reach.
+struct Pace {
+  double part;
+  const char* suffix;
+};
+constexpr Pace kPaces[] = {{0.05, ""}, {0.005, " 0.5%"}, {0.001, " 0.1%"}};
+
+std::string moving_name(std::size_t n, bool spatial, const Pace& pace) {
+  return "moving " + case_name(Kind::uniform, n, 10, spatial) + pace.suffix;
+}
+
+/// Each block is kSteps steps from the same start; the check is of the last one. The points are discs of half
+/// the reach for throng: `throng` keeps a list, `rebuilt` is the same answer from scratch.
+void race_moving(std::size_t n, bool spatial, const Pace& pace, const Options& options,
+                 std::vector<Row>& rows) {
   constexpr int kSteps = 20;
-  MovingCloud cloud(n, spatial);
+  MovingCloud cloud(n, spatial, pace.part);
   AllPairs search;
-  broadphase::PairSorter sorter;
+  broadphase::DiscPairs anew;
   broadphase::MovingPairs moving;
   PairList found;
   PlainGrid plain;
   PairBuffer plain_found;
   std::vector<Pair> sorted, kept;
-  PairRace race("moving " + cloud.name());
+  PairRace race(moving_name(n, spatial, pace));
   const auto add = [&](const char* engine, auto find, auto pairs) {
     race.add(
         engine,
@@ -130,18 +142,13 @@ void race_moving(std::size_t n, bool spatial, const Options& options, std::vecto
   add(
       "throng", [&] { moving.find(cloud.points(), half, nullptr, kept); }, [&] { return digest(kept); });
   add(
-      "rebuilt",
-      [&] {
-        search.find(cloud.points(), cloud.reach(), nullptr, found);
-        sorter.sort(found, n, sorted);
-      },
-      [&] { return digest(sorted); });
+      "rebuilt", [&] { anew.find(cloud.points(), half, nullptr, sorted); }, [&] { return digest(sorted); });
   add(
-      "rebuilt_any_order", [&] { search.find(cloud.points(), cloud.reach(), nullptr, found); },
+      "rebuilt_any_order", [&] { search.find_discs(cloud.points(), half, nullptr, found); },
       [&] { return digest(found); });
   add(
       "plain", [&] { plain.find(cloud.points(), cloud.reach(), {}, plain_found); },
-      [&] { return digest(plain_found.pairs()); });
+      [&] { return digest(plain_found.all()); });
   race.run(options, kSteps, rows);
 }
 
@@ -183,8 +190,8 @@ std::vector<Row> bench_broadphase(const Options& options) {
   const std::size_t n = options.quick ? 1000 : 100000;
   if (chosen("sizes", options)) race_sizes(n, options, rows);
   for (const bool spatial : {false, true})
-    if (chosen("moving " + case_name(Kind::uniform, n, 10, spatial), options))
-      race_moving(n, spatial, options, rows);
+    for (const Pace& pace : kPaces)
+      if (chosen(moving_name(n, spatial, pace), options)) race_moving(n, spatial, pace, options, rows);
   for (Row& row : bench_broadphase_boxes(options)) rows.push_back(std::move(row));
   if (chosen("two busy loops", options)) race_busy_loops(options, rows);
   for (Row& row : bench_broadphase_queries(options)) rows.push_back(std::move(row));
