@@ -8,9 +8,13 @@ namespace throng {
 
 namespace {
 
-/// A 64-bit mix of one word into a running hash, after MurmurHash3's finaliser (Appleby 2011).
+/// One word more in a running hash, as a lane of XXH64 takes it (Collet 2012).
 std::uint64_t mix(std::uint64_t hash, std::uint64_t word) {
-  hash ^= word;
+  return std::rotl(hash + word * 0xc2b2ae3d27d4eb4fULL, 31) * 0x9e3779b185ebca87ULL;
+}
+
+/// Every bit of the result depends on every bit of the hash: MurmurHash3's finaliser (Appleby 2011).
+std::uint64_t finished(std::uint64_t hash) {
   hash ^= hash >> 33;
   hash *= 0xff51afd7ed558ccdULL;
   hash ^= hash >> 33;
@@ -38,14 +42,15 @@ State initial_state(const Scene& scene) {
 }
 
 std::uint64_t hash(const State& state) {
-  std::uint64_t result = mix(0x7468726f6e673031ULL, static_cast<std::uint64_t>(state.step));
+  std::uint64_t sum = 0;
   for (std::size_t row = 0; row < state.id.size(); ++row) {
-    result = mix(result, state.id[row]);
+    std::uint64_t one = mix(0x7468726f6e673032ULL, state.id[row]);
     for (double x : {state.position[row].x(), state.position[row].y(), state.angle[row],
                      state.velocity[row].x(), state.velocity[row].y(), state.spin[row]})
-      result = mix(result, bits(x));
+      one = mix(one, bits(x));
+    sum += finished(one);
   }
-  return result;
+  return finished(mix(mix(sum, state.id.size()), static_cast<std::uint64_t>(state.step)));
 }
 
 }  // namespace throng

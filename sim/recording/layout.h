@@ -45,7 +45,8 @@
 namespace throng::recording {
 
 inline constexpr int kMajor = 1;  ///< a reader refuses a newer one
-inline constexpr int kMinor = 1;  ///< grows when datasets are added that older readers may overlook
+/// Grows with what older readers may overlook: since 1, polygons have holes, and states are hashed otherwise.
+inline constexpr int kMinor = 1;
 
 inline constexpr std::size_t kMaxChunk = std::size_t{1} << 20;  ///< bytes
 inline constexpr std::size_t kRowChunk = 512;                   ///< rows: one page of 8-byte numbers

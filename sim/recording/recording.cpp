@@ -120,6 +120,7 @@ void Recording::Impl::check_version() {
                      "." + std::to_string(version[1]) + ", this throng reads up to " +
                      std::to_string(kMajor));
   if (version[0] != kMajor || version[1] < 0) throw h5::Error("version is unknown");
+  origin.minor = version[1];
 }
 
 void Recording::Impl::read_parameters() {

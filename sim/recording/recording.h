@@ -30,6 +30,7 @@ struct RecordingOrigin {
   Provenance provenance;
   std::string author;
   std::string version, compiler, flags;  ///< of the throng that wrote it
+  int minor = 0;                         ///< of the layout: below 1, states were hashed otherwise
 };
 
 /// Reads a trajectory file (recording/layout.h) frame by frame, that of a run still going or killed included.

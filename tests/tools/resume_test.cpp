@@ -210,6 +210,16 @@ TEST_F(Resume, RefusesAnotherVersionsRecordingAndNamesBoth) {
   EXPECT_THAT(result.err, HasSubstr("was written by throng 0.0.9, this is "));
 }
 
+TEST_F(Resume, RefusesARecordingWhoseStatesWereHashedOtherwise) {
+  const std::string part = made("a.h5", "0.4");
+  const std::string forge = "/usr/bin/python3 -c \"import h5py; f = h5py.File('" + part +
+                            "', 'r+', libver='latest'); f['throng'].attrs.modify('version', [1, 0])\"";
+  ASSERT_EQ(std::system(forge.c_str()), 0);
+  const Result result = resume(part + " --until 1");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("holds state hashes of an older kind"));
+}
+
 TEST_F(Resume, SaysWhatIsWrongWithFilesThatItCannotGoOnWith) {
   EXPECT_THAT(resume(path("none.h5")).err, HasSubstr("none.h5 does not exist"));
   const Result text = resume(write("a.h5.part", "no recording"));
