@@ -2,12 +2,14 @@
 #include "sim/recording/frame_queue.h"
 
 #include <algorithm>
+#include <chrono>
 
 namespace throng::recording {
 
 namespace {
 
 constexpr std::size_t kBytes = 64'000'000, kBytesPerBody = 52;
+constexpr auto kPatience = std::chrono::milliseconds(50);
 
 std::size_t depth(const State& first) {
   return std::clamp<std::size_t>(kBytes / (kBytesPerBody * first.id.size() + 1), 2, 16);
@@ -41,7 +43,7 @@ void FrameQueue::push(const State& state, bool checkpoint) {
     copy_frame(state, slot.state);
   lock.lock();
   ++count_;
-  changed_.notify_all();
+  if (checkpoint || count_ == batch()) changed_.notify_all();
 }
 
 void FrameQueue::close() {
@@ -52,15 +54,15 @@ void FrameQueue::close() {
 
 const QueueEntry* FrameQueue::front() {
   std::unique_lock lock(mutex_);
-  changed_.wait(lock, [&] { return count_ > 0 || closed_; });
+  while (count_ == 0 && !closed_)
+    changed_.wait_for(lock, kPatience, [&] { return count_ >= batch() || closed_; });
   return count_ > 0 ? &slots_[head_] : nullptr;
 }
 
 void FrameQueue::pop() {
   const std::lock_guard lock(mutex_);
   head_ = (head_ + 1) % slots_.size();
-  --count_;
-  changed_.notify_all();
+  if (count_-- == slots_.size()) changed_.notify_all();
 }
 
 void FrameQueue::fail(std::exception_ptr error) {

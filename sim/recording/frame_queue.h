@@ -18,7 +18,8 @@ struct QueueEntry {
 };
 
 /// Frames and checkpoints on their way from the loop to the writer: a ring of buffers made in advance, one
-/// producer, one consumer.
+/// producer, one consumer. Waking the consumer takes as long as copying a frame of some thousand bodies: it
+/// is woken when the ring is half full, by a checkpoint, at the end, and looks by itself each 50 ms.
 class FrameQueue {
  public:
   /// As many frames as fit into 64 MB, at least 2 and at most 16, all as large as `first`.
@@ -46,6 +47,7 @@ class FrameQueue {
 
  private:
   void push(const State& state, bool checkpoint);
+  std::size_t batch() const { return slots_.size() / 2; }
 
   std::vector<QueueEntry> slots_;
   std::size_t head_ = 0, count_ = 0;

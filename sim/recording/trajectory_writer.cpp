@@ -50,8 +50,26 @@ void link(hid_t from, const char* name, hid_t to) {
   h5::check(H5Lcreate_hard(from, name, to, name, H5P_DEFAULT, H5P_DEFAULT), "cannot link");
 }
 
+/// Without a branch a number: a sum of zeros, unless one is not finite.
 bool all_finite(const std::vector<double>& values) {
-  return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
+  double sums[4] = {0, 0, 0, 0};
+  const std::size_t whole = values.size() / 4 * 4;
+  for (std::size_t i = 0; i < whole; i += 4)
+    for (std::size_t k = 0; k < 4; ++k) sums[k] += 0.0 * values[i + k];
+  for (std::size_t i = whole; i < values.size(); ++i) sums[0] += 0.0 * values[i];
+  return sums[0] + sums[1] + sums[2] + sums[3] == 0.0;
+}
+
+const double* flat(const std::vector<Vec>& vectors) {
+  return vectors.empty() ? nullptr : vectors.front().data();
+}
+
+/// Puts what stands in a body's row of `from`, so many numbers, into row id - 1 of `to`.
+template <int components>
+void bring_into_order(const std::vector<std::uint32_t>& id, const double* from, std::vector<double>& to) {
+  for (std::size_t row = 0; row < id.size(); ++row)
+    for (std::size_t c = 0; c < components; ++c)
+      to[components * (id[row] - std::size_t{1}) + c] = from[components * row + c];
 }
 
 }  // namespace
@@ -180,19 +198,15 @@ std::uint64_t TrajectoryWriter::append_gathered(std::int64_t step, std::uint64_t
 
 /// Brings the fields into the order of the file: body `id` in row id - 1.
 void TrajectoryWriter::gather(const State& state) {
-  for (std::size_t row = 0; row < bodies_; ++row) {
-    const std::size_t to = state.id[row] - 1;
-    const double values[kFields][2] = {{state.position[row].x(), state.position[row].y()},
-                                       {state.angle[row], 0},
-                                       {state.velocity[row].x(), state.velocity[row].y()},
-                                       {state.spin[row], 0}};
-    for (int f = 0; f < kFields; ++f)
-      if (fields_[f].set >= 0)
-        std::copy_n(values[f], fields_[f].components, &fields_[f].values[to * fields_[f].components]);
-  }
-  for (const Field& field : fields_)
-    if (!all_finite(field.values))
+  const double* const from[kFields] = {flat(state.position), state.angle.data(), flat(state.velocity),
+                                       state.spin.data()};
+  for (int f = 0; f < kFields; ++f) {
+    if (fields_[f].set < 0) continue;
+    kComponents[f] == 2 ? bring_into_order<2>(state.id, from[f], fields_[f].values)
+                        : bring_into_order<1>(state.id, from[f], fields_[f].values);
+    if (!all_finite(fields_[f].values))
       throw std::runtime_error("the state of step " + std::to_string(state.step) + " is not finite");
+  }
 }
 
 /// The fields that the file has, which are already in its order.

@@ -111,8 +111,9 @@ std::vector<Row> rows_of(const std::string& name, const std::vector<Contestant>&
 }
 
 std::vector<Row> bench_run(const std::string& name, const Options& options, const std::string& file) {
-  const int steps = options.quick ? 20 : 400;
-  const Scene scene = settled(gallery_scene(options.scenarios, "pile"), options.quick ? 0.5 : 5.0);
+  const int steps = options.quick ? 20 : 1200;  // as many as the scenario has
+  Scene scene = settled(gallery_scene(options.scenarios, "pile"), options.quick ? 0.5 : 5.0);
+  scene.record.velocity = false;
   std::vector<Contestant> contestants = {{"unrecorded", [&] { run(scene, steps, nullptr); }},
                                          {"recorded", [&] {
                                             Recorder recorder(file, scene, {}, true);
@@ -150,7 +151,8 @@ std::vector<Row> bench_recording(const Options& options) {
     if (!chosen(name, options)) return;
     for (Row& row : bench(name)) rows.push_back(std::move(row));
   };
-  add("pile n=10000 every step", [&](const std::string& name) { return bench_run(name, options, file); });
+  add("pile n=10000 every step, position and angle",
+      [&](const std::string& name) { return bench_run(name, options, file); });
   add("write " + size, [&](const std::string& name) { return bench_frames(name, options, file, false); });
   add("read " + size, [&](const std::string& name) { return bench_frames(name, options, file, true); });
   return rows;
