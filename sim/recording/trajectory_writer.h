@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "sim/recording/h5.h"
@@ -51,6 +53,7 @@ class TrajectoryWriter {
   struct Field {
     h5::Handle set;
     int components;
+    std::size_t chunk_bytes;
     std::vector<double> values;  ///< by row of the file
     std::vector<float> singles;  ///< the same as stored, with record.precision = "single"
   };
@@ -69,7 +72,7 @@ class TrajectoryWriter {
   void gather(const Frame& frame);
   std::uint64_t append_gathered(std::int64_t step, std::uint64_t state_hash);
   std::uint64_t write_fields(std::int64_t step, std::uint64_t state_hash);
-  void write_field(Field& field, const void* data);
+  void write_field(Field& field, std::span<const std::byte> bytes);
   void write_rows(Rows& rows);
 
   double dt_;
@@ -80,6 +83,7 @@ class TrajectoryWriter {
   h5::Handle file_, finished_;
   std::array<Rows, kRows> rows_;
   std::array<Field, kFields> fields_;
+  std::vector<std::byte> chunk_;  ///< the one being written, with its checksum
 };
 
 }  // namespace throng::recording
