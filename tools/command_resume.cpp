@@ -72,11 +72,19 @@ RecordedFrames recorded_frames(const Kept& kept) {
   return {{steps.begin(), steps.end()}, {hashes.begin(), hashes.end()}};
 }
 
+/// Checkpoints go on as the run made them, unless the command line says how often.
+DriveOptions drive_options(const Kept& kept, const Options& options) {
+  DriveOptions drive = options.drive;
+  const double before = kept.recording.origin().provenance.checkpoint;
+  if (!drive.checkpoint && before > 0.0) drive.checkpoint = before;
+  return drive;
+}
+
 /// Both commands, as one that a shell understands.
 Provenance provenance(const Kept& kept, const Loaded& loaded, const Options& options) {
   const Provenance& first = kept.recording.origin().provenance;
   return {first.scenario, loaded.resolved, first.command_line + " && " + options.command_line,
-          options.drive.threads};
+          options.drive.threads, drive_options(kept, options).checkpoint.value_or(0.0)};
 }
 
 int resume(const Options& options) {
@@ -99,7 +107,7 @@ int resume(const Options& options) {
   else if (!go_to(*checkpoint, *simulation))
     return 130;
   Recorder recorder(kept.output, scene, provenance(kept, loaded, options), kept.recording, kept.frames);
-  return drive(*simulation, scene, options.drive, &recorder, recorded_frames(kept));
+  return drive(*simulation, scene, drive_options(kept, options), &recorder, recorded_frames(kept));
 }
 
 }  // namespace
@@ -119,6 +127,7 @@ void add_resume(CLI::App& app, int& exit_code, const std::string& command_line) 
       "Goes on from OUT.h5.ckpt, or from the checkpoint before where that is damaged, or from the start "
       "where\n"
       "there is none (as Box2D always must): steps whose frames are recorded are then checked against them.\n"
+      "Checkpoints are made as often as the run made them, or each --checkpoint SECONDS.\n"
       "The frames so far are copied first, so there must be room for them once more.");
   command->callback([options, &exit_code] { exit_code = resume(*options); });
 }

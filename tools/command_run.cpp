@@ -58,7 +58,8 @@ int run(const Options& options) {
   std::error_code neither;
   if (std::filesystem::equivalent(options.output, options.scene, neither))
     throw InputError("cannot write " + options.output + ": it is the scenario");
-  const Provenance provenance{loaded.text, loaded.resolved, options.command_line, options.drive.threads};
+  const Provenance provenance{loaded.text, loaded.resolved, options.command_line, options.drive.threads,
+                              options.drive.checkpoint.value_or(0.0)};
   if (options.dry_run) return rehearse(options, loaded, provenance);
 
   const auto simulation = throng::simulation(scene, options.drive.threads);

@@ -12,8 +12,8 @@
 /// before the first frame with `libver=latest`, then only appended to, in SWMR mode: readers may follow a run.
 /// ```
 /// /h5md                   attribute version int32[2] = {1, 1}; author and creator as H5MD wants them
-/// /parameters             attributes dt, until (f64), substeps, every, threads (i64), seed (u64), engine,
-///                         precision, version, compiler, flags; scenario_hash, resolved_hash and
+/// /parameters             attributes dt, until, checkpoint (f64), substeps, every, threads (i64), seed (u64),
+///                         engine, precision, version, compiler, flags; scenario_hash, resolved_hash and
 ///                         command_line_hash (u64, hash_bytes of the texts)
 ///   scenario, resolved    texts: the scenario as given, and with every override applied
 ///   command_line          text
@@ -35,7 +35,8 @@
 ///   bodies                shape u32, material u32, kind u8 (0 dynamic, 1 static, 2 kinematic), radius, mass
 ///   walls                 offset u64[W+1] -> points f64[,2]; closed u8, material u32
 /// ```
-/// `state_hash` is throng::hash of the whole state, so that a run can be checked against another. `frame_hash`
+/// `state_hash` is throng::hash of the whole state, so that a run can be checked against another (before 1.1 it
+/// was another function, and there was no attribute `checkpoint`). `frame_hash`
 /// covers step, time, state_hash and exactly the stored bytes of the frame; 0 never occurs. It is the commit
 /// record: a frame counts once its row stands there, whatever the extents of the other datasets say. Values
 /// carry fletcher32 and one chunk a frame (at most kMaxChunk bytes). The four rows of `frames` carry none: their

@@ -11,6 +11,7 @@ struct Provenance {
   std::string resolved;      ///< the same with every override applied; loads to the scene
   std::string command_line;  ///< as typed; bytes that are no UTF-8 become U+FFFD in the file
   int threads = 1;
+  double checkpoint = 0.0;  ///< s of wall time from one checkpoint to the next; 0: at a stop alone
 };
 
 }  // namespace throng

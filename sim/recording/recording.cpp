@@ -134,6 +134,9 @@ void Recording::Impl::read_parameters() {
       h5::read_attribute<std::uint64_t>(group, "command_line_hash") != text_hash(from.command_line))
     throw h5::Error("the scenario does not match its hash");
   from.threads = static_cast<int>(h5::read_attribute<std::int64_t>(group, "threads"));
+  if (origin.minor >= 1) from.checkpoint = h5::read_attribute<double>(group, "checkpoint");
+  if (!(from.checkpoint == 0.0 || (from.checkpoint >= 1e-3 && from.checkpoint <= 1e9)))
+    throw h5::Error("checkpoint is out of range");
   origin.version = h5::read_attribute_text(group, "version");
   origin.compiler = h5::read_attribute_text(group, "compiler");
   origin.flags = h5::read_attribute_text(group, "flags");

@@ -112,6 +112,7 @@ void TrajectoryWriter::create_parameters(const Scene& scene, const Provenance& p
   h5::write_attribute(group, "every", std::int64_t{scene.record.every});
   h5::write_attribute(group, "seed", scene.seed);
   h5::write_attribute(group, "threads", std::int64_t{provenance.threads});
+  h5::write_attribute(group, "checkpoint", provenance.checkpoint);
   h5::write_attribute(group, "engine", std::string_view(engines[static_cast<int>(scene.engine)]));
   h5::write_attribute(group, "precision", std::string_view(single_ ? "single" : "double"));
   h5::write_attribute(group, "version", std::string_view(version_text()));

@@ -74,7 +74,6 @@ TEST_F(Resume, WithoutACheckpointComputesAgainAndChecks) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.err, HasSubstr("no checkpoint: computing again, and checking, from the start"));
   EXPECT_EQ(difference(whole, part), 0);
-  EXPECT_FALSE(std::filesystem::exists(part + ".ckpt"));
 }
 
 TEST_F(Resume, ABox2dRunIsComputedAgainAndChecked) {
@@ -118,6 +117,23 @@ TEST_F(Resume, ARunWithoutCheckpointsLeavesOneOnlyWhereItIsStopped) {
   EXPECT_THAT(again.err, HasSubstr("from the checkpoint at step " + steps));
   EXPECT_GT(json::parse(again.out)["steps"].get<long>(), std::stol(steps));
   EXPECT_EQ(throng("replay --verify " + path("b.h5.part")).exit_code, 0);
+}
+
+TEST_F(Resume, MakesCheckpointsAsOftenAsTheRunDidUnlessToldOtherwise) {
+  const auto interval = [&](const std::string& file) {
+    const std::string command = "/usr/bin/python3 -c \"import h5py; print(h5py.File('" + file +
+                                "')['parameters'].attrs['checkpoint'])\" > " + path("interval");
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    return read(path("interval"));
+  };
+  const std::string part = made("a.h5", "0.4");
+  std::filesystem::remove(part + ".ckpt");
+  std::filesystem::remove(part + ".ckpt.prev");
+  ASSERT_EQ(resume(part + " --until 0.6").exit_code, 0);
+  EXPECT_TRUE(std::filesystem::exists(part + ".ckpt")) << "the one at the end";
+  EXPECT_EQ(interval(part), "1000.0\n");
+  ASSERT_EQ(resume(part + " --until 0.7 --checkpoint 500").exit_code, 0);
+  EXPECT_EQ(interval(part), "500.0\n");
 }
 
 /// It would name a state of another run.
@@ -218,6 +234,20 @@ TEST_F(Resume, RefusesARecordingWhoseStatesWereHashedOtherwise) {
   const Result result = resume(part + " --until 1");
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.err, HasSubstr("holds state hashes of an older kind"));
+}
+
+/// A crafted one would make a checkpoint each step.
+TEST_F(Resume, RefusesAnIntervalOfCheckpointsThatNoRunCanHave) {
+  for (const char* interval : {"1e-300", "-1", "float('nan')", "float('inf')"}) {
+    const std::string part = made("a.h5", "0.4", "--force");
+    const std::string forge = "/usr/bin/python3 -c \"import h5py; f = h5py.File('" + part +
+                              "', 'r+', libver='latest'); f['parameters'].attrs.modify('checkpoint', " +
+                              interval + ")\"";
+    ASSERT_EQ(std::system(forge.c_str()), 0);
+    const Result result = resume(part + " --until 1");
+    EXPECT_EQ(result.exit_code, 2) << interval;
+    EXPECT_THAT(result.err, HasSubstr("is damaged: checkpoint is out of range")) << interval;
+  }
 }
 
 TEST_F(Resume, SaysWhatIsWrongWithFilesThatItCannotGoOnWith) {
