@@ -78,6 +78,25 @@ TEST(FrameQueue, MakesTheProducerWaitWhereItIsFull) {
   EXPECT_EQ(pushed, queue.capacity() + 1);
 }
 
+TEST(FrameQueue, GivesALoneFrameThoughNothingFollows) {
+  const State state = initial_state(mixed_scene(3));
+  FrameQueue queue(state);
+  std::atomic<bool> came = false;
+  std::thread consumer([&] {
+    while (queue.front()) {
+      came = true;
+      queue.pop();
+    }
+  });
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));  // the consumer waits by now
+  queue.push(state);
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  while (!came && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+  EXPECT_TRUE(came);
+  queue.close();
+  consumer.join();
+}
+
 TEST(FrameQueue, UsesTheSameMemoryAgain) {
   const Scene scene = mixed_scene(100);
   FrameQueue queue(initial_state(scene));
