@@ -66,17 +66,21 @@ void race_all_pairs(const Cloud& cloud, const Options& options, std::vector<Row>
   race.run(options, 1, rows);
 }
 
-/// Discs of sizes 1:1000 against as many of one size with as many pairs.
+/// Discs of sizes 1:1000 against as many of one size with about as many pairs, in turn.
 void race_sizes(std::size_t n, const Options& options, std::vector<Row>& rows) {
-  for (const double ratio : {1.0, 1000.0}) {
-    const Cloud discs = cloud(Kind::mixed, n, 10, false, ratio);
-    AllPairs search;
-    PairList found;
-    PairRace race("sizes 1:" + std::to_string(static_cast<int>(ratio)) + " n=" + std::to_string(n));
-    race.add(
-        "throng", [&] { find(search, discs, found); }, [&] { return digest(found); });
-    race.run(options, 1, rows);
-  }
+  const auto name = [n](const char* ratio) {
+    return "sizes " + std::string(ratio) + " n=" + std::to_string(n);
+  };
+  const Cloud equal = cloud(Kind::mixed, n, 10, false, 1.0), mixed = cloud(Kind::mixed, n, 10, false, 1000.0);
+  AllPairs search_equal, search_mixed;
+  PairList found_equal, found_mixed;
+  PairRace race(name("1:1"));
+  race.add(
+      "throng", [&] { find(search_equal, equal, found_equal); }, [&] { return digest(found_equal); });
+  race.begin_case(name("1:1000"));
+  race.add(
+      "throng", [&] { find(search_mixed, mixed, found_mixed); }, [&] { return digest(found_mixed); });
+  race.run(options, 1, rows);
 }
 
 /// A cloud of which every point moves by a part of the reach a step, straight on.

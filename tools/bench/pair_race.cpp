@@ -37,6 +37,7 @@ Digest digest(const PairList& pairs) {
 void PairRace::add(const std::string& engine, std::function<void()> block, std::function<Digest()> found,
                    int threads) {
   contestants_.push_back({engine, std::move(block)});
+  cases_.push_back(name_);
   threads_.push_back(threads);
   found_.push_back(std::move(found));
 }
@@ -46,6 +47,7 @@ void PairRace::keep(const std::vector<std::string>& engines) {
     if (std::ranges::find(engines, contestants_[i].engine) != engines.end()) continue;
     const auto at = static_cast<std::ptrdiff_t>(i);
     contestants_.erase(contestants_.begin() + at);
+    cases_.erase(cases_.begin() + at);
     threads_.erase(threads_.begin() + at);
     found_.erase(found_.begin() + at);
   }
@@ -58,7 +60,7 @@ void PairRace::run(const Options& options, double work, std::vector<Row>& rows) 
     const Digest digest = found_[i]();
     const double pairs = static_cast<double>(digest.count);
     rows.push_back({"broadphase",
-                    name_,
+                    cases_[i],
                     contestants_[i].engine,
                     threads_[i],
                     contestants_[i].ms,

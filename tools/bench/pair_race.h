@@ -27,10 +27,13 @@ struct Digest {
 Digest digest(std::span<const broadphase::Pair> pairs);
 Digest digest(const broadphase::PairList& pairs);
 
-/// The engines of a case, and how each one's pairs are read once it has run.
+/// The engines of a case, or of several that are compared, and how each one's pairs are read once it has run.
 class PairRace {
  public:
   explicit PairRace(std::string name) : name_(std::move(name)) {}
+
+  /// The case of the engines that are added from here on.
+  void begin_case(std::string name) { name_ = std::move(name); }
 
   void add(const std::string& engine, std::function<void()> block, std::function<Digest()> found,
            int threads = 1);
@@ -41,8 +44,9 @@ class PairRace {
  private:
   void keep(const std::vector<std::string>& engines);
 
-  const std::string name_;
+  std::string name_;
   std::vector<Contestant> contestants_;
+  std::vector<std::string> cases_;
   std::vector<int> threads_;
   std::vector<std::function<Digest()>> found_;
 };
