@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "narrowphase/bvh_edges.h"
 #include "narrowphase/distance.h"
+#include "narrowphase/relative.h"
 #include "tools/images.h"
 #include "tools/palette.h"
 
@@ -128,19 +130,40 @@ void draw_wall(Dots& dots, const Wall& wall) {
   if (wall.closed) dots.draw_line(wall.points.back(), wall.points.front(), kWall);
 }
 
+/// Whether a point lies in a polygon, in its frame, and farther than `rim` from its border.
+bool is_within(const Shape& polygon, const Vec& point, double rim) {
+  bool inside = false, clear = true;
+  const auto look_at = [&](const std::vector<Vec>& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec &p = ring[i], &q = ring[narrowphase::next(i, ring.size())];
+      inside ^= narrowphase::ray_passes(point, p, q);
+      clear &= narrowphase::nearest_on_edge(point, p, q).squared >= rim * rim;
+    }
+  };
+  look_at(polygon.outline);
+  for (const std::vector<Vec>& hole : polygon.holes) look_at(hole);
+  return inside && clear;
+}
+
+/// Whether a point lies in a disc of a composite, and farther than `rim` from that one's border.
+bool is_within_a_disc(const Shape& discs, const Vec& point, double rim) {
+  return std::ranges::any_of(discs.parts, [&](const narrowphase::Convex& part) {
+    return separation(narrowphase::disc(0.0), {point}, part, {}).distance <= -rim;
+  });
+}
+
 /// Those dots that lie in the body and not in its outermost half dot.
 void draw_body(Dots& dots, const Shape& shape, double radius, const narrowphase::Pose& pose,
                std::uint8_t colour) {
-  dots.set(pose.position, colour);
-  if (radius < dots.dot()) return;
+  const bool is_polygon = shape.kind == ShapeKind::polygon, is_small = radius < dots.dot();
+  if (is_small || !is_polygon || is_within(shape, Vec(0.0, 0.0), 0.0)) dots.set(pose.position, colour);
+  if (is_small) return;
   const double rim = std::min(0.5 * dots.dot(), 0.25 * radius);
   const Vec reach(radius, radius);
-  const auto inside = [&](const Vec& point, const narrowphase::Convex& part) {
-    return separation(narrowphase::disc(0.0), {point}, part, pose).distance <= -rim;
-  };
   dots.fill(pose.position - reach, pose.position + reach, colour, [&](const Vec& point) {
-    if (shape.kind == ShapeKind::disc) return (point - pose.position).norm() <= radius - rim;
-    return std::ranges::any_of(shape.parts, [&](const auto& part) { return inside(point, part); });
+    const Vec own = pose.unrotate(point - pose.position);
+    if (shape.kind == ShapeKind::disc) return own.norm() <= radius - rim;
+    return is_polygon ? is_within(shape, own, rim) : is_within_a_disc(shape, own, rim);
   });
 }
 

@@ -38,6 +38,18 @@ kind = "static"
 segment = [[4.5, 0], [4.5, 0.8]]
 """
 
+FRAME = """throng = 1
+name = "frame"
+time = { dt = 0.01, until = 0.1 }
+domain = { box = [[0, 0], [6, 4]] }
+[shapes]
+frame = { polygon = [[0, 0], [5, 0], [5, 3], [0, 3]], holes = [[[1, 1], [4, 1], [4, 2], [1, 2]]] }
+[[bodies]]
+shape = "frame"
+at = [3, 2]
+kind = "static"
+"""
+
 
 class Session:
     """The program in a terminal of its own."""
@@ -113,6 +125,20 @@ class Terminal(Program):
         ])
         self.assertEqual(lines(left), lines(played) + [""])
         self.assertFalse(left.cursor.hidden)
+
+    def test_shows_a_polygon_without_its_seams_and_with_its_holes(self):
+        (self.folder / "frame.toml").write_text(FRAME)
+        self.assertEqual(self.throng("run", "frame.toml", "-o", "frame.h5", "--progress", "none"), (0, ""))
+        _, played, _ = self.play("frame.h5", "1e6", columns=40, rows=9).end()
+        self.assertEqual(lines(played)[1:8], [
+            "         ⢸⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⡇",
+            "         ⢸  ⣶⣶⣶⣶⣶⣶⣶⣶⣶⣶⣶⣶⣶⣶⣶⣶  ⡇",
+            "         ⢸  ⣿⣿⣿⠛⠛⠛⠛⠛⠛⠛⠛⠛⠛⣿⣿⣿  ⡇",
+            "         ⢸  ⣿⣿⣿          ⣿⣿⣿  ⡇",
+            "         ⢸  ⣿⣿⣿⣤⣤⣤⣤⣤⣤⣤⣤⣤⣤⣿⣿⣿  ⡇",
+            "         ⢸  ⠿⠿⠿⠿⠿⠿⠿⠿⠿⠿⠿⠿⠿⠿⠿⠿  ⡇",
+            "         ⢸⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⡇",
+        ])
 
     def test_hides_the_cursor_meanwhile(self):
         self.two()
