@@ -21,8 +21,7 @@
 /// grid candidates are told from pairs in fixed point, many at a time.
 ///
 /// The order is that of the grids' cells: it depends on the items alone, for any number of threads and any
-/// width of vectors. Who needs ascending rows uses `HigherRows`, for about the price of finding the pairs, or
-/// `DiscPairs`.
+/// width of vectors. Who needs ascending rows uses `DiscPairs`.
 ///
 /// Costs O(n (k + l)): k candidates, about three times the pairs, l levels, at most one for every factor of
 /// four between the sizes; all that aren't crowded in a level's cells share it. Memory in proportion to n and
@@ -44,9 +43,9 @@ class AllPairs {
   void find_discs(std::span<const Point> centres, std::span<const double> reach, const Period* period,
                   PairList& found);
 
-  /// The same by rows. Where sizes need one level and there is one thread, each item looks all round and
-  /// keeps the higher rows, for about a third more; else pairs are found in any order, and sorted by their
-  /// lower row, for about as much again.
+  /// The same by rows, fewer than 2^32 pairs. Where sizes need one level and there is one thread, each disc
+  /// looks all round and keeps the higher rows, for about a third more; else pairs are found in any order and
+  /// sorted by their lower row, for about as much again.
   void find_discs(std::span<const Point> centres, std::span<const double> reach, const Period* period,
                   HigherRows& found);
 

@@ -95,7 +95,7 @@ class FixedGrid {
   double per_metre_ = 1.0;                 // units
   std::uint32_t wrap_x_ = 0, wrap_y_ = 0;  // units
   double error_ = 0.0;                     // units, at most, of a distance
-  std::int32_t slack_ = 0;                 // the same and that of two sizes
+  std::int32_t slack_ = 0;                 // more than the error of a distance less two sizes
   std::vector<std::uint32_t> start_;
   std::vector<std::uint32_t> bucket_, unsorted_;  // per item: where it belongs, and at()
   std::vector<std::vector<std::uint32_t>> next_;  // per part and bucket: how many, then where the next goes

@@ -16,6 +16,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace throng::broadphase::HWY_NAMESPACE {
 
+static_assert(RowNetwork::kMost <= HigherRows::kRoom);
+
 /// Writes the pairs of one row after the other.
 Pair* write_rows(HigherRows& higher, std::size_t first, std::size_t end, const RowNetwork& network,
                  Pair* out) {
@@ -85,6 +87,7 @@ void HigherRows::assign(const PairList& found, std::size_t n) {
 
 void HigherRows::keep_movable(std::span<const std::uint8_t> movable) {
   std::uint32_t* const all = rows.all().data();
+  assert(movable.size() == of.size());
   for (std::size_t row = 0; row < of.size(); ++row) {
     if (movable[row]) continue;
     std::uint32_t* const begin = all + of[row].begin;
@@ -94,9 +97,10 @@ void HigherRows::keep_movable(std::span<const std::uint8_t> movable) {
 }
 
 void HigherRows::write(std::vector<Pair>& pairs) {
-  constexpr std::size_t kRoom = 128;  // for what the networks read and write behind the last
+  std::size_t count = 0;
+  for (const List& list : of) count += list.count;
   rows.room(kRoom);
-  pairs.resize(rows.size() + kRoom);
+  pairs.resize(count + kRoom);
   const Pair* const end = HWY_DYNAMIC_DISPATCH(write_ascending)(*this, pairs.data());
   pairs.resize(static_cast<std::size_t>(end - pairs.data()));
 }

@@ -4,6 +4,9 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include <cassert>
+#include <limits>
+
 #include "broadphase/pair_kernel.h"
 #include "broadphase/pair_search-inl.h"
 
@@ -29,11 +32,13 @@ struct Stretches {
 /// The cells that a strip's points meet in one row of them.
 class Meetings {
  public:
-  Meetings(const FixedGrid& grid, std::size_t strip, int rows)
-      : start_(grid.start()), strip_(grid.strips().strip(strip)), beside_(grid.strips().beside(strip, rows)) {
-    if (beside_.wraps) shift_ = rows < 0 ? 0 - grid.wrap_y() : grid.wrap_y();
-    if (strip_.wraps_west) west_ = (0x10000 - grid.wrap_x()) & 0xffff;
-    if (strip_.wraps_east) east_ = grid.wrap_x();
+  Meetings(const FixedGrid& grid, std::size_t strip, int southward)
+      : start_(grid.start()),
+        strip_(grid.strips().strip(strip)),
+        beside_(grid.strips().beside(strip, southward)) {
+    if (beside_.is_beyond) shift_ = southward < 0 ? 0 - grid.wrap_y() : grid.wrap_y();
+    if (strip_.is_west_end) west_ = (0x10000 - grid.wrap_x()) & 0xffff;
+    if (strip_.is_east_end) east_ = grid.wrap_x();
   }
 
   void add(std::uint32_t x, Stretches& to) const {
@@ -114,22 +119,18 @@ void gather_strips(const FixedGrid& grid, const Items& items, std::size_t first,
   for (std::size_t strip = first; strip < end; ++strip) gather_strip(grid, strip, search, found);
 }
 
-template <class Found>
-void gather(const FixedGrid& grid, const Items& items, std::size_t first, std::size_t end, Found& found) {
+void gather_pairs(const FixedGrid& grid, const Items& items, std::size_t first, std::size_t end,
+                  PairBuffer& found) {
   if (!items.boxes.empty()) return gather_strips<Kind::boxes>(grid, items, first, end, found);
   if (!items.reach.empty()) return gather_strips<Kind::discs>(grid, items, first, end, found);
   gather_strips<Kind::points>(grid, items, first, end, found);
 }
 
-void gather_pairs(const FixedGrid& grid, const Items& items, std::size_t first, std::size_t end,
-                  PairBuffer& found) {
-  gather(grid, items, first, end, found);
-}
-
 void gather_higher(const FixedGrid& grid, const Items& items, HigherRows& found) {
   found.of.resize(items.size());
   found.rows.clear();
-  gather(grid, items, 0, grid.strips().size(), found);
+  gather_strips<Kind::discs>(grid, items, 0, grid.strips().size(), found);
+  assert(found.rows.size() <= std::numeric_limits<std::uint32_t>::max());
 }
 
 }  // namespace throng::broadphase::HWY_NAMESPACE

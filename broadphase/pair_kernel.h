@@ -14,7 +14,7 @@ namespace throng::broadphase {
 void gather_pairs(const FixedGrid& grid, const Items& items, std::size_t first, std::size_t end,
                   PairBuffer& found);
 
-/// Replaces `found` by the partners of higher rows of each of a grid's items, which are all.
+/// Replaces `found` by the partners of higher rows of each disc of a grid that holds them all.
 void gather_higher(const FixedGrid& grid, const Items& items, HigherRows& found);
 
 /// Appends the pairs of each item of `fine`, from place `first` to `end` in its order, with all of `coarse`,

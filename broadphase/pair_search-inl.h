@@ -80,7 +80,7 @@ class Search {
     const std::int32_t squared = dx * dx + dy * dy;
     if constexpr (kKind == Kind::points) return answer(squared < limits_.sure, squared >= limits_.far);
     const auto both = static_cast<std::int32_t>(own + size);
-    const std::int32_t inner = std::max(both - grid_.slack(), 0), outer = both + grid_.slack() + 1;
+    const std::int32_t inner = std::max(both - grid_.slack(), 0), outer = both + grid_.slack();
     return answer(squared < inner * inner, squared >= outer * outer);
   }
 
@@ -90,7 +90,7 @@ class Search {
     const auto height = [](std::uint32_t s) { return static_cast<std::int32_t>(s >> 16); };
     const std::int32_t room =
         std::min({width(own) - dx, width(size) + dx, height(own) - dy, height(size) + dy});
-    return answer(room > grid_.slack(), room < -grid_.slack());
+    return answer(room > grid_.slack(), room <= -grid_.slack());
   }
 
   const FixedGrid& grid_;
@@ -167,7 +167,8 @@ HWY_INLINE Pair* append(hn::Vec<Rows> other, Mask near, hn::Vec<Rows> own, Lanes
   return out + count;
 }
 
-/// Above this crowd vectors are so full that a branch on whether there is a second half costs more than half.
+/// Above this crowd vectors are so full that a branch on whether there is a second half costs more than to
+/// write it.
 constexpr double kCrowd = 6.0;
 
 /// Tests items against stretches of a grid's order. Lives in the registers of a loop that copies it.
@@ -258,7 +259,7 @@ class Search {
     const Units units;
     const UnitsV both = hn::Add(sizes, hn::Set(units, static_cast<std::int32_t>(own_size)));
     const UnitsV inner = hn::Max(hn::Sub(both, hn::Set(units, slack_)), hn::Zero(units));
-    const UnitsV outer = hn::Add(both, hn::Set(units, slack_ + 1));
+    const UnitsV outer = hn::Add(both, hn::Set(units, slack_));
     sure = hn::Lt(distance, squared(hn::BitCast(Halves(), inner)));
     near = hn::Lt(distance, squared(hn::BitCast(Halves(), outer)));
   }
@@ -271,7 +272,7 @@ class Search {
     const auto room = hn::Min(hn::SaturatedSub(own, apart), hn::SaturatedAdd(sizes, apart));
     const auto slack = hn::Set(halves, static_cast<std::int16_t>(slack_));
     sure = both_halves(hn::Lt(slack, room));
-    near = both_halves(hn::Lt(hn::Neg(slack), hn::SaturatedAdd(room, hn::Set(halves, 1))));
+    near = both_halves(hn::Lt(hn::Neg(slack), room));
   }
 
   HWY_INLINE static Mask both_halves(hn::Mask<Halves> mask) {

@@ -115,7 +115,7 @@ class RowNetwork {
     if constexpr (!kLowerHalf) hn::StoreU(hn::InterleaveUpper(d, own, higher), d, to + kLanes);
   }
 
-  /// Sorts them all, where each kSorted are sorted.
+  /// Merges sorted runs of kSorted vectors until all are one.
   template <std::size_t kSorted, std::size_t kCount>
   HWY_INLINE void join(V* v) const {
     if constexpr (kSorted < kCount) {
@@ -129,7 +129,7 @@ class RowNetwork {
     }
   }
 
-  /// Sorts each 2 kApart that rise, then fall.
+  /// Sorts each bitonic run of 2 kApart vectors.
   template <std::size_t kApart, std::size_t kCount>
   HWY_INLINE void merge_vectors(V* v) const {
     if constexpr (kApart > 0) {

@@ -80,15 +80,15 @@ Strips::Strip Strips::strip(std::size_t i) const {
   return {static_cast<std::uint32_t>(i) * length, cells(key.x), key.x == 0, key.x == last_of_row()};
 }
 
-Strips::Beside Strips::beside(std::size_t i, int rows) const {
+Strips::Beside Strips::beside(std::size_t i, int southward) const {
   const Key key = this->key(i);
   const bool wraps_x = periodic_ && columns_ > 1, wraps_y = periodic_ && rows_ > 1;
   const std::int64_t last = last_of_row();
-  std::int64_t y = key.y + rows;
+  std::int64_t y = key.y + southward;
   Beside beside;
-  beside.wraps = y < 0 || y >= rows_;
-  if (beside.wraps && !wraps_y) return beside;
-  if (beside.wraps) y = y < 0 ? rows_ - 1 : 0;
+  beside.is_beyond = y < 0 || y >= rows_;
+  if (beside.is_beyond && !wraps_y) return beside;
+  if (beside.is_beyond) y = y < 0 ? rows_ - 1 : 0;
   const std::int64_t east = key.x < last ? key.x + 1 : wraps_x ? 0 : -1;
   const std::int64_t west = key.x > 0 ? key.x - 1 : wraps_x ? last : -1;
   beside.middle = first_bucket(y, key.x);

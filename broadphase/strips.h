@@ -20,17 +20,17 @@ class Strips {
   static constexpr std::int64_t kCells = 1 << kBits;
   static constexpr std::uint32_t kNone = 0xffffffff;
 
-  /// The part of a row of cells that a strip lies in, or touches: the first bucket of each strip, or kNone;
-  /// to the west the last cell's bucket.
+  /// The strips of one row of cells that a strip touches: the bucket of the nearest cell of each, in the
+  /// middle that of the first; or kNone.
   struct Beside {
     std::uint32_t west = kNone, middle = kNone, east = kNone;
-    bool wraps = false;  ///< the row is an image across the seam
+    bool is_beyond = false;  ///< the row lies beyond the grid: what there is of it are images across the seam
   };
 
   /// A strip: its first bucket, and how many cells it has.
   struct Strip {
     std::uint32_t first, cells;
-    bool wraps_west, wraps_east;  ///< the neighbours there are images across the seam
+    bool is_west_end, is_east_end;  ///< of its row: what there is beyond are images across the seam
   };
 
   /// Starts anew for cells that were fitted to points.
@@ -57,8 +57,8 @@ class Strips {
   }
   Strip strip(std::size_t i) const;
 
-  /// The row of strip `i`, `rows` = 0; the one behind it, 1; or the one before, -1.
-  Beside beside(std::size_t i, int rows) const;
+  /// In the row of strip `i`, 0; in the one south of it, where y is larger, 1; or in that north of it, -1.
+  Beside beside(std::size_t i, int southward) const;
 
   /// Calls `f(bucket, end_bucket, column, row)` for stretches of buckets that make up a range of cells,
   /// wrapped round where the domain is periodic: then `column` or `row`, before wrapping, says so.

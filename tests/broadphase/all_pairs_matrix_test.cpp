@@ -5,6 +5,8 @@
 
 #include <hwy/targets.h>
 
+#include <optional>
+
 #include "broadphase/all_pairs.h"
 #include "broadphase/brute_force.h"
 #include "tests/broadphase/clouds.h"
@@ -82,14 +84,14 @@ void for_each_way(const F& f) {
 /// What `find` puts into a list in each way: it must be the same.
 template <class Find>
 Pairs same_again(const Find& find) {
-  Pairs first;
+  std::optional<Pairs> first;
   for_each_way([&](AllPairs& search) {
     PairList found;
     find(search, found);
-    if (first.empty()) first = in_order(found);
-    EXPECT_EQ(in_order(found), first);
+    if (!first) first = in_order(found);
+    EXPECT_EQ(in_order(found), *first);
   });
-  return ascending(first);
+  return ascending(*first);
 }
 
 class EveryCloud : public ::testing::TestWithParam<Shape> {};

@@ -120,6 +120,11 @@ TEST(AllPairs, DecidesInDoubleWhatFixedPointCannotTell) {
         PairList found;
         AllPairs().find_discs(points, reach, period, found);
         EXPECT_EQ(ascending(found, kRows), near);
+        HigherRows higher;
+        AllPairs().find_discs(points, reach, period, higher);
+        Pairs by_rows;
+        higher.write(by_rows);
+        EXPECT_EQ(by_rows, near);
         if (same_reach) {
           EXPECT_EQ(pairs_of(points, 1.0, period), near);
         }
