@@ -56,14 +56,6 @@ void expect_same_version(const std::string& file, const std::string& version) {
                    ": going on could give other bits; go on with that version, or run the scenario again");
 }
 
-/// One file holds state hashes of one kind.
-void expect_same_hashes(const std::string& file, int minor) {
-  if (minor >= 1) return;
-  throw InputError(file +
-                   " holds state hashes of an older kind: go on with the throng that wrote it, or run "
-                   "the scenario again");
-}
-
 /// Whether the checkpoint can be used; throws where it is another run's.
 bool belongs(const Checkpoint& checkpoint, const std::string& file, const Kept& kept) {
   const CheckpointOrigin& origin = checkpoint.origin;
@@ -95,7 +87,6 @@ Kept find_recording(const std::string& name) {
   Recording recording = open_either(output, source);
   if (recording.running()) throw InputError(source + " is still being written by another run");
   expect_same_version(source, recording.origin().version);
-  expect_same_hashes(source, recording.origin().minor);
   const std::size_t frames = sound_frames(recording);
   return {output, source, std::move(recording), frames};
 }

@@ -46,7 +46,9 @@
 namespace throng::recording {
 
 inline constexpr int kMajor = 1;  ///< a reader refuses a newer one
-/// Grows with what older readers may overlook: since 1, polygons have holes, and states are hashed otherwise.
+/// A reader takes any. Since 1 polygons may have holes, which readers of 1.0 overlook, there is an attribute
+/// `checkpoint`, and `state_hash` is another function: to a throng of 1.0 such states differ from those that
+/// it computes.
 inline constexpr int kMinor = 1;
 
 inline constexpr std::size_t kMaxChunk = std::size_t{1} << 20;  ///< bytes

@@ -226,16 +226,6 @@ TEST_F(Resume, RefusesAnotherVersionsRecordingAndNamesBoth) {
   EXPECT_THAT(result.err, HasSubstr("was written by throng 0.0.9, this is "));
 }
 
-TEST_F(Resume, RefusesARecordingWhoseStatesWereHashedOtherwise) {
-  const std::string part = made("a.h5", "0.4");
-  const std::string forge = "/usr/bin/python3 -c \"import h5py; f = h5py.File('" + part +
-                            "', 'r+', libver='latest'); f['throng'].attrs.modify('version', [1, 0])\"";
-  ASSERT_EQ(std::system(forge.c_str()), 0);
-  const Result result = resume(part + " --until 1");
-  EXPECT_EQ(result.exit_code, 2);
-  EXPECT_THAT(result.err, HasSubstr("holds state hashes of an older kind"));
-}
-
 /// A crafted one would make a checkpoint each step.
 TEST_F(Resume, RefusesAnIntervalOfCheckpointsThatNoRunCanHave) {
   for (const char* interval : {"1e-300", "-1", "float('nan')", "float('inf')"}) {
