@@ -43,7 +43,7 @@ void FrameQueue::push(const State& state, bool checkpoint) {
     copy_frame(state, slot.state);
   lock.lock();
   ++count_;
-  if (checkpoint || count_ == batch()) changed_.notify_all();
+  if (count_ == batch()) changed_.notify_all();
 }
 
 void FrameQueue::close() {

@@ -18,8 +18,8 @@ struct QueueEntry {
 };
 
 /// Frames and checkpoints on their way from the loop to the writer: a ring of buffers made in advance, one
-/// producer, one consumer. Waking the consumer takes as long as copying a frame of some thousand bodies: it
-/// is woken when the ring is half full, by a checkpoint, at the end, and looks by itself each 50 ms.
+/// producer, one consumer. Waking the consumer takes as long as copying a frame of some thousand bodies, so
+/// the consumer is woken only when the ring is half full and at the end, and looks by itself each 50 ms.
 class FrameQueue {
  public:
   /// As many frames as fit into 64 MB, at least 2 and at most 16, all as large as `first`.
