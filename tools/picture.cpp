@@ -152,7 +152,7 @@ Page::Page(const Extent& shown, int wanted) {
   const double least = 30 * unit;  // for the legend
   const auto even = [](double size) { return 2 * static_cast<int>(std::ceil(size / 2)); };
   width = std::min(wanted, even(std::max(least, scale * shown.size().x() + 2 * border)));
-  height = even(scale * shown.size().y() + top + bottom);
+  height = std::min(wanted, even(scale * shown.size().y() + top + bottom));
 }
 
 Picture::Picture(const Scene& scene, const View& view, int width)

@@ -174,6 +174,21 @@ TEST_F(Replay, RefusesTimesOutsideTheRecording) {
     EXPECT_EQ(throng("replay a.h5 --png a.png --at=" + at).code, 0) << at;
 }
 
+/// It happened: rounding made a picture of 720 x 1922.
+TEST_F(Replay, DrawsNothingHigherThanItIsWideAtMost) {
+  std::ofstream(folder / "high.toml") << "throng = 1\ntime = { dt = 0.01, until = 0.01 }\n"
+                                         "domain = { periodic = [[0, 0], [1, 25]] }\n"
+                                         "[shapes]\nball = { disc = { radius = 0.1 } }\n"
+                                         "[[bodies]]\nshape = \"ball\"\nat = [0.5, 1]\n"
+                                         "[[bodies]]\nshape = \"ball\"\nat = [0.5, 24]\n";
+  ASSERT_EQ(throng("run high.toml -o high.h5 --progress none").code, 0);
+  const Answer answer = throng("replay high.h5 --png high.png --width 1920");
+  ASSERT_EQ(answer.code, 0) << answer.text;
+  cairo_surface_t* picture = cairo_image_surface_create_from_png((folder / "high.png").c_str());
+  EXPECT_EQ(cairo_image_surface_get_height(picture), 1920);
+  cairo_surface_destroy(picture);
+}
+
 TEST_F(Replay, RefusesOptionsThatWouldDoNothing) {
   for (const std::string options : {"--at 0.1", "--width 300", "--threads 2", "--width 300 --html a.html",
                                     "--verify --at 0.1", "--png a.png --threads 2"}) {
