@@ -37,8 +37,10 @@ class Unfinished {
     take_signals();
     const int fd = mkstemp(unfinished);
     const int error = errno;
-    if (fd < 0) leave_signals();
-    if (fd < 0) refuse(output, std::strerror(error));
+    if (fd < 0) {
+      leave_signals();
+      refuse(output, std::strerror(error));
+    }
     const mode_t masked = umask(0);
     umask(masked);
     fchmod(fd, replaced ? replaced->st_mode & 07777 : 0666 & ~masked);
@@ -93,7 +95,8 @@ bool are_one_file(const std::string& a, const std::string& b) {
   const auto place = [&](const std::string& name) {
     return fs::weakly_canonical(fs::absolute(name, neither), neither);
   };
-  return place(a) == place(b) || fs::equivalent(a, b, neither);
+  const fs::path first = place(a);  // empty where that can't be told
+  return (!first.empty() && first == place(b)) || fs::equivalent(a, b, neither);
 }
 
 }  // namespace throng::tools

@@ -62,6 +62,8 @@ TEST_F(ReplaceFile, KnowsOneFileByItsNames) {
     EXPECT_TRUE(tools::are_one_file(file, path(other))) << other;
   EXPECT_FALSE(tools::are_one_file(file, path("b")));
   EXPECT_TRUE(tools::are_one_file("no-such-file", "./no-such-file"));
+  // It happened: two names that no file can have counted as one.
+  EXPECT_FALSE(tools::are_one_file(path(std::string(300, 'a')), path(std::string(300, 'b'))));
 }
 
 }  // namespace
