@@ -127,10 +127,10 @@ Screen run(Show& show, std::size_t last, Terminal& terminal) {
 int play(const Recording& recording, double speed) {
   if (!recording.geometry().record.position && recording.bodies() > 0)
     throw InputError("there is nothing to play: the recording holds no positions");
+  stop_on_signals();
   Screen last;
   {
     Terminal terminal("--speed");
-    stop_on_signals();
     Show show(recording, speed);
     last = run(show, recording.frames() - 1, terminal);
   }

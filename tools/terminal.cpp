@@ -2,6 +2,7 @@
 #include "tools/terminal.h"
 
 #include <sys/ioctl.h>
+#include <termios.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -31,12 +32,25 @@ bool write_all(std::string_view text) {
   return true;
 }
 
-/// Ctrl-Z: the shell's screen for as long as it lasts.
+bool echoes = false;  // where the standard input is the terminal too
+termios loud, silent;
+
+void enter() {
+  if (echoes) tcsetattr(STDIN_FILENO, TCSANOW, &silent);
+  write_all(kEnter);
+}
+
+void leave() {
+  write_all(kLeave);
+  if (echoes) tcsetattr(STDIN_FILENO, TCSAFLUSH, &loud);  // what was typed blindly is not meant for the shell
+}
+
+/// Ctrl-Z: the terminal is the shell's for as long as it lasts.
 void pause(int) {
   const int error = errno;
-  write_all(kLeave);
+  leave();
   raise(SIGSTOP);
-  write_all(kEnter);
+  enter();
   cleared = 1;
   errno = error;
 }
@@ -50,22 +64,20 @@ Terminal::Terminal(const char* what) {
   if (!kind || std::strcmp(kind, "dumb") == 0)
     throw InputError(std::string(what) + " shows a picture in a terminal, and this one can't (TERM is " +
                      (kind ? kind : "not set") + ")");
-  echoes_ = tcgetattr(STDIN_FILENO, &input_) == 0;
-  termios silent = input_;
+  echoes = tcgetattr(STDIN_FILENO, &loud) == 0;
+  silent = loud;
   silent.c_lflag &= ~static_cast<tcflag_t>(ECHO | ICANON);
-  if (echoes_) tcsetattr(STDIN_FILENO, TCSANOW, &silent);
   struct sigaction action = {};
   action.sa_handler = pause;
   action.sa_flags = SA_RESTART;
-  sigaction(SIGTSTP, &action, nullptr);
-  write_all(kEnter);
+  sigaction(SIGTSTP, nullptr, &before_);
+  if (before_.sa_handler != SIG_IGN) sigaction(SIGTSTP, &action, nullptr);
+  enter();
 }
 
 Terminal::~Terminal() {
-  write_all(kLeave);
-  signal(SIGTSTP, SIG_DFL);
-  if (echoes_)
-    tcsetattr(STDIN_FILENO, TCSAFLUSH, &input_);  // what was typed blindly is not meant for the shell
+  sigaction(SIGTSTP, &before_, nullptr);
+  leave();
 }
 
 Terminal::Size Terminal::size() const {

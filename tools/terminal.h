@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <termios.h>
-
+#include <csignal>
 #include <string_view>
 
 namespace throng::tools {
@@ -31,8 +30,7 @@ class Terminal {
   void write(std::string_view text) const;
 
  private:
-  bool echoes_ = false;  // where the standard input is the terminal too
-  termios input_;
+  struct sigaction before_;  // what SIGTSTP did; where it is ignored, it stays so
 };
 
 }  // namespace throng::tools

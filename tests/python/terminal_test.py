@@ -54,8 +54,8 @@ kind = "static"
 class Session:
     """The program in a terminal of its own."""
 
-    def __init__(self, folder, *arguments, columns=80, rows=24, kind="xterm-256color"):
-        self.columns, self.rows = columns, rows
+    def __init__(self, folder, *arguments, columns=80, rows=24, kind="xterm-256color", ignored=None):
+        self.columns, self.rows, self.ignored = columns, rows, ignored
         self.master, self.slave = pty.openpty()
         self.resize(columns, rows)
         self.before = termios.tcgetattr(self.slave)
@@ -66,6 +66,8 @@ class Session:
     def take_terminal(self):
         os.setsid()
         fcntl.ioctl(self.slave, termios.TIOCSCTTY, 0)
+        if self.ignored:
+            signal.signal(self.ignored, signal.SIG_IGN)
 
     def resize(self, columns, rows):
         fcntl.ioctl(self.slave, termios.TIOCSWINSZ, struct.pack("HHHH", rows, columns, 0, 0))
@@ -224,16 +226,29 @@ class Terminal(Program):
         self.two()
         session = self.play("two.h5", "0.5")
         session.listen(lambda said: said.count(b"\033[1;") > 9)  # titles
+        playing = termios.tcgetattr(session.slave)
+        self.assertNotEqual(playing, session.before)
         os.write(session.master, b"\x1a")  # Ctrl-Z
         os.waitid(os.P_PID, session.process.pid, os.WSTOPPED | os.WEXITED | os.WNOWAIT)
         session.listen(lambda said: LEAVE in said)
         self.assertTrue(session.said.endswith(LEAVE))
+        self.assertEqual(termios.tcgetattr(session.slave), session.before, "echo is back")
         session.said = b""
         session.process.send_signal(signal.SIGCONT)
+        session.listen(lambda said: ENTER in said)
+        self.assertEqual(termios.tcgetattr(session.slave), playing)
         code, played, left = session.end()
         self.assertEqual(code, 0)
         self.assertEqual(lines(left), lines(played) + [""])
         self.assertIn("t = 1.000 s of 1.000 s", lines(played)[0])
+
+    def test_is_not_stopped_where_that_is_ignored(self):
+        self.two()
+        session = self.play("two.h5", "2", ignored=signal.SIGTSTP)
+        session.listen(lambda said: ENTER in said)
+        os.write(session.master, b"\x1a")
+        self.assertEqual(session.end()[0], 0)
+        self.assertEqual(session.said.count(ENTER), 1)
 
     def test_measures_what_the_run_did(self):
         scene = (self.folder / "three.toml").read_text()
