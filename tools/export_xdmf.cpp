@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
 #include "sim/input_error.h"
+#include "sim/recording/utf8.h"
 #include "tools/export.h"
+#include "tools/printable.h"
 #include "tools/text_file.h"
 
 namespace throng::tools {
@@ -27,6 +30,14 @@ std::string xml(const std::string& text) {
       safe += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
   }
   return safe;
+}
+
+/// A path is bytes, of which XML can't say all.
+void expect_text(const std::string& path) {
+  const bool controls = std::ranges::any_of(path, [](unsigned char c) { return c < 0x20 || c == 0x7f; });
+  if (controls || recording::as_utf8(path) != path)
+    throw InputError("cannot point to " + printable(recording::as_utf8(path)) +
+                     ": XML names no file whose path has control characters or is not UTF-8");
 }
 
 /// HDF5 itself, which is all that ParaView has, opens no file whose writer did not close it.
@@ -121,8 +132,10 @@ void write_attributes(const Pointers& to, const Record& record, std::size_t fram
 void export_xdmf(const Recording& recording, const std::string& file, std::span<const std::size_t> frames,
                  const ExportTarget& target) {
   expect_closed(file);
+  const std::string path = path_to(file, target.name);
+  expect_text(path);
   TextFile out(target);
-  const Pointers to(out, recording, path_to(file, target.name));
+  const Pointers to(out, recording, path);
   out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Xdmf Version=\"2.0\"><Domain>\n<Grid Name=\""
       << xml(recording.geometry().name) << "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
   for (std::size_t i : frames) {

@@ -226,6 +226,15 @@ class Xdmf(Export):
         path = next(xml.fromstring(printed).iter("Geometry")).find("DataItem/DataItem[2]").text
         self.assertEqual(path, os.path.realpath(self.path("a<&.h5")) + ":/particles/trajectory/position/value")
 
+    def test_refuses_a_path_that_xml_cannot_say(self):
+        self.record()
+        for name in (b"a\nb.h5", b"a\x7f.h5", b"\xff.h5"):
+            os.rename(os.path.join(os.fsencode(self.folder), b"a.h5"), os.path.join(os.fsencode(self.folder), name))
+            self.assertIn("XML names no file whose path", self.refused(os.fsdecode(name), "--format", "xdmf", "-o", "a.xdmf"))
+            os.rename(os.path.join(os.fsencode(self.folder), name), os.path.join(os.fsencode(self.folder), b"a.h5"))
+        self.record("é.h5")
+        self.export("xdmf", "a.xdmf", recording="é.h5")
+
     def test_refuses_a_recording_that_paraview_would_not_open(self):
         self.record_until_killed()
         with self.assertRaises(OSError):
