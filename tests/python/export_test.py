@@ -139,7 +139,7 @@ class Pedpy(Export):
         self.assertTrue(np.array_equal(table["x"].reshape(3, 3), recording[2::4, 1:, 0]))
         self.assertEqual(self.load(self.export("pedpy", "b.ped.h5", "--to", "0"))[1], 50.0)
 
-    def test_has_a_walkable_area_that_holds_everybody_in_the_unbounded_plane(self):
+    def test_has_a_walkable_area_around_the_walls_and_all_that_moves_in_the_unbounded_plane(self):
         text = (self.folder / "three.toml").read_text().replace("domain = { box = [[0, 0], [4, 3]] }", "")
         (self.folder / "three.toml").write_text(text)
         positions = h5py.File(self.record())["particles/trajectory/position/value"][:, 1:]
