@@ -96,17 +96,13 @@ void Encoder::write(std::span<const unsigned char> picture) {
     if (written > 0) picture = picture.subspan(static_cast<std::size_t>(written));
   }
   if (picture.empty()) return;
-  wait();
+  finish();
   throw InputError("ffmpeg ended before the film did");
 }
 
 void Encoder::finish() {
   close(pipe_);
   pipe_ = -1;
-  wait();
-}
-
-void Encoder::wait() {
   int status = 0;
   while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
   }

@@ -36,8 +36,6 @@ class Encoder {
   void finish();
 
  private:
-  void wait();
-
   pid_t process_ = -1;
   int pipe_ = -1;
   void (*before_)(int);  // what SIGPIPE did

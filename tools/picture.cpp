@@ -160,7 +160,12 @@ Picture::Picture(const Scene& scene, const View& view, int width)
       view_(view),
       page_(view.extent, width),
       surface_(cairo_image_surface_create(CAIRO_FORMAT_RGB24, page_.width, page_.height),
-               cairo_surface_destroy) {}
+               cairo_surface_destroy) {
+  const cairo_status_t status = cairo_surface_status(surface_.get());
+  if (status != CAIRO_STATUS_SUCCESS)
+    throw InputError("cannot draw " + std::to_string(page_.width) + " x " + std::to_string(page_.height) +
+                     " pixels: " + cairo_status_to_string(status));
+}
 
 void Picture::draw(const Frame& frame) {
   if (frame.position.empty() && scene_.bodies.size() > 0)

@@ -25,7 +25,8 @@ struct Page {
 /// and the legend says so.
 class Picture {
  public:
-  /// At most `width` pixels wide and high. Expects `scene` to outlive it.
+  /// At most `width` pixels wide and high. Expects `scene` to outlive it. Throws InputError where there is no
+  /// memory for it.
   Picture(const Scene& scene, const View& view, int width = 1600);
 
   int width() const { return page_.width; }
