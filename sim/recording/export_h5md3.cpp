@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <array>
 #include <numeric>
 
 #include "sim/input_error.h"
@@ -26,6 +25,7 @@ class H5md3 {
   void close();
 
  private:
+  void create_all();
   void write_head();
   void write_times(hid_t position);
   void write_box();
@@ -48,6 +48,15 @@ H5md3::H5md3(const Recording& recording, Frames frames, const std::string& outpu
       frames_(frames),
       values_(3 * recording.bodies()),
       file_(h5::create_file(output)) {
+  try {
+    create_all();
+  } catch (...) {
+    abandon();
+    throw;
+  }
+}
+
+void H5md3::create_all() {
   write_head();
   trajectory_ = h5::create_group(h5::create_group(file_, "particles"), "trajectory");
   const h5::Handle position = h5::create_group(trajectory_, "position");
@@ -89,11 +98,12 @@ void H5md3::write_box() {
   h5::write_attribute(box, "boundary", std::vector<std::string>{boundary, boundary, "none"});
   if (!periodic) return;
   const Vec size = scene_.domain.max - scene_.domain.min;
-  const std::array<double, 9> edges{size.x(), 0, 0, 0, size.y(), 0, 0, 0, 1};
+  std::vector<double> edges;
+  for (std::size_t row = 0; row < frames_.size(); ++row)
+    edges.insert(edges.end(), {size.x(), 0, 0, 0, size.y(), 0, 0, 0, 1});
   const h5::Handle element = create_sampled("box/edges");
   const h5::Handle set = h5::create_fixed(element, "value", h5::type<double>(), {frames_.size(), 3, 3});
-  for (std::size_t row = 0; row < frames_.size(); ++row)
-    h5::write_rows(set, row, 1, h5::type<double>(), edges.data());
+  h5::write_rows(set, 0, frames_.size(), h5::type<double>(), edges.data());
 }
 
 void H5md3::write_bodies() {

@@ -98,7 +98,7 @@ double frame_rate(const Recording& recording, Frames frames) {
   return 1.0 / (static_cast<double>(apart) * recording.geometry().time.dt);
 }
 
-/// The rows of `scene.bodies` that people are.
+/// The rows of `scene.bodies` that count as people.
 std::vector<std::size_t> who_moves(const Scene& scene) {
   std::vector<std::size_t> rows;
   for (std::size_t row = 0; row < scene.bodies.size(); ++row)
@@ -112,13 +112,15 @@ class Table {
  public:
   Table(const std::string& output, std::size_t rows, double rate)
       : type_(row_type()), file_(h5::create_file(output)) {
-    set_ = h5::create_fixed(file_, "trajectory", type_, {rows});
-    h5::write_attribute(set_, "fps", rate);
+    try {
+      set_ = h5::create_fixed(file_, "trajectory", type_, {rows});
+      h5::write_attribute(set_, "fps", rate);
+    } catch (...) {
+      abandon();
+      throw;
+    }
   }
-  ~Table() {
-    set_.abandon();
-    file_.abandon();
-  }
+  ~Table() { abandon(); }
   Table(const Table&) = delete;
   Table& operator=(const Table&) = delete;
 
@@ -136,6 +138,11 @@ class Table {
   }
 
  private:
+  void abandon() {
+    set_.abandon();
+    file_.abandon();
+  }
+
   h5::Handle type_, file_, set_;
   hsize_t written_ = 0;
 };
