@@ -113,7 +113,7 @@ void add_drive_options(CLI::App& command, DriveOptions& options) {
   command.add_option_function<double>(
       "--checkpoint",
       [&options](double seconds) {
-        if (!(seconds >= 1e-3 && seconds <= 1e9))
+        if (!(seconds >= kShortestCheckpoint && seconds <= kLongestCheckpoint))
           throw CLI::ValidationError("--checkpoint", "must be seconds from 0.001 to 1e9");
         options.checkpoint = seconds;
       },

@@ -5,6 +5,9 @@
 
 namespace throng {
 
+/// s of wall time from one checkpoint to the next.
+inline constexpr double kShortestCheckpoint = 1e-3, kLongestCheckpoint = 1e9;
+
 /// Where a recording comes from: enough to run it again.
 struct Provenance {
   std::string scenario;      ///< the scenario's text as given

@@ -135,7 +135,8 @@ void Recording::Impl::read_parameters() {
     throw h5::Error("the scenario does not match its hash");
   from.threads = static_cast<int>(h5::read_attribute<std::int64_t>(group, "threads"));
   if (origin.minor >= 1) from.checkpoint = h5::read_attribute<double>(group, "checkpoint");
-  if (!(from.checkpoint == 0.0 || (from.checkpoint >= 1e-3 && from.checkpoint <= 1e9)))
+  if (!(from.checkpoint == 0.0 ||
+        (from.checkpoint >= kShortestCheckpoint && from.checkpoint <= kLongestCheckpoint)))
     throw h5::Error("checkpoint is out of range");
   origin.version = h5::read_attribute_text(group, "version");
   origin.compiler = h5::read_attribute_text(group, "compiler");
