@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "narrowphase/bvh_edges.h"
-#include "narrowphase/distance.h"
 #include "narrowphase/relative.h"
 #include "tools/images.h"
 #include "tools/palette.h"
@@ -148,7 +147,7 @@ bool is_within(const Shape& polygon, const Vec& point, double rim) {
 /// Whether a point lies in a disc of a composite, and farther than `rim` from that one's border.
 bool is_within_a_disc(const Shape& discs, const Vec& point, double rim) {
   return std::ranges::any_of(discs.parts, [&](const narrowphase::Convex& part) {
-    return separation(narrowphase::disc(0.0), {point}, part, {}).distance <= -rim;
+    return (point - part.vertices[0]).norm() <= part.radius - rim;
   });
 }
 

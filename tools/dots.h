@@ -13,7 +13,7 @@ struct Area {
 
 /// Draws a frame in Unicode's Braille patterns, two dots wide and four high a cell: bodies coloured by speed,
 /// static and driven ones grey, bodies of two dots and more a dot apart; every body has a dot at least.
-/// Expects positions. O(bodies + dots * bodies there).
+/// Expects positions. O(bodies + dots * edges of the bodies there); a composite has as many as discs.
 void draw_dots(Screen& screen, const Area& area, const Scene& scene, const View& view, const Frame& frame);
 
 }  // namespace throng::tools
