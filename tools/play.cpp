@@ -23,8 +23,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
 
-constexpr Seconds kRest{0.04},
-    kNap{0.1};  // between two pictures; without a look at the clock and the terminal
+constexpr Seconds kRest{0.04};  // at least, from one picture to the next
+constexpr Seconds kNap{0.1};    // at most, without a look at the clock and the terminal
 constexpr std::uint8_t kFaint = 245;
 
 template <class... Arguments>
@@ -65,7 +65,7 @@ class Show {
   Show(const Recording& recording, double speed)
       : recording_(recording), view_(view_of(recording)), speed_(speed), first_(recording.times().front()) {}
 
-  /// The last frame that was over `elapsed` s after the beginning.
+  /// The last frame whose time has come `elapsed` s after the beginning.
   std::size_t frame_at(double elapsed) const {
     const auto times = recording_.times();
     const auto next = std::upper_bound(times.begin(), times.end(), first_ + speed_ * elapsed);

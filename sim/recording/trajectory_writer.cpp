@@ -52,7 +52,7 @@ void link(hid_t from, const char* name, hid_t to) {
   h5::check(H5Lcreate_hard(from, name, to, name, H5P_DEFAULT, H5P_DEFAULT), "cannot link");
 }
 
-/// Without a branch a number: a sum of zeros, unless one is not finite.
+/// No branch for each number: 0 x is 0 unless x is not finite.
 bool all_finite(const std::vector<double>& values) {
   double sums[4] = {0, 0, 0, 0};
   const std::size_t whole = values.size() / 4 * 4;
