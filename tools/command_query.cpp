@@ -12,6 +12,7 @@
 #include "sim/input_error.h"
 #include "tools/commands.h"
 #include "tools/crowd.h"
+#include "tools/printable.h"
 #include "tools/sight.h"
 
 namespace throng::tools {

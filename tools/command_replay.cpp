@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // throng replay: plays, checks or draws a recording.
 #include <cinttypes>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -11,11 +10,13 @@
 #include "sim/recording/recording.h"
 #include "tools/commands.h"
 #include "tools/film.h"
+#include "tools/frame_at.h"
 #include "tools/picture.h"
 #include "tools/play.h"
 #include "tools/replace_file.h"
 #include "tools/replay_page.h"
 #include "tools/verify.h"
+#include "tools/view.h"
 
 namespace throng::tools {
 
@@ -75,28 +76,16 @@ void print_table(const Recording& recording) {
   }
 }
 
-/// The frame that the picture shows. Refuses times that are not the recording's.
-std::size_t frame_to_draw(const Recording& recording, const Options& options) {
-  if (recording.frames() == 0) throw InputError(options.file + " holds no frames to draw");
-  if (!options.at) return recording.frames() - 1;
-  const double first = recording.times().front(), last = recording.times().back(),
-               slack = 1e-9 * std::abs(last);
-  if (*options.at >= first - slack && *options.at <= last + slack) return recording.index_at(*options.at);
-  char text[160];
-  std::snprintf(text, sizeof text, ": --at %g is outside the recording, which goes from %g s to %g s",
-                *options.at, first, last);
-  throw InputError(options.file + text);
-}
-
 void draw(const Recording& recording, const Options& options) {
-  const Frame frame = recording.frame(frame_to_draw(recording, options));
+  expect_drawable(recording, options.file);
+  const Frame frame = recording.frame(frame_at_or_throw(recording, options.file, options.at));
   Picture picture(recording.geometry(), view_of(recording.geometry(), frame), options.width.value_or(1600));
   picture.draw(frame);
   picture.write_png(options.png);
 }
 
 void make_film(const Recording& recording, const Options& options) {
-  if (recording.frames() == 0) throw InputError(options.file + " holds no frames to draw");
+  expect_drawable(recording, options.file);
   FilmOptions film;
   film.speed = options.speed.value_or(film.speed);
   film.rate = options.fps.value_or(film.rate);
@@ -105,7 +94,7 @@ void make_film(const Recording& recording, const Options& options) {
 }
 
 int play_frames(const Recording& recording, const Options& options) {
-  if (recording.frames() == 0) throw InputError(options.file + " holds no frames to play");
+  expect_drawable(recording, options.file);
   return play(recording, *options.speed);
 }
 

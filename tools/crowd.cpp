@@ -2,13 +2,14 @@
 #include "tools/crowd.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
 
 #include "sim/input_error.h"
 #include "sim/recording/recording.h"
+#include "tools/frame_at.h"
+#include "tools/printable.h"
 #include "tools/scenario.h"
 
 namespace throng::tools {
@@ -44,17 +45,12 @@ Crowd crowd_of_scenario(const std::string& source, std::optional<double> at, Sce
 Crowd crowd_of_recording(const std::string& source, std::optional<double> wanted, Scene& scene) {
   const Recording recording(source);
   if (recording.frames() == 0) throw InputError(source + ": holds no frame yet");
-  const double first = recording.times().front(), last = recording.times().back();
-  const double at = wanted.value_or(last), slack = 1e-9 * std::abs(last);
-  if (at < first - slack || at > last + slack)
-    throw InputError(source + ": --at " + text_of(at) + " is outside the recording, which goes from " +
-                     text_of(first) + " s to " + text_of(last) + " s");
-  const std::size_t index = recording.index_at(at);
+  const std::size_t index = frame_at_or_throw(recording, source, wanted);
   Frame frame = recording.frame(index);
   if (frame.position.size() != frame.id.size())
     throw InputError(source + ": positions were not recorded (record.fields)");
   scene = recording.geometry();
-  std::fprintf(stderr, "throng: %s: frame %zu of 0 to %zu, at %s s\n", source.c_str(), index,
+  std::fprintf(stderr, "throng: %s: frame %zu (of 0 to %zu), at %s s\n", source.c_str(), index,
                recording.frames() - 1, text_of(recording.times()[index]).c_str());
   return {.id = std::move(frame.id),
           .position = std::move(frame.position),
@@ -65,11 +61,6 @@ Crowd crowd_of_recording(const std::string& source, std::optional<double> wanted
 }
 
 }  // namespace
-
-std::string text_of(double number) {
-  char digits[32];
-  return {digits, std::to_chars(digits, digits + sizeof digits, number).ptr};
-}
 
 Vec wrap(Vec p, const broadphase::Period& period) {
   for (int axis = 0; axis < 2; ++axis) {

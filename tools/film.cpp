@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include "sim/input_error.h"
 #include "tools/encoder.h"
 #include "tools/picture.h"
 #include "tools/replace_file.h"
@@ -35,8 +34,6 @@ void write_pictures(const Recording& recording, Picture& picture, const FilmOpti
 
 void write_film(const Recording& recording, const std::string& output, const FilmOptions& options) {
   const std::string format = film_format(output);
-  if (!recording.geometry().record.position && recording.bodies() > 0)
-    throw InputError("there is nothing to draw: the recording holds no positions");
   Picture picture(recording.geometry(), view_of(recording), options.width);
   replace_file(output, [&](const std::string& name) {
     Encoder encoder(name, {format, picture.width(), picture.height(), options.rate});

@@ -14,8 +14,8 @@ struct FilmOptions {
 };
 
 /// Draws a recording as a film, from its first frame to its last, by ffmpeg. Each picture is of the frame
-/// nearest in time. Expects frames. Throws InputError where there is no ffmpeg, `output` isn't called like a
-/// film or can't be written, positions were not recorded or a frame is damaged; no half file stays.
+/// nearest in time. Expects frames and recorded positions. Throws InputError where there is no ffmpeg,
+/// `output` isn't called like a film or can't be written, or a frame is damaged; no half file stays.
 void write_film(const Recording& recording, const std::string& output, const FilmOptions& options);
 
 }  // namespace throng::tools

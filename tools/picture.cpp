@@ -168,8 +168,6 @@ Picture::Picture(const Scene& scene, const View& view, int width)
 }
 
 void Picture::draw(const Frame& frame) {
-  if (frame.position.empty() && scene_.bodies.size() > 0)
-    throw InputError("there is nothing to draw: the recording holds no positions");
   const Context cairo(cairo_create(surface_.get()), cairo_destroy);
   cairo_set_source_rgb(cairo.get(), 1, 1, 1);
   cairo_paint(cairo.get());

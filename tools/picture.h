@@ -32,7 +32,7 @@ class Picture {
   int width() const { return page_.width; }
   int height() const { return page_.height; }
 
-  /// Replaces what was drawn before. O(bodies + pixels). Throws InputError where positions were not recorded.
+  /// Replaces what was drawn before. Expects positions. O(bodies + pixels).
   void draw(const Frame& frame);
 
   /// Rows from above, four bytes a pixel: blue, green, red and one that means nothing.

@@ -7,7 +7,6 @@
 #include <optional>
 #include <thread>
 
-#include "sim/input_error.h"
 #include "sim/observe.h"
 #include "tools/dots.h"
 #include "tools/drive.h"
@@ -125,8 +124,6 @@ Screen run(Show& show, std::size_t last, Terminal& terminal) {
 }  // namespace
 
 int play(const Recording& recording, double speed) {
-  if (!recording.geometry().record.position && recording.bodies() > 0)
-    throw InputError("there is nothing to play: the recording holds no positions");
   stop_on_signals();
   Screen last;
   {

@@ -12,6 +12,7 @@
 #include "sim/input_error.h"
 #include "tools/base64.h"
 #include "tools/replace_file.h"
+#include "tools/view.h"
 
 namespace throng::tools {
 
@@ -54,9 +55,7 @@ std::string template_page() {
 
 bool write_replay_page(const Recording& recording, const std::string& file, const std::string& output) {
   const std::string page = template_page();
-  if (recording.frames() == 0) throw InputError("there is nothing to replay: the recording holds no frames");
-  if (!recording.geometry().record.position)
-    throw InputError("there is nothing to replay: the recording holds no positions");
+  expect_drawable(recording, file);
   const bool embedded = recording.bytes() <= kLargestEmbedded && !recording.running();
   const Json given{{"name", std::filesystem::path(file).filename().string()}, {"embedded", embedded}};
   const std::size_t a = page.find(kGiven), b = page.find(kRecording);

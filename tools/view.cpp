@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "sim/input_error.h"
 #include "tools/palette.h"
 
 namespace throng::tools {
@@ -29,6 +30,12 @@ SpeedScale speed_scale(const Scene& scene, std::span<const Vec> velocities) {
 }
 
 }  // namespace
+
+void expect_drawable(const Recording& recording, const std::string& file) {
+  if (recording.frames() == 0) throw InputError(file + " holds no frames: there is nothing to draw");
+  if (!recording.geometry().record.position)
+    throw InputError(file + " holds no positions: there is nothing to draw");
+}
 
 View view_of(const Scene& scene, const Frame& frame) {
   return {framing(scene, frame.position), speed_scale(scene, frame.velocity)};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 #include "sim/recording/recording.h"
 #include "tools/framing.h"
@@ -19,6 +20,9 @@ struct View {
   Extent extent;  ///< see framing.h
   SpeedScale speeds;
 };
+
+/// Throws InputError that names `file` where there is nothing to draw: no frames or no positions.
+void expect_drawable(const Recording& recording, const std::string& file);
 
 /// The view that suits one frame. O(bodies log bodies).
 View view_of(const Scene& scene, const Frame& frame);

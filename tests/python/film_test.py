@@ -179,7 +179,7 @@ class Film(Program):
             self.assertEqual(code, 2, options)
             self.assertIn(message, error)
         self.record("a.h5", "--force", "--set", 'record.fields=["angle"]')
-        self.assertEqual(self.film("--video", "a.mp4"), (2, "throng: there is nothing to draw: the recording holds no positions\n"))
+        self.assertEqual(self.film("--video", "a.mp4"), (2, "throng: a.h5 holds no positions: there is nothing to draw\n"))
         self.assertFalse((self.folder / "a.mp4").exists())
 
 

@@ -290,7 +290,7 @@ class Terminal(Program):
     def test_refuses_what_it_cannot_play(self):
         self.two("--set", 'record.fields=["angle"]')
         session = self.play("two.h5", "1")
-        self.assertEqual(session.listen(), b"throng: there is nothing to play: the recording holds no positions\r\n")
+        self.assertEqual(session.listen(), b"throng: two.h5 holds no positions: there is nothing to draw\r\n")
         self.assertEqual(session.process.returncode, 2)
         for speed in ("0", "-1", "nan", "inf", "fast"):
             self.assertEqual(self.throng("replay", "two.h5", f"--speed={speed}")[0], 2, speed)

@@ -167,7 +167,7 @@ TEST_F(Query, AnswersForAFrameOfARecording) {
   EXPECT_EQ(throng(ask + " --at 0.5").out, "id,neighbour,distance\n4,1,2.5\n");
   const Result nearest_frame = throng(ask + " --at 0.6");
   EXPECT_EQ(nearest_frame.out, "id,neighbour,distance\n4,1,2.5\n");
-  EXPECT_EQ(nearest_frame.err, "throng: " + recording + ": frame 2 of 0 to 4, at 0.5 s\n");
+  EXPECT_EQ(nearest_frame.err, "throng: " + recording + ": frame 2 (of 0 to 4), at 0.5 s\n");
   EXPECT_EQ(throng(ask).out, "id,neighbour,distance\n4,1,3\n");
   EXPECT_EQ(throng("query " + write("unnamed", read(recording)) + " --radius 3.5 --id 4").out,
             "id,neighbour,distance\n4,1,3\n");
