@@ -127,7 +127,9 @@ void add_replay(CLI::App& app, int& exit_code) {
       ->transform(whole_number() & CLI::Range(1, 256));
   command->add_option("--png", options->png, "picture to write or replace, of the frame nearest to --at");
   command->add_option("--at", options->at, "time of the picture (s); the last frame without it");
-  command->add_option("--width", options->width, "of the picture or the film, in pixels; 1600 without it")
+  command
+      ->add_option("--width", options->width,
+                   "of the picture's or the film's longer side, in pixels; 1600 without it")
       ->transform(whole_number() & CLI::Range(200, 8000));
   command->add_option("--html", options->html,
                       "replay page to write or replace: one file that any browser opens, without network");
@@ -141,7 +143,13 @@ void add_replay(CLI::App& app, int& exit_code) {
           "--speed", options->speed,
           "plays it in the terminal, so many times as fast as it happened, until its end or Ctrl-C;\n"
           "with --video, how fast the film goes, 1 without it")
-      ->check(CLI::Range(1e-9, 1e9));
+      ->check(CLI::Validator(
+          [](std::string& text) {
+            double speed = 0.0;
+            const bool is_one = CLI::detail::lexical_cast(text, speed) && speed >= 1e-9 && speed <= 1e9;
+            return is_one ? std::string() : "must be from 1e-9 to 1e9, not " + text;
+          },
+          ""));
   command->footer(
       "Examples: throng replay pile.h5 --speed 0.5\n"
       "          throng replay pile.h5 --verify\n"

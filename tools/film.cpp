@@ -2,8 +2,10 @@
 #include "tools/film.h"
 
 #include <cmath>
+#include <cstdio>
 #include <optional>
 
+#include "sim/input_error.h"
 #include "tools/encoder.h"
 #include "tools/picture.h"
 #include "tools/replace_file.h"
@@ -12,15 +14,28 @@ namespace throng::tools {
 
 namespace {
 
+constexpr double kMostPictures = 1e6;  // 11 hours at 25 a second: more is a mistake in --speed
+
+/// How many after the first one, so that the last shows the end. Refuses what nobody waits for.
+double intervals(const Recording& recording, const FilmOptions& options) {
+  const double seconds = recording.times().back() - recording.times().front();
+  const double count = std::ceil(seconds * options.rate / options.speed * (1 - 1e-9));
+  if (count <= kMostPictures) return count;
+  char text[160];
+  std::snprintf(text, sizeof text, "a film of %.4g s at --speed %g has %.4g pictures; at most 1e6 are drawn",
+                seconds, options.speed, count);
+  throw InputError(text);
+}
+
 void write_pictures(const Recording& recording, Picture& picture, const FilmOptions& options,
                     Encoder& encoder) {
   const auto times = recording.times();
   const double seconds = options.speed / options.rate, first = times.front();  // s of the recording a picture
-  const double intervals = std::ceil((times.back() - first) / seconds * (1 - 1e-9));
+  const double last = intervals(recording, options);
   Frame frame;
   std::optional<std::size_t> drawn;
-  for (double k = 0; k <= intervals; ++k) {
-    const std::size_t i = k == intervals ? times.size() - 1 : recording.index_at(first + k * seconds);
+  for (double k = 0; k <= last; ++k) {
+    const std::size_t i = k == last ? times.size() - 1 : recording.index_at(first + k * seconds);
     if (i != drawn) {
       recording.read(i, frame);
       picture.draw(frame);
@@ -34,6 +49,7 @@ void write_pictures(const Recording& recording, Picture& picture, const FilmOpti
 
 void write_film(const Recording& recording, const std::string& output, const FilmOptions& options) {
   const std::string format = film_format(output);
+  intervals(recording, options);  // before anything is written
   Picture picture(recording.geometry(), view_of(recording), options.width);
   replace_file(output, [&](const std::string& name) {
     Encoder encoder(name, {format, picture.width(), picture.height(), options.rate});

@@ -16,7 +16,7 @@ int main() {
 
   ProximityTree tree;  // the nearest one that somebody at (1, 1) sees who looks along x, a quarter turn wide
   tree.build(crowd);
-  const FieldOfView quarter{0.70710678118654752, 0.70710678118654752};
+  const FieldOfView quarter{0.70710678118654752, 0.70710678118654752};  // cosine and sine of half the turn
   std::vector<Neighbour> nearest;
   find_near(tree, {.at = {1, 1}, .heading = {1, 0}}, {.most = 1, .view = quarter}, nearest);
   for (const Neighbour& one : nearest) std::printf("%u, %g m away\n", one.row, one.distance);

@@ -174,7 +174,10 @@ class Film(Program):
         self.install(FAKE)
         for options, message in (("--video a.gif", "cannot write a.gif: a film's name ends in .mp4, .mov, .mkv or .webm"),
                                  ("--video a.mp4 --png ./a.mp4", "name the same file"), ("--fps 25", "give both"),
-                                 ("--video a.mp4 --fps 0", "not in range"), ("--video no/a.mp4", "cannot write no/a.mp4")):
+                                 ("--video a.mp4 --fps 0", "not in range"),
+                                 ("--video a.mp4 --speed 0", "must be from 1e-9 to 1e9, not 0"),
+                                 ("--video a.mp4 --speed 1e-9", "at most 1e6 are drawn"),
+                                 ("--video no/a.mp4", "cannot write no/a.mp4")):
             code, error = self.film(*options.split())
             self.assertEqual(code, 2, options)
             self.assertIn(message, error)
