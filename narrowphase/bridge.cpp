@@ -14,10 +14,6 @@ namespace {
 
 using Line = std::vector<Vec>;
 
-bool lies_before(const Vec& p, const Vec& q) {
-  return p.x() != q.x() ? p.x() < q.x() : p.y() < q.y();
-}
-
 /// An edge that a horizontal line crosses, from below: `low` on the line or under it, `high` above it.
 struct Crossed {
   Vec low, high;

@@ -11,10 +11,6 @@ namespace throng::narrowphase {
 
 namespace {
 
-bool lies_before(const Vec& p, const Vec& q) {
-  return p.x() != q.x() ? p.x() < q.x() : p.y() < q.y();
-}
-
 /// Appends the chain that keeps all points, in their order, on its left; its last point is left to the next.
 template <class Iterator>
 void append_chain(Iterator begin, Iterator end, Points<2>& hull) {

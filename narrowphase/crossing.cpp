@@ -16,11 +16,6 @@ namespace {
 
 using Crossing = std::optional<std::pair<std::size_t, std::size_t>>;
 
-/// From left to right, and upwards on one vertical: as if the plane leaned by an infinitesimal angle.
-bool lies_before(const Vec& p, const Vec& q) {
-  return p.x() != q.x() ? p.x() < q.x() : p.y() < q.y();
-}
-
 /// The edges of closed polygons, ring after ring.
 class Edges {
  public:

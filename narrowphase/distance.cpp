@@ -5,15 +5,12 @@
 #include <array>
 
 #include "narrowphase/core_separation.h"
+#include "narrowphase/relative.h"
 #include "narrowphase/search.h"
 
 namespace throng::narrowphase {
 
 namespace {
-
-bool before(const Vec& u, const Vec& v) {
-  return u.x() != v.x() ? u.x() < v.x() : u.y() < v.y();
-}
 
 /// An order of placed shapes that doesn't know which one the caller named first: more vertices first.
 bool precedes(const Convex& a, const Pose& pose_a, const Convex& b, const Pose& pose_b) {
@@ -22,7 +19,7 @@ bool precedes(const Convex& a, const Pose& pose_a, const Convex& b, const Pose& 
   const std::array of_b{pose_b.position.x(), pose_b.position.y(), pose_b.cos, pose_b.sin, b.radius};
   if (of_a != of_b) return of_a < of_b;
   return std::lexicographical_compare(a.vertices.begin(), a.vertices.end(), b.vertices.begin(),
-                                      b.vertices.end(), before);
+                                      b.vertices.end(), lies_before);
 }
 
 Separation with_disc(const Convex& a, const Pose& pose_a, const Convex& disc, const Pose& pose) {

@@ -85,10 +85,9 @@ std::string name_crossing(const Cleaned& cleaned, std::size_t i, std::size_t j) 
 
 /// Of a simple polygon: by its turn at the leftmost, there lowest vertex.
 bool is_clockwise(const std::vector<Vec>& polygon) {
-  const auto less = [](const Vec& p, const Vec& q) { return p.x() != q.x() ? p.x() < q.x() : p.y() < q.y(); };
   const std::size_t count = polygon.size();
-  const auto i =
-      static_cast<std::size_t>(std::min_element(polygon.begin(), polygon.end(), less) - polygon.begin());
+  const auto i = static_cast<std::size_t>(std::min_element(polygon.begin(), polygon.end(), lies_before) -
+                                          polygon.begin());
   return orientation(polygon[previous(i, count)], polygon[i], polygon[next(i, count)]) < 0;
 }
 

@@ -16,6 +16,10 @@ inline double dot(const Vec& u, const Vec& v) {
 inline double cross(const Vec& u, const Vec& v) {
   return u.x() * v.y() - u.y() * v.x();
 }
+/// From left to right, and upwards on one vertical: as if the plane leaned by an infinitesimal angle.
+inline bool lies_before(const Vec& p, const Vec& q) {
+  return p.x() != q.x() ? p.x() < q.x() : p.y() < q.y();
+}
 inline std::size_t next(std::size_t i, std::size_t count) {
   return i + 1 == count ? 0 : i + 1;
 }
