@@ -43,8 +43,9 @@ Crossed first_to_the_left(const Line& line, const Vec& m) {
   return *first;
 }
 
-/// A vertex that sees `m`: the left end of the edge that m sees to its left, or of what stands in between the
-/// one that is least off that way (Eberly 2002, Triangulation by Ear Clipping).
+/// A vertex that sees `m`. m looks left and sees an edge. Its left end, unless vertices stand in the triangle
+/// between: then, of these, the one nearest to that way in angle (Eberly 2002, Triangulation by Ear
+/// Clipping).
 Vec seen_from(const Line& line, const Vec& m) {
   const Crossed wall = first_to_the_left(line, m);
   const bool above = lies_before(wall.high, wall.low);
@@ -61,9 +62,10 @@ Vec seen_from(const Line& line, const Vec& m) {
 /// Whether the way from line[i] to `m`, which runs along no edge, begins inside.
 bool opens_towards(const Line& line, std::size_t i, const Vec& m) {
   const Vec &before = line[previous(i, line.size())], &here = line[i], &after = line[next(i, line.size())];
-  const bool left_of_both[] = {orientation(before, here, m) > 0, orientation(here, after, m) > 0};
-  return orientation(before, here, after) > 0 ? left_of_both[0] && left_of_both[1]
-                                              : left_of_both[0] || left_of_both[1];
+  const bool left_of_before = orientation(before, here, m) > 0;
+  const bool left_of_after = orientation(here, after, m) > 0;
+  return orientation(before, here, after) > 0 ? left_of_before && left_of_after
+                                              : left_of_before || left_of_after;
 }
 
 /// Of the times that the line comes by `place`, the one that sees `m`.

@@ -25,15 +25,16 @@ PartsBvh parts_bvh(std::span<const Convex> parts, const BvhConfig& config = {Spl
 Separation separation(const PartsBvh& a, const Pose& pose_a, const PartsBvh& b, const Pose& pose_b,
                       BvhCounters* counters = nullptr);
 
-/// A distance that need not be exact: apart, 0 < lower <= distance <= separation.distance, which is no more
-/// than (1 + the accepted relative error) lower. Overlapping, lower is separation.distance, as exact as ever.
+/// A distance that need not be exact. Apart, the true one is at least `lower`, which is above 0, and at most
+/// separation.distance, which is at most (1 + the accepted relative error) lower. Overlapping, lower is
+/// separation.distance, as exact as ever.
 struct RoughSeparation {
   Separation separation;
   double lower;  ///< m
 };
 
-/// With an accepted relative error of 0, what `separation` says. What is near is looked at sooner than what
-/// proves it nearest: time shrinks with the error. Swapping a and b may give another answer that is as good.
+/// With an accepted relative error of 0, what `separation` says. Takes less time the larger the accepted
+/// error. Swapping a and b may give another answer that is as good.
 RoughSeparation rough_separation(const PartsBvh& a, const Pose& pose_a, const PartsBvh& b, const Pose& pose_b,
                                  double relative_error, BvhCounters* counters = nullptr);
 

@@ -72,8 +72,9 @@ class EarCutter {
   }
   bool is_convex(std::size_t i) const { return turn(ring_[i].previous, i, ring_[i].next) > 0; }
 
-  /// No blunt vertex may lie in the ear or on its rim; where any vertex does, a blunt one does. What shares a
-  /// corner's place doesn't count: an edge from there into the ear would end in it, or beyond its corner.
+  /// No blunt vertex may lie in the ear or on its rim; where any vertex does, a blunt one does. A vertex in
+  /// the same place as a corner doesn't count. An edge from it into the ear can't leave it by the two edges
+  /// at i, so it ends at another vertex in the ear, which does count.
   bool is_ear(std::size_t i) const {
     const std::size_t a = ring_[i].previous, c = ring_[i].next;
     if (!is_convex(i)) return false;

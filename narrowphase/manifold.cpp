@@ -197,8 +197,8 @@ double deepest(const Manifold& m) {
 /// wider by much, or where this one leaves out the deepest place.
 Manifold kept_manifold(const Roles& roles, std::size_t edge, const Face& widest, const Convex& owner,
                        double reach) {
-  // Of the shorter of the two faces. More would press in what the wider face lets go: from 2^-16 on, stacked
-  // boxes rest deeper in each other.
+  // Of the shorter of the two faces. More would press in what the wider face lets go. From 2^-16 on the
+  // deepest overlap of a pyramid at rest grows by 6 %; the mean doesn't.
   constexpr double kMuch = 0x1p-18;
   if (edge >= roles.reference.normals.size()) return {};
   const Face face = face_at(roles.reference, edge, roles.incident, roles.incident_in_reference);
@@ -213,6 +213,8 @@ Manifold polygon_manifold(const Convex& a, const Pose& pose_a, const Convex& b, 
                           double reach, const Reference& kept) {
   const double enough = reach + a.radius + b.radius;
   const Pose b_in_a = relative(pose_a, pose_b);
+  // A pair that has a reference most likely touches: it is searched for its widest face at once, others only
+  // if the face that looks at the other shape leaves them within reach.
   if (!kept.known && facing_face(a, b, b_in_a).separation > enough) return {};
   const Pose a_in_b = inverse(b_in_a);
   Face of_a = widest_face(a, b, b_in_a);

@@ -35,9 +35,8 @@ struct Manifold {
 ///
 /// The reference is the face that keeps the other shape farthest outside. Faces that do so equally well would
 /// take turns with each rounding: `kept`, the last manifold's, stays until another is wider by 2^-18 (four
-/// millionths) of the shorter of the two. It is all that is cached from step to step; a pair that has one is
-/// searched for its widest face at once, others only if the face that looks at the other shape leaves them
-/// within reach. Any value may be passed, of whatever shapes; the manifold depends on nothing else.
+/// millionths) of the shorter of the two. Any value may be passed, of whatever shapes; the manifold depends
+/// on nothing else.
 Manifold manifold(const Convex& a, const Pose& pose_a, const Convex& b, const Pose& pose_b, double reach,
                   const Reference& kept = {});
 
