@@ -35,7 +35,8 @@ An answer is one line of
               what the distance surely lies between; "upper" is "distance". Where shapes overlap that are not both
               convex, "upper" is minus the depth of the deepest two of their convex parts, and "lower" minus the
               length of "way_out"
-  "way_out"   of shapes that overlap and are not both convex: a translation of b that surely parts them
+  "way_out"   of shapes that overlap and are not both convex: a translation of b after which the two
+              at most touch, but for rounding
   "collide"   whether they touch or overlap: exact for any epsilon
   "normal"    unit vector from a to b
   "point_a", "point_b"

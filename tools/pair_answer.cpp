@@ -28,9 +28,8 @@ double support(const Solid& solid, const Vec& along, const Vec& origin) {
   return farthest + along.dot(solid.pose.position - origin);
 }
 
-/// What is to be parted: the solid's hull as one part, or where its parts are not equally rounded all of
-/// them.
-Solid hull(const Solid& solid) {
+/// What is to be parted: the solid's hull as one part if its parts are equally rounded, else the solid.
+Solid hull_if_equally_rounded(const Solid& solid) {
   const double radius = solid.parts[0].radius;
   narrowphase::Points<2> points;
   for (const Convex& part : solid.parts) {
@@ -47,7 +46,8 @@ struct WayOut {
   Vec along;
 };
 
-/// The shortest of the ways out along the faces' normals, where the shortest of hulls is, and along `normal`.
+/// The shortest of the ways out along the faces' normals and along `normal`: of two convex parts the shortest
+/// there is.
 WayOut way_out(const Solid& a, const Solid& b, const Vec& normal) {
   WayOut shortest{std::numeric_limits<double>::infinity(), normal};
   const auto try_along = [&](const Vec& n) {
@@ -88,7 +88,7 @@ Json checked(Json result) {
 
 /// Of solids that overlap and are not both convex, whose depth lies between their deepest parts' and this.
 void add_way_out(const PairQuery& q, const narrowphase::Separation& s, Json& result) {
-  const WayOut out = way_out(hull(q.a), hull(q.b), s.normal);
+  const WayOut out = way_out(hull_if_equally_rounded(q.a), hull_if_equally_rounded(q.b), s.normal);
   const double length = std::max(out.length, -s.distance);
   result["lower"] = -length;
   result["way_out"] = json(Vec(length * out.along));
