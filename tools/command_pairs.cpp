@@ -25,9 +25,11 @@ constexpr const char* kFooter = R"(A line is {"a": SHAPE, "b": SHAPE}, and may h
 SHAPE is one of
   {"disc": {"at": [x, y], "radius": r}}   {"discs": [[x, y, r], ...]}
   {"polygon": [[x, y], ...]}              {"segment": [[x, y], [x, y]]}
-A polygon is solid, convex or not, "holes": [[[x, y], ...], ...] taken out; what stands in a hole doesn't touch it.
+A polygon is solid, convex or not, "holes": [[[x, y], ...], ...] taken out; what stands free in a hole is as
+far away as the hole's rim.
 A polygon or a segment may be rounded by a "radius". Every shape may have a pose: "angle" (rad) turns it about
-(0, 0), then "at": [x, y] moves it. Lengths are in any one unit; shapes that move are not supported yet.
+(0, 0), then "at": [x, y] moves it. Lengths are in any one unit. Shapes that move are not supported yet: a
+"velocity", a "spin" and a line's "until" are 0 where they are given.
 
 An answer is one line of
   "distance"  of the two shapes; where they overlap it is below 0: minus their depth
@@ -64,10 +66,10 @@ bool read_line(std::istream& in, std::string& line) {
   return true;
 }
 
-Json fault(std::size_t number, const Json& id, const std::string& what) {
+Json with_id(const Json& id, const Json& rest) {
   Json line;
   if (!id.is_null()) line["id"] = id;
-  line["line"] = number, line["error"] = what;
+  line.update(rest);
   return line;
 }
 
@@ -75,16 +77,18 @@ Json fault(std::size_t number, const Json& id, const std::string& what) {
 bool answer_all(std::istream& in, bool work) {
   bool good = true;
   std::string line;
-  PairQuery query;
-  for (std::size_t number = 1; read_line(in, line); ++number) try {
-      query.id = nullptr;
+  for (std::size_t number = 1; read_line(in, line); ++number) {
+    Json id;
+    try {
       if (line.size() > kLongestLine) throw InputError("longer than 16 MB");
-      read_pair(line, query);
-      print(answer(query, work));
+      const Json asked = parse_line(line);
+      id = read_id(asked);
+      print(with_id(id, answer(read_pair(asked), work)));
     } catch (const InputError& error) {
-      print(fault(number, query.id, error.what()));
+      print(with_id(id, {{"line", number}, {"error", error.what()}}));
       good = false;
     }
+  }
   return good;
 }
 

@@ -104,7 +104,6 @@ Json answer(const PairQuery& q, bool work) {
   const std::chrono::duration<double, std::micro> spent = std::chrono::steady_clock::now() - begin;
   const bool convex = q.a.parts.size() == 1 && q.b.parts.size() == 1;
   Json result;
-  if (!q.id.is_null()) result["id"] = q.id;
   result["distance"] = s.distance;
   result["lower"] = lower;
   result["upper"] = s.distance;

@@ -52,21 +52,6 @@ std::string without_line(std::string message) {
   return at == std::string::npos ? message : message.replace(at, prefix.size(), "at column");
 }
 
-Json parse(std::string_view line) {
-  if (line.find_first_not_of(" \t\r") == std::string_view::npos) throw InputError("the line is empty");
-  Guard guard;
-  try {
-    return Json::parse(line.begin(), line.end(), [&guard](int depth, Json::parse_event_t event, Json& value) {
-      return guard(depth, event, value);
-    });
-  } catch (const Json::exception& error) {
-    const std::string what = error.what();
-    const std::size_t bracket = what.find("] ");
-    throw InputError("not JSON: " +
-                     without_line(bracket == std::string::npos ? what : what.substr(bracket + 2)));
-  }
-}
-
 void check_keys(const Json& object, const std::string& path, std::initializer_list<const char*> allowed) {
   if (!object.is_object()) fail(path, "an object is expected");
   for (const auto& item : object.items()) {
@@ -115,6 +100,10 @@ double optional_number(const Json& object, const std::string& path, const char* 
   return object.contains(key) ? number(object[key], path + "." + key) : 0.0;
 }
 
+Vec optional_point(const Json& object, const std::string& path, const char* key) {
+  return object.contains(key) ? point(object[key], path + "." + key) : Vec{0.0, 0.0};
+}
+
 double rounding(const Json& solid, const std::string& path) {
   return solid.contains("radius") ? length(solid["radius"], path + ".radius") : 0.0;
 }
@@ -160,8 +149,7 @@ std::vector<Convex> read_polygon(const Json& solid, const std::string& path, dou
 Convex read_disc(const Json& value, const std::string& path) {
   check_keys(value, path, {"at", "radius"});
   if (!value.contains("radius")) fail(path, "radius is missing");
-  const Vec centre = value.contains("at") ? point(value["at"], path + ".at") : Vec{0.0, 0.0};
-  return narrowphase::disc(length(value["radius"], path + ".radius"), centre);
+  return narrowphase::disc(length(value["radius"], path + ".radius"), optional_point(value, path, "at"));
 }
 
 std::vector<Convex> read_discs(const Json& value, const std::string& path) {
@@ -202,21 +190,38 @@ std::vector<Convex> read_parts(const Json& solid, const std::string& path,
   return read_discs(solid["discs"], path + ".discs");
 }
 
-/// What doesn't move yet says so, rather than being taken for what stands still.
-void refuse_motion(const Json& object, const std::string& path, std::initializer_list<const char*> keys) {
-  for (const char* key : keys)
-    if (object.contains(key)) fail(path + key, "not supported yet: shapes that move");
+/// What can't move yet says so, rather than being taken for what stands still.
+[[noreturn]] void refuse_motion(const std::string& path) {
+  fail(path, "not supported yet: shapes that move");
 }
 
 Solid read_solid(const Json& line, const char* name, std::vector<std::string>& repairs) {
   if (!line.contains(name)) fail(name, "is missing");
   const Json& solid = line[name];
   const std::string path = name;
-  if (solid.is_object()) refuse_motion(solid, path + ".", {"velocity", "spin"});
-  check_keys(solid, path, {"polygon", "holes", "disc", "segment", "discs", "radius", "at", "angle"});
-  const Vec position = solid.contains("at") ? point(solid["at"], path + ".at") : Vec{0.0, 0.0};
+  check_keys(solid, path,
+             {"polygon", "holes", "disc", "segment", "discs", "radius", "at", "angle", "velocity", "spin"});
+  if (optional_point(solid, path, "velocity") != Vec{0.0, 0.0}) refuse_motion(path + ".velocity");
+  if (optional_number(solid, path, "spin") != 0.0) refuse_motion(path + ".spin");
   return {read_parts(solid, path, repairs),
-          narrowphase::pose(position, optional_number(solid, path, "angle"))};
+          narrowphase::pose(optional_point(solid, path, "at"), optional_number(solid, path, "angle"))};
+}
+
+}  // namespace
+
+Json parse_line(std::string_view text) {
+  if (text.find_first_not_of(" \t\r") == std::string_view::npos) throw InputError("the line is empty");
+  Guard guard;
+  try {
+    return Json::parse(text.begin(), text.end(), [&guard](int depth, Json::parse_event_t event, Json& value) {
+      return guard(depth, event, value);
+    });
+  } catch (const Json::exception& error) {
+    const std::string what = error.what();
+    const std::size_t bracket = what.find("] ");
+    throw InputError("not JSON: " +
+                     without_line(bracket == std::string::npos ? what : what.substr(bracket + 2)));
+  }
 }
 
 Json read_id(const Json& line) {
@@ -226,17 +231,14 @@ Json read_id(const Json& line) {
   return id;
 }
 
-}  // namespace
-
-void read_pair(std::string_view text, PairQuery& query) {
-  query = {};
-  const Json line = parse(text);
-  query.id = read_id(line);
-  if (line.is_object()) refuse_motion(line, "", {"until"});
-  check_keys(line, "line", {"id", "a", "b", "epsilon"});
+PairQuery read_pair(const Json& line) {
+  check_keys(line, "line", {"id", "a", "b", "epsilon", "until"});
+  if (line.contains("until") && number(line["until"], "until") != 0.0) refuse_motion("until");
+  PairQuery query;
   if (line.contains("epsilon")) query.epsilon = length(line["epsilon"], "epsilon");
   query.a = read_solid(line, "a", query.repairs);
   query.b = read_solid(line, "b", query.repairs);
+  return query;
 }
 
 }  // namespace throng::tools

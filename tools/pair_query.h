@@ -18,15 +18,20 @@ struct Solid {
 
 /// One line of `throng pairs`.
 struct PairQuery {
-  nlohmann::ordered_json id;  ///< as given, a string or a number; null if none was
   Solid a, b;
   double epsilon = 0.0;              ///< accepted relative error of the distance
   std::vector<std::string> repairs;  ///< what was mended in the polygons
 };
 
-/// Replaces `query` by what one line asks. Throws InputError with what is wrong and where in the line: no
-/// JSON, a key that is unknown, missing or there twice, a wrong type, a number that is not finite, a shape
-/// that is none, motion; `query.id` then stands as far as the line has one.
-void read_pair(std::string_view line, PairQuery& query);
+/// A line as JSON. Throws InputError where it is none, has a key twice in one object or is nested too deep.
+nlohmann::ordered_json parse_line(std::string_view text);
+
+/// The "id" of a line, a string or a number; null where there is none. Throws InputError where it is anything
+/// else.
+nlohmann::ordered_json read_id(const nlohmann::ordered_json& line);
+
+/// What a line asks, its id aside. Throws InputError with what is wrong and where in the line: a key that is
+/// unknown or missing, a wrong type, a number that is not finite, a shape that is none, motion.
+PairQuery read_pair(const nlohmann::ordered_json& line);
 
 }  // namespace throng::tools

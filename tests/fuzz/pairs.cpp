@@ -34,20 +34,32 @@ bool is_finite(const Json& value) {
   return !value.is_number_float() || std::isfinite(value.get<double>());
 }
 
-void check(const Json& answer, double size, double epsilon) {
+/// b, moved by its way out, at most touches a.
+void check_way_out(PairQuery query, const Vec& way_out, double size) {
+  query.b.pose.position += way_out;
+  expect(answer(query)["distance"].get<double>() >= -1e-14 * size, "the way out parts the two");
+}
+
+/// Returns the answer.
+Json checked_answer(const PairQuery& query, double size) {
+  const Json answer = tools::answer(query);
   expect(is_finite(answer), "all figures are finite");
   const double distance = answer["distance"], lower = answer["lower"], upper = answer["upper"];
   expect(lower <= upper && upper == distance, "lower <= upper == distance");
   if (distance > 0.0)
-    expect(upper <= (1.0 + epsilon) * lower * (1.0 + 1e-15), "apart, epsilon bounds how far they are off");
+    expect(upper <= (1.0 + query.epsilon) * lower * (1.0 + 1e-15),
+           "apart, epsilon bounds how far they are off");
   expect(answer["collide"] == (distance <= 0.0), "what is not apart collides");
   const Vec normal = vec(answer["normal"]);
   expect(std::abs(normal.norm() - 1.0) <= 1e-15, "the normal has length 1");
-  if (answer.contains("way_out"))
-    expect(std::abs(vec(answer["way_out"]).norm() + lower) <= 1e-14 * size,
-           "the way out is as long as it says");
+  if (answer.contains("way_out")) {
+    const Vec way_out = vec(answer["way_out"]);
+    expect(std::abs(way_out.norm() + lower) <= 1e-14 * size, "the way out is as long as it says");
+    check_way_out(query, way_out, size);
+  }
   const Vec off = vec(answer["point_a"]) + distance * normal - vec(answer["point_b"]);
   expect(off.cwiseAbs().maxCoeff() <= 1e-14 * size, "the points are the distance apart");
+  return answer;
 }
 
 }  // namespace
@@ -57,14 +69,13 @@ void check(const Json& answer, double size, double epsilon) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace throng;
   try {
-    tools::PairQuery query;
-    tools::read_pair({reinterpret_cast<const char*>(data), size}, query);
+    const fuzz::Json line = tools::parse_line({reinterpret_cast<const char*>(data), size});
+    tools::read_id(line);
+    tools::PairQuery query = tools::read_pair(line);
     const double length = fuzz::scale(query.a) + fuzz::scale(query.b);
-    const fuzz::Json one = answer(query);
-    fuzz::check(one, length, query.epsilon);
+    const fuzz::Json one = fuzz::checked_answer(query, length);
     std::swap(query.a, query.b);
-    const fuzz::Json other = answer(query);
-    fuzz::check(other, length, query.epsilon);
+    const fuzz::Json other = fuzz::checked_answer(query, length);
     fuzz::expect(one["collide"] == other["collide"], "swapped solids collide as much");
     if (query.epsilon == 0.0)
       fuzz::expect(one["distance"] == other["distance"], "swapped solids are as far apart");

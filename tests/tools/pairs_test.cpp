@@ -291,7 +291,9 @@ TEST_F(Pairs, RefusesABadLineAndSaysWhy) {
       {R"({"a":)" + kDisc + R"(,"b":{"disc":{"radius":1},"velocity":[1,0]}})",
        "b.velocity: not supported yet"},
       {R"({"a":)" + kDisc + R"(,"b":)" + kDisc + R"(,"until":1})", "until: not supported yet"},
-      {R"({"a":)" + kDisc + R"(,"b":{"disc":{"radius":1},"spin":0}})", "b.spin: not supported yet"},
+      {R"({"a":)" + kDisc + R"(,"b":{"disc":{"radius":1},"spin":-1}})", "b.spin: not supported yet"},
+      {R"({"a":{"disc":{"radius":1},"velocity":0},"b":)" + kDisc + "}", "a.velocity: a list of 2"},
+      {R"({"a":)" + kDisc + R"(,"b":)" + kDisc + R"(,"until":"0"})", "until: a number"},
       {R"({"a":)" + kDisc + R"(,"b":{"disc":{"radius":1},"radius":1}})", "b.radius: only"},
       {R"({"a":)" + kDisc + R"(,"b":{"disc":{"radius":1},"discs":[[0,0,1]]}})", "b: one of"},
       {R"({"a":)" + kDisc + R"(,"b":{"segment":[[0,0],[1,0]],"radius":-1}})",
@@ -310,6 +312,12 @@ TEST_F(Pairs, RefusesABadLineAndSaysWhy) {
     EXPECT_THAT(answer["error"].get<std::string>(), HasSubstr(why)) << line;
     EXPECT_EQ(answer["line"], 1) << line;
   }
+}
+
+TEST_F(Pairs, AnswersWhatMovesByNothing) {
+  const std::string still = R"({"disc":{"radius":1},"velocity":[0,-0.0],"spin":0.0})";
+  const json answer = ask_one(R"({"id":1,"a":)" + still + R"(,"b":)" + still + R"(,"until":0})");
+  EXPECT_EQ(answer.value("distance", 0.0), -2.0) << answer;
 }
 
 TEST_F(Pairs, SurvivesATowerOfBrackets) {
@@ -371,14 +379,15 @@ TEST_F(Pairs, AnswersWithinEpsilon) {
 
 TEST_F(Pairs, SaysInItsHelpWhatEveryKeyMeans) {
   const std::string help = throng("pairs --help").out;
-  const std::string line = R"({"id":1,"epsilon":0,"a":)" + kSquare + R"(,"b":{"polygon":)" +
-                           R"([[0,0],[1,0],[1,0],[1,1]],"radius":0,"at":[0,0],"angle":0}})";
+  const std::string line =
+      R"({"id":1,"epsilon":0,"a":)" + kSquare + R"(,"b":{"polygon":)" +
+      R"([[0,0],[1,0],[1,0],[1,1]],"radius":0,"at":[0,0],"angle":0,"velocity":[0,0],"spin":0},"until":0})";
   const Answers answers = answers_of(throng("pairs --work " + write("pairs.jsonl", line + "\n7\n")));
   EXPECT_EQ(answers.lines.at(0).size(), 11u) << answers.lines[0];
   for (const json& answer : answers.lines)
     for (const auto& item : answer.items()) EXPECT_THAT(help, HasSubstr('"' + item.key() + '"'));
-  for (const char* key :
-       {"way_out", "epsilon", "polygon", "holes", "disc", "discs", "segment", "radius", "at", "angle"})
+  for (const char* key : {"way_out", "epsilon", "polygon", "holes", "disc", "discs", "segment", "radius",
+                          "at", "angle", "velocity", "spin", "until"})
     EXPECT_THAT(help, HasSubstr('"' + std::string(key) + '"'));
 }
 
