@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "narrowphase/bvh_edges.h"
 #include "narrowphase/bvh_exhaustive.h"
 #include "narrowphase/bvh_parts.h"
 #include "narrowphase/decompose.h"
 #include "narrowphase/holes.h"
 #include "narrowphase/nearest_parts.h"
+#include "narrowphase/orientation.h"
 #include "narrowphase/polygon.h"
+#include "narrowphase/relative.h"
 #include "narrowphase/tracker.h"
 #include "tests/fuzz/fuzz.h"
 
@@ -71,10 +74,34 @@ bool same(const Separation& one, const Separation& other) {
          one.point_b == other.point_b;
 }
 
-/// Convex parts, as much as the rings hold.
+/// Of a point on no edge.
+bool hold(const Rings& rings, const Vec& point) {
+  bool inside = false;
+  for (const Ring& ring : rings)
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      inside ^= ray_passes(point, ring[i], ring[next(i, ring.size())]);
+  return inside;
+}
+
+/// Strictly convex parts, as much as the rings hold, one of them where these hold a point.
 void check_decomposition(const Rings& rings, double scale) {
   double area = 0.0;
-  for (const Convex& part : decompose(rings)) area += mass_properties(part.vertices).area;
+  const Ring& last = rings.back();
+  const Vec probe = (last[0] + last[1] + last[2]) / 3.0;
+  int holding = 0;
+  bool on_a_rim = false;
+  for (const Convex& part : decompose(rings)) {
+    const Ring& v = part.vertices;
+    int least = 1;
+    for (std::size_t i = 0, j = 1, k = 2; i < v.size(); ++i, j = next(j, v.size()), k = next(k, v.size())) {
+      expect(orientation(v[i], v[j], v[k]) > 0, "parts are strictly convex");
+      least = std::min(least, orientation(v[i], v[j], probe));
+    }
+    holding += least > 0;
+    on_a_rim |= least == 0;
+    area += mass_properties(v).area;
+  }
+  expect(on_a_rim || holding == hold(rings, probe), "one part holds what the solid holds, else none");
   expect(std::abs(area - mass_properties(rings).area) <= 1e-14 * scale * scale,
          "parts are as large as their solid");
 }
