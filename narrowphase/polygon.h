@@ -39,8 +39,8 @@ struct MassProperties {
 /// Of a simple polygon, counter-clockwise. Taken about the polygon itself: its place costs no digits. O(n).
 MassProperties mass_properties(std::span<const Vec> polygon);
 
-/// Of a polygon with holes, which run clockwise, as `clean` of holes.h gives it. What is left of an area when
-/// its holes are taken out has as many digits fewer.
+/// Of a polygon with holes, which run clockwise, as `clean` of holes.h gives it. Holes that leave 1e-k of the
+/// outline's area cost area and centroid k digits.
 MassProperties mass_properties(std::span<const std::vector<Vec>> rings);
 
 }  // namespace throng::narrowphase

@@ -20,6 +20,7 @@ constexpr double kFarthest = 1e9;        ///< m, any coordinate
 constexpr double kShortest = 1e-9;       ///< m, any radius
 constexpr double kShortestEdge = 1e-12;  ///< m, of walls, polygons and domains: its square must be far from 0
 constexpr double kLeastArea = 1e-20;     ///< m², of any shape: its mass must be more than 0
+constexpr double kLeastLeft = 1e-10;     ///< of a polygon's area, by its holes: its centre needs the digits
 constexpr double kFastest = 1e9;         ///< m/s
 constexpr double kShortestStep = 1e-12;  ///< s
 constexpr double kMostSteps = 1e12;

@@ -58,7 +58,11 @@ class ShapeReader {
       report_.warning(places_[repair.ring].node->source(), places_[repair.ring].path, repair.text);
     if (!cleaned.refusal.text.empty()) return fail(cleaned.refusal);
     shape.kind = ShapeKind::polygon;
-    if (!take_mass(narrowphase::mass_properties(cleaned.rings), node, Path(path_, "polygon"), shape)) return;
+    const narrowphase::MassProperties mass = narrowphase::mass_properties(cleaned.rings);
+    if (!(mass.area >= kLeastLeft * narrowphase::mass_properties(cleaned.rings[0]).area))
+      return fail(*table_.get("holes"), Path(path_, "holes"),
+                  "must leave at least " + to_text(kLeastLeft) + " of the polygon's area");
+    if (!take_mass(mass, node, Path(path_, "polygon"), shape)) return;
     for (std::vector<Vec>& ring : cleaned.rings)
       for (Vec& vertex : ring) vertex -= shape.centre;
     cleaned = narrowphase::clean(cleaned.rings);  // the move may have rounded a sliver away

@@ -90,6 +90,22 @@ TEST(Shapes, WhoseHolesCantBeHadSayWhichAndWhere) {
         << faults(load_shape("{ polygon = [[0, 0], [8, 0], [8, 8], [0, 8]],  holes = " + holes + " }"));
 }
 
+// The centre of a rim 1e-11 m wide came out 0.03 mm off.
+TEST(Shapes, MustBeLeftSomethingByTheirHoles) {
+  const auto framed = [](const std::string& low, const std::string& high) {
+    const std::string corners[] = {low + ", " + low, high + ", " + low, high + ", " + high,
+                                   low + ", " + high};
+    std::string hole;
+    for (const std::string& corner : corners) hole += (hole.empty() ? "[" : ", [") + corner + "]";
+    return faults(load_shape("{ polygon = [[0, 0], [8, 0], [8, 8], [0, 8]],  holes = [[" + hole + "]] }"));
+  };
+  const std::string fault = framed("1e-11", "7.99999999999");
+  EXPECT_NE(fault.find("s.toml:3:60: error: shapes.s.holes: must leave at least 1e-10 of the polygon's area"),
+            std::string::npos)
+      << fault;
+  EXPECT_EQ(framed("1e-9", "7.999999999"), "");
+}
+
 TEST(Shapes, CountTheVerticesOfTheirHoles) {
   std::string holes;
   for (int i = 0; i < 1000; ++i) {
