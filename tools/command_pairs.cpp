@@ -27,22 +27,23 @@ SHAPE is one of
   {"polygon": [[x, y], ...]}              {"segment": [[x, y], [x, y]]}
 A polygon is solid, convex or not, "holes": [[[x, y], ...], ...] taken out; what stands free in a hole is as
 far away as the hole's rim.
-A polygon or a segment may be rounded by a "radius". Every shape may have a pose: "angle" (rad) turns it about
+A polygon or a segment may be rounded by a "radius": it grows, and its holes shrink. Every shape may have a pose: "angle" (rad) turns it about
 (0, 0), then "at": [x, y] moves it. Lengths are in any one unit. Shapes that move are not supported yet: a
 "velocity", a "spin" and a line's "until" are 0 where they are given.
 
 An answer is one line of
-  "distance"  of the two shapes; where they overlap it is below 0: minus their depth
+  "distance"  of the two shapes; where they overlap it is below 0: minus their depth, where not both are convex
+              minus that of the deepest two of the convex parts that they were cut into
   "lower", "upper"
-              what the distance surely lies between; "upper" is "distance". Where shapes overlap that are not both
-              convex, "upper" is minus the depth of the deepest two of their convex parts, and "lower" minus the
-              length of "way_out"
+              what the distance lies between, to rounding; "upper" is "distance". Where shapes overlap that are not
+              both convex, "lower" is minus the length of "way_out"
   "way_out"   of shapes that overlap and are not both convex: a translation of b after which the two
               at most touch, but for rounding
   "collide"   whether they touch or overlap: exact for any epsilon
-  "normal"    unit vector from a to b
+  "normal"    unit vector from a to b, of the same two parts as the distance
   "point_a", "point_b"
-              the points that are nearest, or deepest: point_b = point_a + distance * normal
+              the points that are nearest, or deepest: point_b = point_a + distance * normal; with an "epsilon"
+              they are as far apart as "upper" says
   "manifold"  of convex shapes that touch or overlap: one or two contact points, each with its "separation"
   "repairs"   what was mended in a polygon; only where something was
   "work"      with --work, what the distance took: pairs of bounding volumes ("nodes") and of leaves ("leaves")

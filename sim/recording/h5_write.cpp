@@ -45,9 +45,16 @@ std::size_t longest(const std::vector<std::string>& texts) {
   return length;
 }
 
+/// Of a dataset without times of its own: equal values make equal files.
+Handle plain_layout() {
+  Handle plist(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "cannot make a property list");
+  check(H5Pset_obj_track_times(plist, false), "cannot leave out times");
+  return plist;
+}
+
 /// Chunks of whole rows up to kMaxChunk, with fletcher32; nothing of the sort for an empty dataset.
 Handle static_layout(std::span<const hsize_t> dims, std::size_t row_bytes) {
-  Handle plist(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "cannot make a property list");
+  Handle plist = plain_layout();
   if (dims[0] == 0) return plist;
   std::vector<hsize_t> chunk(dims.begin(), dims.end());
   chunk[0] = std::min<hsize_t>(dims[0], std::max<hsize_t>(1, kMaxChunk / row_bytes));
@@ -100,8 +107,8 @@ void write_attribute(hid_t at, const char* name, std::span<const T> values) {
 }
 
 void write_text(hid_t at, const char* name, std::string_view text) {
-  const Handle type = text_type(text.size()), where = space({});
-  Handle set(H5Dcreate2(at, name, type, where, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose,
+  const Handle type = text_type(text.size()), where = space({}), layout = plain_layout();
+  Handle set(H5Dcreate2(at, name, type, where, H5P_DEFAULT, layout, H5P_DEFAULT), H5Dclose,
              "cannot make a text");
   const std::string data = text.empty() ? std::string(1, '\0') : std::string(text);
   check(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.data()), "cannot write a text");
@@ -128,7 +135,7 @@ Handle create_growing(hid_t at, const char* name, hid_t type, std::vector<hsize_
   limit[0] = H5S_UNLIMITED;
   const int rank = static_cast<int>(dims.size());
   const Handle where(H5Screate_simple(rank, dims.data(), limit.data()), H5Sclose, "cannot make a dataspace");
-  const Handle layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "cannot make a property list");
+  const Handle layout = plain_layout();
   check(H5Pset_chunk(layout, rank, chunk.data()), "cannot set chunks");
   if (fletcher32) check(H5Pset_fletcher32(layout), "cannot set fletcher32");
   // No chunk cache for frames: each is written whole and never again.
@@ -138,8 +145,8 @@ Handle create_growing(hid_t at, const char* name, hid_t type, std::vector<hsize_
 }
 
 Handle create_fixed(hid_t at, const char* name, hid_t type, const std::vector<hsize_t>& dims) {
-  const Handle where = space(dims);
-  return {H5Dcreate2(at, name, type, where, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose,
+  const Handle where = space(dims), layout = plain_layout();
+  return {H5Dcreate2(at, name, type, where, H5P_DEFAULT, layout, H5P_DEFAULT), H5Dclose,
           "cannot make a dataset"};
 }
 
