@@ -88,7 +88,7 @@ Points borderline_pairs(std::span<const double> reach, const Period* period, Ran
     const double angle =
         0.25 * 3.141592653589793 + random.between(-0.2, 0.2);  // rounding is worst about here
     const double right = period ? period->origin.x() + period->size.x() : 0.0;
-    const Point first(right - random.between(0.1, 0.6), 2.0 * static_cast<double>(row) + random.unit());
+    const Point first(right - random.between(0.05, 0.3), 2.0 * static_cast<double>(row) + random.unit());
     Point second = first + (reach[row] + reach[row + 1]) * Point(std::cos(angle), std::sin(angle));
     if (period) second.x() -= period->size.x();
     points.insert(points.end(), {first, second});
