@@ -55,6 +55,7 @@ struct Bvh {
   struct Node {
     Volume volume;
     Branch branch;
+    double far = 0.0;  ///< m, from the origin no point of it is farther
   };
   std::vector<Node> nodes;
   std::vector<std::uint32_t> order;  ///< leaf by leaf, which thing
@@ -91,6 +92,8 @@ Bvh<Volume> build_bvh(const std::vector<Thing<Volume::kDimension>>& things, Appe
     tree.nodes[i].branch = branch;
     enclose(points[i], tree.nodes[i].volume);
     grow(tree.nodes[i].volume, margins[i]);
+    for (const Point<kDim>& p : points[i]) tree.nodes[i].far = std::max(tree.nodes[i].far, p.norm());
+    tree.nodes[i].far = (1.0 + 0x1p-50) * (tree.nodes[i].far + margins[i]);
   }
   for (const Point<kDim>& p : points[0])
     tree.reach = std::max(tree.reach, p.template lpNorm<1>() + kDim * margins[0]);

@@ -18,6 +18,10 @@ struct Motion {
 /// Where the body stands. About 15 ns.
 Pose pose_at(const Motion& motion, double time);
 
+/// How far a point that lies no farther than `radius` (m) from the local origin may be, through rounding,
+/// from where the motion brings it: the pose's, and that of times next to `time`. m.
+double pose_rounding(const Motion& motion, double time, double radius);
+
 /// How fast the distance of two things can change at most, whatever their direction: any lower bound of it
 /// holds for `of` times as long. The same in the plane and in space. For rigid bodies see `gap_rate`.
 struct GapRate {

@@ -24,7 +24,9 @@ TEST(GapRate, OfTwoDiscsThatMeetHeadOnIsTheirClosingSpeed) {
 TEST(GapRate, IsNeverExceededByWhatPointsMoveRelativeToEachOther) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> any(-3.0, 3.0);
-  const auto motion = [&] { return Motion{{any(random), any(random)}, any(random), {any(random), any(random)}, any(random)}; };
+  const auto motion = [&] {
+    return Motion{{any(random), any(random)}, any(random), {any(random), any(random)}, any(random)};
+  };
   double tightest = 0.0;
   for (int i = 0; i < 2000; ++i) {
     const Motion a = motion(), b = motion();

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include "narrowphase/motion/safe_time.h"
+
+#include "narrowphase/motion/safe_time-inl.h"
+#include "narrowphase/relative.h"
+
+namespace throng::narrowphase {
+
+SafeTime safe_time(const PartsBvh& a, const Pose& pose_a, const PartsBvh& b, const Pose& pose_b,
+                   const GapRate& rate, const SafeTimeQuestion& question, BvhCounters* counters) {
+  Frame<2> b_in_a = frame(relative(pose_a, pose_b), a.tree.reach + b.tree.reach);
+  b_in_a.slack += question.pose_error;
+  const auto leaf = [&](const auto& node_a, const auto& node_b, Shortest& best) {
+    const Branch &of_a = node_a.branch, &of_b = node_b.branch;
+    const double mu = rate.of(node_a.far, node_b.far);
+    for (std::uint32_t k = of_a.first; k < of_a.first + of_a.count; ++k)
+      for (std::uint32_t l = of_b.first; l < of_b.first + of_b.count; ++l) {
+        const std::uint32_t i = a.tree.order[k], j = b.tree.order[l];
+        const double distance = separation(a.parts[i], pose_a, b.parts[j], pose_b).distance;
+        if (distance <= 0.0) {
+          best.time = {0.0, 0.0, true, i, j};
+          return true;
+        }
+        const double time = std::max(0.0, lasting(distance - b_in_a.slack, mu));
+        best.consider(time, time, i, j);
+      }
+    return false;
+  };
+  Shortest best{question};
+  counting(counters, [&](auto& c) { shorten(a.tree, b.tree, b_in_a, rate, best, leaf, c); });
+  return best.time;
+}
+
+}  // namespace throng::narrowphase
