@@ -112,9 +112,9 @@ class Bisection {
     question.before = kALittleMore * (time - from);
     question.after = kALittleMore * (to - time);
     const SafeTime safe = pairs_.safe_time(pair, time, question);
-    const Neighbourhood in{pair, std::max(0.0, time - safe.before),
-                           std::min(pairs_.duration(pair), time + safe.after), time,
-                           safe.before > 0.0 || safe.after > 0.0, safe.hit};
+    const Neighbourhood in{
+        pair, std::max(0.0, time - safe.before),     std::min(pairs_.duration(pair), time + safe.after),
+        time, safe.before > 0.0 || safe.after > 0.0, safe.hit};
     if (options_.covering != nullptr) options_.covering->push_back(in);
     count(in, covers(in, from, to));
     if (safe.hit) tell_hit(in, safe);
@@ -140,9 +140,8 @@ class Bisection {
   /// Gaps that touch are one; of each segment the first is told.
   void tell_doubts() {
     std::vector<Gap>& left = scratch_.left;
-    std::sort(left.begin(), left.end(), [](const Gap& x, const Gap& y) {
-      return std::tie(x.pair, x.from) < std::tie(y.pair, y.from);
-    });
+    std::sort(left.begin(), left.end(),
+              [](const Gap& x, const Gap& y) { return std::tie(x.pair, x.from) < std::tie(y.pair, y.from); });
     for (std::size_t i = 0; i < left.size();) {
       Gap all = left[i++];
       for (; i < left.size() && left[i].pair == all.pair && left[i].from <= all.to; ++i) all.to = left[i].to;

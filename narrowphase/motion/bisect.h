@@ -24,16 +24,16 @@ namespace throng::narrowphase {
 /// Pairs of things in motion: rigid bodies, links of robots. Each has a path of its own from time 0 to
 /// `duration(k)` and belongs to one of `segments()` segments, which are answered apart from each other.
 template <class Pairs>
-concept PairsInMotion =
-    requires(Pairs pairs, std::uint32_t k, double time, const SafeTimeQuestion& question) {
-      { pairs.size() } -> std::convertible_to<std::size_t>;
-      { pairs.segments() } -> std::convertible_to<std::size_t>;
-      { pairs.segment(k) } -> std::convertible_to<std::uint32_t>;
-      { pairs.duration(k) } -> std::convertible_to<double>;    // s, finite, never negative
-      { pairs.pace(k) } -> std::convertible_to<double>;        // m/s, what no distance changes faster by
-      { pairs.resolution(k) } -> std::convertible_to<double>;  // m, what clearance is not worth proving
-      { pairs.safe_time(k, time, question) } -> std::same_as<SafeTime>;  // sets pose_error itself
-    };
+concept PairsInMotion = requires(Pairs pairs, std::uint32_t k, double time,
+                                 const SafeTimeQuestion& question) {
+  { pairs.size() } -> std::convertible_to<std::size_t>;
+  { pairs.segments() } -> std::convertible_to<std::size_t>;
+  { pairs.segment(k) } -> std::convertible_to<std::uint32_t>;
+  { pairs.duration(k) } -> std::convertible_to<double>;    // s, finite, never negative
+  { pairs.pace(k) } -> std::convertible_to<double>;        // m/s, what no distance changes faster by
+  { pairs.resolution(k) } -> std::convertible_to<double>;  // m, what clearance is not worth proving
+  { pairs.safe_time(k, time, question) } -> std::same_as<SafeTime>;  // sets pose_error itself
+};
 
 /// What a pair has proven free by one computation of its distance.
 struct Neighbourhood {
@@ -52,7 +52,7 @@ struct BisectOptions {
 /// About a path or a segment of it.
 struct PathAnswer {
   Verdict verdict = Verdict::free;
-  double from = 0.0, to = 0.0;  ///< s; hit: an instant, both; undecided: see below; free: 0
+  double from = 0.0, to = 0.0;           ///< s; hit: an instant, both; undecided: see below; free: 0
   std::uint32_t segment = 0, pair = 0;   ///< where that is
   std::uint32_t part_a = 0, part_b = 0;  ///< hit: of the pair, which touch
   std::size_t evaluations = 0;           ///< computations of a pair's distance

@@ -28,10 +28,13 @@ class RigidPairs {
 
   SafeTime safe_time(std::uint32_t k, double time, SafeTimeQuestion question) const {
     const auto& [a, b, duration, segment] = pairs_[k];
-    question.pose_error =
-        pose_rounding(a.motion, time, radius(a)) + pose_rounding(b.motion, time, radius(b));
-    return narrowphase::safe_time(*a.shape, pose_at(a.motion, time), *b.shape, pose_at(b.motion, time),
-                                  gap_rate(a.motion, b.motion), question);
+    question.pose_error = pose_rounding(a.motion, time, radius(a)) + pose_rounding(b.motion, time, radius(b));
+    const GapRate rate = gap_rate(a.motion, b.motion);
+    const RelativeMotion motion{a.motion.spin, b.motion.spin, b.motion.velocity - a.motion.velocity,
+                                rate.shift};
+    question.motion = &motion;
+    return narrowphase::safe_time(*a.shape, pose_at(a.motion, time), *b.shape, pose_at(b.motion, time), rate,
+                                  question);
   }
 
  private:

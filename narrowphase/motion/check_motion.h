@@ -20,12 +20,13 @@ struct MovingPair {
 };
 
 /// What clearance of two solids can be told from contact, here a multiple: 2^-34 of the radius about its
-/// origin of the smaller that has one, and 2^-43 of how far coordinates go, relative to each other or turned. m.
+/// origin of the smaller that has one, and 2^-43 of how far coordinates go, relative to each other or turned.
+/// m.
 double resolution(const MovingPair& pair);
 
-/// Whether the two stay apart from 0 to `duration` (s), both included. Swapping a and b gives the same but for
-/// which part of equals is told. About 200 ns for a far pair, and as much for each of the answer's evaluations
-/// of small solids. Allocates its scratch; with one that is passed, only to grow.
+/// Whether the two stay apart from 0 to `duration` (s), both included. Swapping a and b gives the same but
+/// for which part of equals is told. About 200 ns for a far pair, and as much for each of the answer's
+/// evaluations of small solids. Allocates its scratch; with one that is passed, only to grow.
 PathAnswer check_motion(const PartsBvh& a, const Motion& motion_a, const PartsBvh& b, const Motion& motion_b,
                         double duration, const BisectOptions& options = {});
 PathAnswer check_motion(const PartsBvh& a, const Motion& motion_a, const PartsBvh& b, const Motion& motion_b,

@@ -16,11 +16,13 @@ inline double lasting(double distance, double rate) {
 /// The times so far, and from which bound on a pair can't shorten them by more than is accepted.
 struct Shortest {
   const SafeTimeQuestion& question;
-  SafeTime time{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), false, 0, 0};
+  SafeTime time{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), false, 0,
+                0};
 
   double enough() const {
     const double share = 1.0 / (1.0 + question.relative_error);
-    return std::max(std::min(question.before, share * time.before), std::min(question.after, share * time.after));
+    return std::max(std::min(question.before, share * time.before),
+                    std::min(question.after, share * time.after));
   }
   void consider(double before, double after, std::uint32_t i, std::uint32_t j) {
     if (before < time.before || after < time.after) time.part_a = i, time.part_b = j;

@@ -16,13 +16,22 @@ SafeTime safe_time(const PartsBvh& a, const Pose& pose_a, const PartsBvh& b, con
     for (std::uint32_t k = of_a.first; k < of_a.first + of_a.count; ++k)
       for (std::uint32_t l = of_b.first; l < of_b.first + of_b.count; ++l) {
         const std::uint32_t i = a.tree.order[k], j = b.tree.order[l];
-        const double distance = separation(a.parts[i], pose_a, b.parts[j], pose_b).distance;
-        if (distance <= 0.0) {
+        const Separation apart = separation(a.parts[i], pose_a, b.parts[j], pose_b);
+        if (apart.distance <= 0.0) {
           best.time = {0.0, 0.0, true, i, j};
           return true;
         }
-        const double time = std::max(0.0, lasting(distance - b_in_a.slack, mu));
-        best.consider(time, time, i, j);
+        const double time = std::max(0.0, lasting(apart.distance - b_in_a.slack, mu));
+        ClearTime clear{time, time};
+        if (question.motion != nullptr && time < best.enough()) {
+          const OpenGap gap{{a.parts[i].vertices, pose_a, node_a.far},
+                            {b.parts[j].vertices, pose_b, node_b.far},
+                            apart.normal,
+                            a.parts[i].radius + b.parts[j].radius + b_in_a.slack};
+          const ClearTime longer = clear_time(gap, *question.motion, {question.before, question.after});
+          clear = {std::max(time, longer.before), std::max(time, longer.after)};
+        }
+        best.consider(clear.before, clear.after, i, j);
       }
     return false;
   };
