@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "narrowphase/linkage/linkage_motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "narrowphase/relative.h"
+#include "narrowphase/trigonometry.h"
+
+namespace throng::narrowphase {
+
+namespace {
+
+constexpr double kRounding = 0x1p-44;  // of a thousand sums
+
+double length(const Vec& v) {
+  return direction(v, {1.0, 0.0}).length;
+}
+
+Vec crossed(double spin, const Vec& arm) {
+  return {-spin * arm.y(), spin * arm.x()};
+}
+
+/// Farther than any of its points is from the link's origin. m.
+double reach(const Link& link) {
+  return link.shape == nullptr ? 0.0
+                               : link.shape->tree.root().centre.norm() + link.shape->tree.root().radius;
+}
+
+/// By how much an angle that grows from `angle` by `spin` may be off, sine and cosine included. rad.
+double angle_error(double angle, double spin) {
+  return 0x1p-50 * (1.0 + std::abs(angle) + std::abs(spin));
+}
+
+}  // namespace
+
+void LinkageMotion::Run::join(const Run& arms) {
+  arm += arms.arm;
+  slide += arms.slide;
+  size += arms.size;
+  slid += arms.slid;
+}
+
+double LinkageMotion::Run::speed(double seen_by) const {
+  const double turn = spin - seen_by;
+  const double at_first = length(crossed(turn, arm) + slide);
+  const double at_last = length(crossed(turn, arm + slide) + slide);
+  return std::max(at_first, at_last) + kRounding * (std::abs(turn) * size + slid);
+}
+
+void LinkageMotion::reset(std::span<const Link> linkage, std::span<const double> from,
+                          std::span<const double> to) {
+  linkage_ = linkage;
+  states_.resize(linkage.size());
+  slack_ = 0.0;
+  for (std::uint32_t i = 0; i < linkage.size(); ++i) {
+    const double value = from[i], change = to[i] - from[i];
+    const LinkState parent = linkage[i].parent == kWorld ? LinkState{} : states_[linkage[i].parent];
+    states_[i] = hung(linkage[i], parent, value, change);
+    slack_ = std::max(slack_, 2.0 * (states_[i].error + reach(linkage[i]) * angle_error(states_[i].angle,
+                                                                                        states_[i].spin)));
+  }
+}
+
+LinkageMotion::LinkState LinkageMotion::hung(const Link& link, const LinkState& parent, double value,
+                                             double change) {
+  const bool revolute = link.joint == Joint::revolute;
+  LinkState state;
+  state.arm = revolute ? link.at : Vec(link.at + value * link.axis);
+  state.slide = revolute ? Vec(0.0, 0.0) : Vec(change * link.axis);
+  state.angle = parent.angle + link.angle + (revolute ? value : 0.0);
+  state.spin = parent.spin + (revolute ? change : 0.0);
+  const Pose turn = throng::narrowphase::pose({0.0, 0.0}, parent.angle);
+  const double slid = length(state.slide), size = length(state.arm) + slid;
+  state.last = {parent.spin, turn.rotate(state.arm), turn.rotate(state.slide), size, slid};
+  state.run = state.last;
+  state.before = parent.before;
+  if (parent.run.spin == parent.spin) {
+    state.run = parent.run;
+    state.run.join(state.last);
+  } else {
+    state.before += parent.run.speed(0.0);
+  }
+  state.reach = parent.reach + size;
+  state.error = parent.error + size * angle_error(parent.angle, parent.spin) + 0x1p-51 * state.reach;
+  return state;
+}
+
+void LinkageMotion::place(double time, std::span<Pose> poses) const {
+  for (std::uint32_t i = 0; i < states_.size(); ++i)
+    poses[i] = hung(i, linkage_[i].parent == kWorld ? Pose{} : poses[linkage_[i].parent], time);
+}
+
+Pose LinkageMotion::pose(std::uint32_t link, double time) const {
+  return link == kWorld ? Pose{} : hung(link, pose(linkage_[link].parent, time), time);
+}
+
+Pose LinkageMotion::hung(std::uint32_t link, const Pose& parent, double time) const {
+  const LinkState& state = states_[link];
+  return throng::narrowphase::pose(parent * (state.arm + time * state.slide),
+                                   state.angle + time * state.spin);
+}
+
+GapRate LinkageMotion::rate(const LinkPair& pair) {
+  const LinkState& a = states_[pair.a];
+  if (pair.b == kWorld) return {a.before + a.run.speed(0.0), std::abs(a.spin), 0.0};
+  const std::uint32_t ancestor = nearest_common_ancestor(linkage_, pair);
+  collect_runs(pair, ancestor);
+  const GapRate by_ancestor = rate(pair, ancestor == kWorld ? 0.0 : states_[ancestor].spin);
+  const GapRate by_median = rate(pair, median_spin(pair));
+  const double of_a = reach(linkage_[pair.a]), of_b = reach(linkage_[pair.b]);
+  return by_median.of(of_a, of_b) < by_ancestor.of(of_a, of_b) ? by_median : by_ancestor;
+}
+
+GapRate LinkageMotion::rate(const LinkPair& pair, double seen_by) const {
+  double shift = 0.0;
+  for (const Run& run : runs_) shift += run.speed(seen_by);
+  return {shift, std::abs(states_[pair.a].spin - seen_by), std::abs(states_[pair.b].spin - seen_by)};
+}
+
+void LinkageMotion::climb(std::uint32_t& link, double sign) {
+  Run arm = states_[link].last;
+  arm.arm *= sign, arm.slide *= sign;
+  if (runs_.size() > first_of_side_ && runs_.back().spin == arm.spin)
+    runs_.back().join(arm);
+  else
+    runs_.push_back(arm);
+  link = linkage_[link].parent;
+}
+
+void LinkageMotion::collect_runs(LinkPair links, std::uint32_t ancestor) {
+  runs_.clear();
+  first_of_side_ = 0;
+  while (links.a != ancestor) climb(links.a, -1.0);
+  first_of_side_ = runs_.size();
+  while (links.b != ancestor) climb(links.b, 1.0);
+  if (first_of_side_ == 0 || first_of_side_ == runs_.size()) return;
+  runs_[first_of_side_ - 1].join(runs_.back());  // both hang on the ancestor
+  runs_.pop_back();
+}
+
+double LinkageMotion::median_spin(const LinkPair& links) {
+  spins_.clear();
+  double total = 0.0, so_far = 0.0;
+  const auto add = [&](double spin, double weight) { spins_.emplace_back(spin, weight), total += weight; };
+  add(states_[links.a].spin, reach(linkage_[links.a]));
+  add(states_[links.b].spin, reach(linkage_[links.b]));
+  for (const Run& run : runs_) add(run.spin, std::max(length(run.arm), length(run.arm + run.slide)));
+  std::sort(spins_.begin(), spins_.end());
+  for (const auto& [spin, weight] : spins_)
+    if (so_far += weight; 2.0 * so_far >= total) return spin;
+  return spins_.back().first;
+}
+
+}  // namespace throng::narrowphase

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "narrowphase/linkage/link_pairs.h"
+
+#include <gmock/gmock.h>
+
+#include "random_linkage.h"
+
+namespace throng::narrowphase {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+TEST(PairsToCheck, LeavesOutLinksThatShareAJoint) {
+  ShapeStore shapes;
+  const Linkage robot = arm(shapes, 4, 1.0, 0.1);
+  EXPECT_THAT(pairs_to_check(robot, false), ElementsAre(LinkPair{0, 2}, LinkPair{0, 3}, LinkPair{1, 3}));
+}
+
+TEST(PairsToCheck, AsksObstaclesFirst) {
+  ShapeStore shapes;
+  EXPECT_THAT(pairs_to_check(arm(shapes, 2, 1.0, 0.1), true), ElementsAre(LinkPair{0, kWorld}, LinkPair{1, kWorld}));
+}
+
+TEST(PairsToCheck, LeavesOutWhatMayTouch) {
+  ShapeStore shapes;
+  const Linkage robot = arm(shapes, 4, 1.0, 0.1);
+  const std::vector<LinkPair> may_touch{{3, 0}, {kWorld, 0}, {1, kWorld}};
+  EXPECT_THAT(pairs_to_check(robot, true, may_touch),
+              ElementsAre(LinkPair{2, kWorld}, LinkPair{3, kWorld}, LinkPair{0, 2}, LinkPair{1, 3}));
+}
+
+TEST(PairsToCheck, LeavesOutLinksWithoutShape) {
+  ShapeStore shapes;
+  Linkage robot = arm(shapes, 3, 1.0, 0.1);
+  robot[2].shape = nullptr;
+  EXPECT_THAT(pairs_to_check(robot, true), ElementsAre(LinkPair{0, kWorld}, LinkPair{1, kWorld}));
+}
+
+TEST(PairsToCheck, TwoRobotsMayMeet) {
+  ShapeStore shapes;
+  Linkage both = arm(shapes, 1, 1.0, 0.1);
+  mount(both, arm(shapes, 1, 1.0, 0.1), {1.5, 0.0}, 0.0);
+  EXPECT_THAT(pairs_to_check(both, false), ElementsAre(LinkPair{0, 1}));
+}
+
+TEST(PairsToCheck, TwoRobotsTooFarFromEachOtherNever) {
+  ShapeStore shapes;
+  Linkage both = arm(shapes, 1, 1.0, 0.1);
+  mount(both, arm(shapes, 1, 1.0, 0.1), {2.5, 0.0}, 0.0);
+  EXPECT_THAT(pairs_to_check(both, false), IsEmpty());
+}
+
+TEST(PairsToCheck, LinksOnARigidJointAreOne) {
+  ShapeStore shapes;
+  Linkage robot = arm(shapes, 3, 1.0, 0.1);
+  robot[1].lower = robot[1].upper = 0.5;
+  EXPECT_THAT(pairs_to_check(robot, false), IsEmpty());
+}
+
+TEST(LimitsKeepApart, BarsThatCannotFoldBack) {
+  ShapeStore shapes;
+  Linkage robot = arm(shapes, 3, 1.0, 0.1);
+  for (Link& link : robot) link.lower = -1.5, link.upper = 1.5;
+  EXPECT_TRUE(limits_keep_apart(robot, {0, 2}, 1000));
+  for (Link& link : robot) link.lower = -2.5, link.upper = 2.5;
+  EXPECT_FALSE(limits_keep_apart(robot, {0, 2}, 1000));
+}
+
+TEST(LimitsKeepApart, ASliderThatEndsBeforeTheOther) {
+  ShapeStore shapes;
+  Linkage robot(2);
+  robot[0].shape = robot[1].shape = shapes.add({disc(1.0)});
+  robot[0].joint = robot[1].joint = Joint::prismatic;
+  robot[1].at = {10, 0};
+  robot[0].lower = -4, robot[0].upper = 4, robot[1].lower = -3.9, robot[1].upper = 4;
+  EXPECT_TRUE(limits_keep_apart(robot, {0, 1}, 1000)) << "4 + 1 + 1 + 3.9 < 10";
+  robot[1].lower = -4.1;
+  EXPECT_FALSE(limits_keep_apart(robot, {0, 1}, 1000));
+  robot[1].lower = -std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(limits_keep_apart(robot, {0, 1}, 1000));
+}
+
+TEST(LimitsKeepApart, NeverWhereSamplesMeet) {
+  Random random(9);
+  int proven = 0, met = 0;
+  for (int i = 0; i < 150; ++i) {
+    ShapeStore shapes;
+    Linkage forest = random_forest(random, shapes, 3);
+    for (Link& link : forest) {
+      link.lower = uniform(random, -2.0, 1.0), link.upper = link.lower + uniform(random, 0.0, 2.0);
+      link.at *= 1.8;
+    }
+    const bool apart = limits_keep_apart(forest, {0, 2}, 1000);
+    bool meet = false;
+    std::vector<Pose> poses(3);
+    for (int k = 0; k < 300 && !meet; ++k) {
+      std::vector<double> values;
+      for (const Link& link : forest) values.push_back(uniform(random, link.lower, link.upper));
+      place_links(forest, values, poses);
+      meet = separation(*forest[0].shape, poses[0], *forest[2].shape, poses[2]).distance <= 0.0;
+    }
+    EXPECT_FALSE(apart && meet) << "seed 9, forest " << i;
+    proven += apart, met += meet;
+  }
+  EXPECT_GT(proven, 40);
+  EXPECT_GT(met, 30);
+  EXPECT_GT(proven + met, 110) << "and little is left open";
+}
+
+}  // namespace
+}  // namespace throng::narrowphase
