@@ -16,7 +16,7 @@ struct Between {
 };
 
 double reach(const PartsBvh& shape) {
-  return shape.tree.root().centre.norm() + shape.tree.root().radius;
+  return shape.tree.nodes[0].far;
 }
 
 /// Of a revolute joint no more than once round.

@@ -15,8 +15,10 @@ bool finite(const Vec& v) {
 
 const char* fault(const Link& link, std::size_t index) {
   if (link.parent != kWorld && link.parent >= index) return "hangs on a link that does not come before it";
-  if (!finite(link.at) || !std::isfinite(link.angle)) return "stands at a place or an angle that is not finite";
-  if (!finite(link.axis) || !(std::abs(link.axis.norm() - 1.0) <= 1e-9)) return "has an axis that is not of length 1";
+  if (!finite(link.at) || !std::isfinite(link.angle))
+    return "stands at a place or an angle that is not finite";
+  if (!finite(link.axis) || !(std::abs(link.axis.norm() - 1.0) <= 1e-9))
+    return "has an axis that is not of length 1";
   if (!(link.lower <= link.upper)) return "has limits the wrong way round";
   return nullptr;
 }
@@ -49,7 +51,9 @@ std::optional<std::uint32_t> beyond_limits(std::span<const Link> linkage, std::s
 }
 
 void place_links(std::span<const Link> linkage, std::span<const double> values, std::span<Pose> poses) {
-  const auto parent = [&](std::size_t i) { return linkage[i].parent == kWorld ? Pose{{}, 0.0} : poses[linkage[i].parent]; };
+  const auto parent = [&](std::size_t i) {
+    return linkage[i].parent == kWorld ? Pose{{}, 0.0} : poses[linkage[i].parent];
+  };
   for (std::size_t i = 0; i < linkage.size(); ++i) {  // angles first, where their cosines will stand
     const double turned = linkage[i].joint == Joint::revolute ? values[i] : 0.0;
     poses[i].cos = parent(i).cos + linkage[i].angle + turned;

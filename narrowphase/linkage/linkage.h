@@ -10,7 +10,8 @@
 
 #include "narrowphase/bvh_parts.h"
 
-/// Articulated robots in the plane: bodies of any shape on revolute and prismatic joints, in chains and trees.
+/// Articulated robots in the plane: bodies of any shape on revolute and prismatic joints, in chains and
+/// trees.
 namespace throng::narrowphase {
 
 /// Stands for all that never moves: what a robot's first link is mounted on, and the obstacles.

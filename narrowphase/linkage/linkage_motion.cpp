@@ -23,8 +23,7 @@ Vec crossed(double spin, const Vec& arm) {
 
 /// Farther than any of its points is from the link's origin. m.
 double reach(const Link& link) {
-  return link.shape == nullptr ? 0.0
-                               : link.shape->tree.root().centre.norm() + link.shape->tree.root().radius;
+  return link.shape == nullptr ? 0.0 : link.shape->tree.nodes[0].far;
 }
 
 /// By how much an angle that grows from `angle` by `spin` may be off, sine and cosine included. rad.
@@ -57,8 +56,8 @@ void LinkageMotion::reset(std::span<const Link> linkage, std::span<const double>
     const double value = from[i], change = to[i] - from[i];
     const LinkState parent = linkage[i].parent == kWorld ? LinkState{} : states_[linkage[i].parent];
     states_[i] = hung(linkage[i], parent, value, change);
-    slack_ = std::max(slack_, 2.0 * (states_[i].error + reach(linkage[i]) * angle_error(states_[i].angle,
-                                                                                        states_[i].spin)));
+    slack_ = std::max(slack_, 2.0 * (states_[i].error +
+                                     reach(linkage[i]) * angle_error(states_[i].angle, states_[i].spin)));
   }
 }
 

@@ -36,19 +36,21 @@ class LinkageMotion {
  private:
   /// Arms one behind the other that turn as one.
   struct Run {
-    double spin = 0.0;                     ///< rad
-    Vec arm{0.0, 0.0}, slide{0.0, 0.0};    ///< m at time 0, and m by time 1, as they are turned at time 0
-    double size = 0.0, slid = 0.0;         ///< m, the sums of the arms' and the slides' lengths
+    double spin = 0.0;                   ///< rad
+    Vec arm{0.0, 0.0}, slide{0.0, 0.0};  ///< m at time 0, and m by time 1, as they are turned at time 0
+    double size = 0.0, slid = 0.0;       ///< m, the sums of the arms' and the slides' lengths
 
     void join(const Run& arms);
-    double speed(double seen_by) const;  ///< m, of its end about its beginning, seen by who turns at that rate
+    double speed(
+        double seen_by) const;  ///< m, of its end about its beginning, seen by who turns at that rate
   };
   struct LinkState {
-    Vec arm{0.0, 0.0}, slide{0.0, 0.0};  ///< m, in the parent's frame: the origin goes from arm to arm + slide
-    double angle = 0.0, spin = 0.0;      ///< rad, absolute, at time 0 and by time 1
-    Run last, run;                       ///< the arm that leads here, and with all before it that turn as it
-    double before = 0.0;                 ///< m, what the arms before `run` move
-    double reach = 0.0, error = 0.0;     ///< m, how far off the origin may be, and by rounding
+    Vec arm{0.0, 0.0},
+        slide{0.0, 0.0};              ///< m, in the parent's frame: the origin goes from arm to arm + slide
+    double angle = 0.0, spin = 0.0;   ///< rad, absolute, at time 0 and by time 1
+    Run last, run;                    ///< the arm that leads here, and with all before it that turn as it
+    double before = 0.0;              ///< m, what the arms before `run` move
+    double reach = 0.0, error = 0.0;  ///< m, how far off the origin may be, and by rounding
   };
   static LinkState hung(const Link& link, const LinkState& parent, double value, double change);
   Pose hung(std::uint32_t link, const Pose& parent, double time) const;

@@ -19,7 +19,8 @@ TEST(PairsToCheck, LeavesOutLinksThatShareAJoint) {
 
 TEST(PairsToCheck, AsksObstaclesFirst) {
   ShapeStore shapes;
-  EXPECT_THAT(pairs_to_check(arm(shapes, 2, 1.0, 0.1), true), ElementsAre(LinkPair{0, kWorld}, LinkPair{1, kWorld}));
+  EXPECT_THAT(pairs_to_check(arm(shapes, 2, 1.0, 0.1), true),
+              ElementsAre(LinkPair{0, kWorld}, LinkPair{1, kWorld}));
 }
 
 TEST(PairsToCheck, LeavesOutWhatMayTouch) {

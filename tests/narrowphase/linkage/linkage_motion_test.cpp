@@ -110,7 +110,9 @@ Sharpness measure(const Linkage& linkage, const LinkPair& pair, Random& random, 
     const Vec p = pose({0, 0}, uniform(random, -4, 4)).rotate({radius_a, 0});
     const Vec q = pair.b == kWorld ? random_vec(random, 9.0, 9.0)
                                    : pose({0, 0}, uniform(random, -4, 4)).rotate({radius_b, 0});
-    const auto gap = [&](double time) { return (motion.pose(pair.b, time) * q - motion.pose(pair.a, time) * p).norm(); };
+    const auto gap = [&](double time) {
+      return (motion.pose(pair.b, time) * q - motion.pose(pair.a, time) * p).norm();
+    };
     const double steep = std::abs(gap(t + dt) - gap(t)) / dt;
     EXPECT_LE(steep, s.sharp * (1.0 + 1e-9) + 1e-9) << what;
     s.steepest = std::max(s.steepest, steep);
@@ -185,7 +187,8 @@ TEST(LinkageMotion, EndsWhereTheConfigurationsAreWithinItsSlack) {
       place_links(forest, *values, poses);
       for (std::uint32_t k = 0; k < 9; ++k) {
         const Vec tip{reach(forest[k]), 0};
-        EXPECT_LE((motion.pose(k, time) * tip - poses[k] * tip).norm(), motion.slack()) << "seed 8, forest " << i;
+        EXPECT_LE((motion.pose(k, time) * tip - poses[k] * tip).norm(), motion.slack())
+            << "seed 8, forest " << i;
       }
     }
     EXPECT_LE(motion.slack(), 1e-12 * size * size) << "and that is little: arms and angles of that size";

@@ -82,7 +82,8 @@ TEST(Fault, NamesTheLinkAndWhatIsWrong) {
     return fault(copy);
   };
   EXPECT_EQ(broken([](Link& l) { l.parent = 1; }), "link 1 hangs on a link that does not come before it");
-  EXPECT_EQ(broken([](Link& l) { l.at.x() = NAN; }), "link 1 stands at a place or an angle that is not finite");
+  EXPECT_EQ(broken([](Link& l) { l.at.x() = NAN; }),
+            "link 1 stands at a place or an angle that is not finite");
   EXPECT_EQ(broken([](Link& l) { l.axis = {2, 0}; }), "link 1 has an axis that is not of length 1");
   EXPECT_EQ(broken([](Link& l) { l.axis.y() = NAN; }), "link 1 has an axis that is not of length 1");
   EXPECT_EQ(broken([](Link& l) { l.lower = 1, l.upper = 0; }), "link 1 has limits the wrong way round");
