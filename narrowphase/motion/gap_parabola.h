@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "narrowphase/motion/moving_pair.h"
+
+/// By when two moving shapes are surely still apart.
+namespace throng::narrowphase {
+
+/// Where both stand at a time: a's origin in (0, 0), b's at the pair's offset.
+struct PlacedPair {
+  Pose a, b;
+};
+
+/// An axis from a to b that turns at a constant rate.
+struct TurningAxis {
+  Vec normal;   ///< unit, at the time of the poses
+  double spin;  ///< rad/s
+  double bend;  ///< m/s², as `bend` says for that spin
+};
+
+/// What the gap along an axis is, beyond a margin, and until when it surely is above 0.
+struct GapParabola {
+  double gap, rate;  ///< m, m/s, of the vertices that are nearest at the time of the poses
+  double holds;      ///< s from then, or the `most` asked for; 0 where the gap is not above 0
+};
+
+/// The bend of every gap along an axis of that spin: all accelerations in the axis' frame, while b's origin
+/// is no farther from a's than `farthest`.
+double bend(const MovingPair& pair, double spin, double farthest);
+
+/// The gap along the axis is at least the least over all pairs of vertices of gap + rate t - bend t² / 2,
+/// less `margin`. O(n + m), O(log n + log m) for many vertices.
+GapParabola gap_parabola(const MovingPair& pair, const PlacedPair& placed, const TurningAxis& axis,
+                         double margin, double most);
+
+}  // namespace throng::narrowphase

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "narrowphase/motion/motion.h"
+#include "narrowphase/relative.h"
+
+/// Two convex shapes in motion, seen from the origin of the first: a million metres from the world's origin
+/// cost no digit.
+namespace throng::narrowphase {
+
+/// From one time to another, seconds or whatever rates are per. Empty where until < from.
+struct TimeSpan {
+  double from, until;
+};
+
+struct MovingPair {
+  const Convex& a;
+  const Convex& b;
+  double angle_a, angle_b;  ///< rad, at time 0
+  double spin_a, spin_b;    ///< rad/s
+  Vec offset;               ///< m, from a's origin to b's at time 0
+  Vec velocity;             ///< m/s, of b's origin relative to a's
+  double reach_a, reach_b;  ///< m, how far the cores go from their origins
+  double radius;            ///< m, of both together
+  double speed;             ///< m/s, of the origins
+  double rate;              ///< m/s, that the distance changes by at most
+  double rounding;          ///< m, above all errors of a distance or a gap at any time up to the last
+
+  /// Until `duration`. O(n + m).
+  MovingPair(const Convex& a, const Motion& motion_a, const Convex& b, const Motion& motion_b,
+             double duration);
+
+  double size() const { return reach_a + reach_b + radius; }  ///< m
+  Vec offset_at(double time) const { return offset + time * velocity; }
+  Pose pose_a(double time) const { return pose({0.0, 0.0}, angle_a + time * spin_a); }
+  Pose pose_b(double time) const { return pose(offset_at(time), angle_b + time * spin_b); }
+};
+
+/// When the two come near enough to each other to touch, however they turn: one span of the times from 0 to
+/// `duration`, too long by about what rounding makes uncertain. In closed form; of two discs that turn about
+/// their centres it is when they touch.
+TimeSpan near(const MovingPair& pair, double duration);
+
+}  // namespace throng::narrowphase
