@@ -66,6 +66,7 @@ int export_recording(const Options& options) {
     if (options.format == "pedpy") export_pedpy(recording, frames, target);
     if (options.format == "xdmf") export_xdmf(recording, options.file, frames, target);
     if (options.format == "h5md3") export_h5md3(recording, frames, target);
+    if (options.format == "lammps") export_lammps(recording, frames, target);
   });
   return 0;
 }
@@ -76,9 +77,9 @@ void add_export(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("export", "Writes a recording for the field's tools");
   command->add_option("FILE", options->file, "recording (.h5, or the .h5.part of a run)")->required();
-  command->add_option("--format", options->format, "csv, pedpy, xdmf or h5md3")
+  command->add_option("--format", options->format, "csv, pedpy, xdmf, h5md3 or lammps")
       ->required()
-      ->check(CLI::IsMember({"csv", "pedpy", "xdmf", "h5md3"}));
+      ->check(CLI::IsMember({"csv", "pedpy", "xdmf", "h5md3", "lammps"}));
   command->add_option("-o,--output", options->output, "file to write")->required();
   command->add_option("--from", options->from,
                       "time of the first frame (s); that of the recording without it");
@@ -98,6 +99,8 @@ void add_export(CLI::App& app, int& exit_code) {
       "       id, radius, vx, vy, angle, spin\n"
       "h5md3  HDF5 in three dimensions (z = 0) for MDAnalysis, lengths in m:\n"
       "       Universe.empty(bodies, trajectory=True).load_new(F, format=\"H5MD\", convert_units=False)\n"
+      "lammps a text dump as LAMMPS writes it, for OVITO, in SI units: id, type (the shape), x, y, z = 0,\n"
+      "       radius, mass, and what was recorded of vx, vy, the orientation and omegaz\n"
       "Example: throng export pile.h5 --format pedpy -o pile.ped.h5 --from 2 --to 8 --every 4");
   command->callback([options, &exit_code] { exit_code = export_recording(*options); });
 }

@@ -15,6 +15,14 @@ namespace throng::tools {
 /// angle, spin. Numbers read back as they were.
 void export_csv(const Recording& recording, std::span<const std::size_t> frames, const ExportTarget& target);
 
+/// A text dump as LAMMPS writes it, which OVITO and MDAnalysis read: id, type (the number of the shape, from
+/// 1), x, y, z = 0, radius (where a body is no disc, of the circle around it), mass, and what was recorded of
+/// vx, vy, of the orientation, as a unit quaternion about z and as an angle, and of omegaz. SI units; numbers
+/// but the quaternion's read back as they were. The box is the domain; in the unbounded plane what encloses
+/// the bodies of the frame. Expects recorded positions.
+void export_lammps(const Recording& recording, std::span<const std::size_t> frames,
+                   const ExportTarget& target);
+
 /// XML through which ParaView reads the recording, that of `file`, where it lies: by its path from the folder
 /// of the target's name, or from the root where that is a device or a pipe. Expects recorded positions.
 /// Throws InputError where ParaView would not open the recording.

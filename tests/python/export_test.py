@@ -296,8 +296,75 @@ class H5md3(Export):
         self.assertNotIn("edges", after["box"])
 
 
+class Lammps(Export):
+    def frames(self, path):
+        """Of a text dump: step, kinds of borders, bounds, and the table by column."""
+        found, lines = [], iter(pathlib.Path(path).read_text().splitlines())
+        for line in lines:
+            self.assertEqual(line, "ITEM: TIMESTEP")
+            step = int(next(lines))
+            self.assertEqual(next(lines), "ITEM: NUMBER OF ATOMS")
+            bodies = int(next(lines))
+            borders = next(lines).removeprefix("ITEM: BOX BOUNDS ")
+            bounds = [tuple(map(float, next(lines).split())) for _ in range(3)]
+            columns = next(lines).removeprefix("ITEM: ATOMS ").split()
+            rows = [next(lines).split() for _ in range(bodies)]
+            self.assertEqual({len(row) for row in rows}, {len(columns)})
+            found.append((step, borders, bounds, dict(zip(columns, np.array(rows, float).T))))
+        return found
+
+    def test_has_every_number_of_the_recording(self):
+        file = h5py.File(self.record())
+        recording, bodies = file["particles/trajectory"], file["throng/bodies"]
+        frames = self.frames(self.export("lammps", "a.dump"))
+        self.assertEqual([step for step, *_ in frames], list(recording["position/step"]))
+        for frame, (_, borders, bounds, table) in enumerate(frames):
+            self.assertEqual((borders, bounds), ("ff ff pp", [(0, 4), (0, 3), (-0.5, 0.5)]))
+            self.assertEqual(list(table["id"]), [1, 2, 3, 4])
+            self.assertEqual(list(table["type"]), list(bodies["shape"][:] + 1))
+            exact = {"x": recording["position/value"][frame, :, 0], "y": recording["position/value"][frame, :, 1],
+                     "vx": recording["velocity/value"][frame, :, 0], "vy": recording["velocity/value"][frame, :, 1],
+                     "angle": recording["angle/value"][frame], "omegaz": recording["spin/value"][frame],
+                     "radius": bodies["radius"], "mass": bodies["mass"]}
+            for column, values in exact.items():
+                self.assertTrue(np.array_equal(table[column], values), column)
+            for column in ("z", "vz", "omegax", "omegay", "quati", "quatj"):
+                self.assertTrue((table[column] == 0).all(), column)
+            turned = (table["quatw"] + 1j * table["quatk"]) ** 2  # by twice the quaternion's angle
+            self.assertLess(abs(turned - np.exp(1j * table["angle"])).max(), 1e-15)
+        self.assertGreater(np.ptp(table["angle"]), 0.1, "the sample turns")
+
+    def test_has_the_columns_that_were_recorded(self):
+        self.record("a.h5", "--set", 'record.fields=["position"]')
+        columns = list(self.frames(self.export("lammps", "a.dump", "--from", "0.2"))[0][3])
+        self.assertEqual(columns, ["id", "type", "x", "y", "z", "radius", "mass"])
+
+    def test_has_a_box_in_any_domain(self):
+        scene = (self.folder / "three.toml").read_text()
+        (self.folder / "three.toml").write_text(scene.replace("box =", "periodic ="))
+        self.record()
+        self.assertEqual(self.frames(self.export("lammps", "a.dump"))[0][1:3], ("pp pp pp", [(0, 4), (0, 3), (-0.5, 0.5)]))
+        (self.folder / "three.toml").write_text(scene.replace("domain = { box = [[0, 0], [4, 3]] }", ""))
+        self.record("b.h5")
+        _, borders, (x, y, _), table = self.frames(self.export("lammps", "b.dump", recording="b.h5"))[0]
+        self.assertEqual(borders, "ss ss pp")
+        for bounds, places in ((x, table["x"]), (y, table["y"])):
+            self.assertEqual(bounds, ((places - table["radius"]).min(), (places + table["radius"]).max()))
+
+    def test_is_what_mdanalysis_opens(self):
+        import MDAnalysis
+        recording = h5py.File(self.record())["particles/trajectory"]
+        path = self.export("lammps", "a.dump", "--every", "5")
+        universe = MDAnalysis.Universe(path, topology_format="LAMMPSDUMP", format="LAMMPSDUMP", convert_units=False)
+        self.assertEqual(list(universe.atoms.types), ["2", "1", "1", "1"])
+        self.assertEqual(len(universe.trajectory), 5)
+        for frame, now in enumerate(universe.trajectory):
+            self.assertEqual(now.data["step"], recording["position/step"][5 * frame])
+            self.assertTrue(np.array_equal(now.positions[:, :2], recording["position/value"][5 * frame].astype(np.float32)))
+
+
 class Files(Export):
-    FORMATS = ("csv", "pedpy", "xdmf", "h5md3")
+    FORMATS = ("csv", "pedpy", "xdmf", "h5md3", "lammps")
 
     def test_that_exist_are_overwritten_by_force_alone(self):
         self.record()
@@ -330,7 +397,7 @@ class Files(Export):
     def test_that_are_damaged_are_refused_and_leave_nothing(self):
         with h5py.File(self.record(), "r+") as file:
             file["particles/trajectory/position/value"][20, 1, 0] += 1e-9
-        for format in ("csv", "pedpy", "h5md3"):
+        for format in ("csv", "pedpy", "h5md3", "lammps"):
             text = self.refused("a.h5", "--format", format, "-o", "new")
             self.assertIn("a.h5 is damaged: frame 20: it does not match its hash", text)
 
@@ -338,7 +405,7 @@ class Files(Export):
         self.record()
         for format in self.FORMATS:
             self.assertIn("cannot write no/new: No such file", self.refused("a.h5", "--format", format, "-o", "no/new"))
-        self.assertIn("not in {csv,pedpy,xdmf,h5md3}", self.refused("a.h5", "--format", "gsd", "-o", "new"))
+        self.assertIn("not in {csv,pedpy,xdmf,h5md3,lammps}", self.refused("a.h5", "--format", "gsd", "-o", "new"))
 
 
 if __name__ == "__main__":
