@@ -4,7 +4,7 @@
 #include "narrowphase/bvh_edges.h"
 #include "narrowphase/bvh_outline.h"
 
-/// What lies inside an outline: a point, the deepest vertex of another. For bvh_outline.cpp alone.
+/// What lies inside an outline: a point, the deepest vertex of another. For the sources of outlines alone.
 namespace throng::narrowphase {
 
 /// Whether a point lies in a solid that stands at `pose`: the even-odd rule over the edges that a ray passes.

@@ -23,8 +23,8 @@ struct Standing {
   double far;  ///< m, at least the farthest vertex's distance from the origin
 };
 
-/// Two things that are apart along `normal` (unit, from a to b) by more than `margin`: their radii and all that
-/// rounding may do, m.
+/// Two things that are apart along `normal` (unit, from a to b) by more than `margin`: their radii and all
+/// that rounding may do, m.
 struct OpenGap {
   Standing a, b;
   Vec normal;
@@ -38,9 +38,10 @@ struct ClearTime {
 
 /// For how long before and after the instant the gap along the normal surely stays open, the normal turning
 /// with a or with b, whichever serves longer; at most `wanted`. Along such an axis one of the two doesn't
-/// change, and each vertex of the other is at least h + h' t - M t^2 / 2 away, M = acceleration + |w| (2 speed +
-/// |w| distance of the origins) + (difference of spins)^2 far, w the axis' spin. Near grazing, where h' is small,
-/// it lasts as sqrt(h / M), where distance over rate would last as h. O(n + m); allocates nothing.
+/// change, and each vertex of the other is at least h + h' t - M t^2 / 2 away, M = acceleration + |w| (2
+/// speed + |w| distance of the origins) + (difference of spins)^2 far, w the axis' spin. Near grazing, where
+/// h' is small, it lasts as sqrt(h / M), where distance over rate would last as h. O(n + m); allocates
+/// nothing.
 ClearTime clear_time(const OpenGap& gap, const RelativeMotion& motion, const ClearTime& wanted);
 
 }  // namespace throng::narrowphase

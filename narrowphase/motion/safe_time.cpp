@@ -12,7 +12,6 @@ SafeTime safe_time(const PartsBvh& a, const Pose& pose_a, const PartsBvh& b, con
   b_in_a.slack += question.pose_error;
   const auto leaf = [&](const auto& node_a, const auto& node_b, Shortest& best) {
     const Branch &of_a = node_a.branch, &of_b = node_b.branch;
-    const double mu = rate.of(node_a.far, node_b.far);
     for (std::uint32_t k = of_a.first; k < of_a.first + of_a.count; ++k)
       for (std::uint32_t l = of_b.first; l < of_b.first + of_b.count; ++l) {
         const std::uint32_t i = a.tree.order[k], j = b.tree.order[l];
@@ -21,17 +20,13 @@ SafeTime safe_time(const PartsBvh& a, const Pose& pose_a, const PartsBvh& b, con
           best.time = {0.0, 0.0, true, i, j};
           return true;
         }
-        const double time = std::max(0.0, lasting(apart.distance - b_in_a.slack, mu));
-        ClearTime clear{time, time};
-        if (question.motion != nullptr && time < best.enough()) {
-          const OpenGap gap{{a.parts[i].vertices, pose_a, node_a.far},
-                            {b.parts[j].vertices, pose_b, node_b.far},
-                            apart.normal,
-                            a.parts[i].radius + b.parts[j].radius + b_in_a.slack};
-          const ClearTime longer = clear_time(gap, *question.motion, {question.before, question.after});
-          clear = {std::max(time, longer.before), std::max(time, longer.after)};
-        }
-        best.consider(clear.before, clear.after, i, j);
+        const double far_a = core_far(node_a.far, a.parts[i].radius);
+        const double far_b = core_far(node_b.far, b.parts[j].radius);
+        const OpenGap gap{{a.parts[i].vertices, pose_a, far_a},
+                          {b.parts[j].vertices, pose_b, far_b},
+                          apart.normal,
+                          a.parts[i].radius + b.parts[j].radius + b_in_a.slack};
+        best.consider(apart.distance - b_in_a.slack, rate.of(far_a, far_b), gap, i, j);
       }
     return false;
   };

@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "narrowphase/bvh_outline.h"
 #include "narrowphase/bvh_parts.h"
 #include "narrowphase/motion/clear_time.h"
 #include "narrowphase/motion/motion.h"
@@ -33,6 +34,12 @@ struct SafeTimeQuestion {
 /// safe cost one comparison. Time grows with the parts that limit it about as much as the first; allocates
 /// nothing.
 SafeTime safe_time(const PartsBvh& a, const Pose& pose_a, const PartsBvh& b, const Pose& pose_b,
+                   const GapRate& rate, const SafeTimeQuestion& question, BvhCounters* counters = nullptr);
+
+/// The same of two outlines: edges are the parts, a hit is what `collide` says, also where one solid lies in
+/// the other.
+template <class Volume>
+SafeTime safe_time(const Outline<Volume>& a, const Pose& pose_a, const Outline<Volume>& b, const Pose& pose_b,
                    const GapRate& rate, const SafeTimeQuestion& question, BvhCounters* counters = nullptr);
 
 }  // namespace throng::narrowphase

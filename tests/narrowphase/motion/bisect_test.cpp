@@ -101,7 +101,8 @@ TEST(Bisect, DecidesAboveEpsilonAlways) {
   options.epsilon = 1e-3;
   for (int i = 0; i < 1000; ++i) {
     const double at = i * 1e-3, clearance = 0.5e-3 * (1.0 + 1e-9);
-    EXPECT_EQ(ask({{{[=](double t) { return clearance + std::abs(t - at); }}}}, options).verdict, Verdict::free);
+    EXPECT_EQ(ask({{{[=](double t) { return clearance + std::abs(t - at); }}}}, options).verdict,
+              Verdict::free);
   }
 }
 
@@ -134,14 +135,17 @@ TEST(Bisect, GivesUpOnAPathThatIsAllContact) {
 }
 
 TEST(Bisect, OfAnInstantIsWhatItsDistanceSays) {
-  const auto verdict = [](double distance) { return ask({{{[=](double) { return distance; }, 0.0}}}).verdict; };
+  const auto verdict = [](double distance) {
+    return ask({{{[=](double) { return distance; }, 0.0}}}).verdict;
+  };
   EXPECT_EQ(verdict(1.0), Verdict::free);
   EXPECT_EQ(verdict(0.0), Verdict::hit);
 }
 
 TEST(BisectAll, AnswersEverySegmentAndTellsTheWorst) {
   const auto constant = [](double d) { return [=](double) { return d; }; };
-  const Distances path{{{constant(1), 1, 0}, {constant(1e-300), 1, 1}, {constant(-1), 1, 2}, {constant(1), 1, 2}}, 4};
+  const Distances path{
+      {{constant(1), 1, 0}, {constant(1e-300), 1, 1}, {constant(-1), 1, 2}, {constant(1), 1, 2}}, 4};
   BisectScratch scratch;
   std::vector<PathAnswer> answers(4);
   const PathAnswer worst = bisect_all(path, {}, scratch, answers);

@@ -90,15 +90,30 @@ TEST(CheckMotion, OfWhatStandsStillAsksOnce) {
   }
 }
 
-/// At a clearance of 1e-4 of a bar 4 long, distances over rates alone take 700 computations.
+/// The short end of a bar turns past a post. At a clearance of 1e-4 distances over rates alone take 700
+/// computations.
 TEST(CheckMotion, NeedsFewDistancesToPassAPostClosely) {
+  const Solid bar(convex({{-4, -0.1}, {2, -0.1}, {2, 0.1}, {-4, 0.1}}));
   for (const auto& [clearance, most] : {std::pair{1.0, 5u}, {1e-2, 15u}, {1e-4, 25u}, {1e-9, 60u}}) {
     const double reach = std::hypot(2.0, 0.1) + 0.3 + clearance;
-    const Vec post = reach * pose({0, 0}, 2.0).rotate({1, 0});
+    const Vec post = reach * pose({0, 0}, 1.2).rotate({1, 0});
     const PathAnswer answer =
-        check_motion(kBar.shape, {{0, 0}, 0, {0, 0}, 6.2}, kPost.shape, still(post), 1.0);
+        check_motion(bar.shape, {{0, 0}, 0, {0, 0}, 2.7}, kPost.shape, still(post), 1.0);
     EXPECT_EQ(answer.verdict, Verdict::free) << clearance;
     EXPECT_LE(answer.evaluations, most) << clearance;
+  }
+}
+
+/// A million turns beside a post: out of reach, or hit somewhere.
+TEST(CheckMotion, CountsNoTurns) {
+  const Motion fast{{0, 0}, 0, {0, 0}, 6.28e6};
+  const auto beside = [&](const Solid& solid, double at) {
+    return check_motion(solid.shape, fast, kPost.shape, still({at, 0}), 1.0);
+  };
+  EXPECT_EQ(beside(kBar, 2.2).verdict, Verdict::hit);
+  for (const PathAnswer& clear : {beside(kBar, 2.31), beside(kBall, 1.31), beside(kBall, 1.300001)}) {
+    EXPECT_EQ(clear.verdict, Verdict::free);
+    EXPECT_EQ(clear.evaluations, 1u);
   }
 }
 
@@ -113,7 +128,7 @@ TEST(CheckMotion, NamesThePartOfAStaticSceneThatIsHit) {
 }
 
 TEST(CheckMotions, AnswerEachSegmentOfAPath) {
-  std::vector<MovingPair> path;
+  std::vector<SolidPair<>> path;
   const Vec corners[] = {{-5, 0}, {-5, 5}, {5, 5}, {-5, -5}, {-9, -9}};
   for (std::uint32_t s = 0; s < 4; ++s)
     path.push_back({{&kBall.shape, {corners[s], 0, corners[s + 1] - corners[s], 0}},
@@ -122,7 +137,7 @@ TEST(CheckMotions, AnswerEachSegmentOfAPath) {
                     s});
   BisectScratch scratch;
   std::vector<PathAnswer> answers(4);
-  const PathAnswer all = check_motions(path, {}, scratch, answers);
+  const PathAnswer all = check_motions<PartsBvh>(path, {}, scratch, answers);
   EXPECT_EQ(all.verdict, Verdict::hit);
   EXPECT_EQ(all.segment, 2u);
   EXPECT_EQ(all.pair, 2u);
@@ -132,7 +147,7 @@ TEST(CheckMotions, AnswerEachSegmentOfAPath) {
     evaluations += answers[s].evaluations;
   }
   EXPECT_EQ(all.evaluations, evaluations);
-  EXPECT_LE(check_motions(path, {}, scratch).evaluations, 2u) << "the longest segment comes first";
+  EXPECT_LE(check_motions<PartsBvh>(path, {}, scratch).evaluations, 2u) << "the longest segment comes first";
 }
 
 }  // namespace

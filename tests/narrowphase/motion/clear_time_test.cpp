@@ -30,8 +30,7 @@ ClearTime clear_time_at(const Convex& a, const Motion& motion_a, const Convex& b
 }
 
 TEST(ClearTime, OfDiscsThatGoStraightIsTheirGapOverTheirClosingSpeed) {
-  const ClearTime clear =
-      clear_time_at(disc(1), {}, disc(1), {{5, 0}, 0, {-2, 7}, 0}, 0.0, {100.0, 100.0});
+  const ClearTime clear = clear_time_at(disc(1), {}, disc(1), {{5, 0}, 0, {-2, 7}, 0}, 0.0, {100.0, 100.0});
   EXPECT_NEAR(clear.after, 1.5, 1e-12);
   EXPECT_LE(clear.after, 1.5);
   EXPECT_NEAR(clear.before, 100.0, 1e-10) << "they come from far away";
