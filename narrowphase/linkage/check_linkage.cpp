@@ -46,9 +46,12 @@ std::optional<LinkContact> LinkageChecker::contact_of(const LinkPair& pair) cons
     if (s.distance <= 0.0) found = {pair, i, j, s};
     return found.has_value();
   };
-  const auto leaf = [&](const Branch& of_a, const Branch& of_b) { return any_pair(*a, of_a, *b, of_b, touches); };
+  const auto leaf = [&](const Branch& of_a, const Branch& of_b) {
+    return any_pair(*a, of_a, *b, of_b, touches);
+  };
   NoCounters none;
-  visit_overlaps(a->tree, b->tree, frame(relative(pose_a, pose_b), a->tree.reach + b->tree.reach), leaf, none);
+  visit_overlaps(a->tree, b->tree, frame(relative(pose_a, pose_b), a->tree.reach + b->tree.reach), leaf,
+                 none);
   return found;
 }
 

@@ -48,8 +48,8 @@ class LinkageChecker {
   std::optional<LinkContact> nearest(std::span<const double> values);
 
   /// Whether the straight line between two configurations is free, exactly, by `bisect`: neighbourhoods that
-  /// distances and `LinkageMotion::rate` prove free cover it (Schwarzer, Saha and Latombe 2005). Hit: the pair
-  /// touches at from = to, mostly not for the first time. Undecided: from `from` to `to` it comes within
+  /// distances and `LinkageMotion::bounds` prove free cover it (Schwarzer, Saha and Latombe 2005). Hit: the
+  /// pair touches at from = to, mostly not for the first time. Undecided: from `from` to `to` it comes within
   /// options.epsilon or what rounding decides, 2^-34 of the smaller of the two or about 1e-13 of all lengths.
   /// options.covering names a pair by its place in scene.pairs, on a path plus scene.pairs.size() times its
   /// segment.
@@ -78,7 +78,7 @@ class LinkageChecker {
   std::vector<Pose> poses_;
   std::vector<LinkageMotion> motions_;  ///< a segment each; those beyond segments_ are from longer paths
   std::size_t segments_ = 0;
-  std::vector<GapRate> rates_;  ///< of each pair on each segment
+  std::vector<PairBounds> bounds_;  ///< of each pair on each segment
   std::vector<PathAnswer> answers_;
   BisectScratch scratch_;
 };

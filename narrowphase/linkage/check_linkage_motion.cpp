@@ -15,16 +15,16 @@ double far(const PartsBvh& shape) {
 class LinksInMotion {
  public:
   LinksInMotion(const LinkageScene& scene, std::span<const LinkageMotion> segments,
-                std::span<const GapRate> rates)
-      : scene_(scene), segments_(segments), rates_(rates) {}
+                std::span<const PairBounds> bounds)
+      : scene_(scene), segments_(segments), bounds_(bounds) {}
 
-  std::size_t size() const { return rates_.size(); }
+  std::size_t size() const { return bounds_.size(); }
   std::size_t segments() const { return segments_.size(); }
   std::uint32_t segment(std::uint32_t k) const { return static_cast<std::uint32_t>(k / scene_.pairs.size()); }
   double duration(std::uint32_t) const { return 1.0; }
   double pace(std::uint32_t k) const {
     const auto [a, b] = shapes(scene_, pair(k));
-    return rates_[k].of(far(*a), far(*b));
+    return bounds_[k].rate.of(far(*a), far(*b));
   }
   double resolution(std::uint32_t k) const {
     const auto [a, b] = shapes(scene_, pair(k));
@@ -34,9 +34,10 @@ class LinksInMotion {
 
   SafeTime safe_time(std::uint32_t k, double time, SafeTimeQuestion question) const {
     const auto [a, b] = shapes(scene_, pair(k));
+    const LinkageMotion::Instant now = motion(k).at(pair(k), bounds_[k], time);
     question.pose_error = motion(k).slack();
-    return narrowphase::safe_time(*a, motion(k).pose(pair(k).a, time), *b, motion(k).pose(pair(k).b, time),
-                                  rates_[k], question);
+    question.motion = &now.motion;
+    return narrowphase::safe_time(*a, now.a, *b, now.b, bounds_[k].rate, question);
   }
 
  private:
@@ -45,7 +46,7 @@ class LinksInMotion {
 
   const LinkageScene& scene_;
   std::span<const LinkageMotion> segments_;
-  std::span<const GapRate> rates_;
+  std::span<const PairBounds> bounds_;
 };
 
 }  // namespace
@@ -54,12 +55,12 @@ LinkageAnswer LinkageChecker::check_motion(std::span<const double> from, std::sp
                                            const BisectOptions& options) {
   begin();
   add_segment(from, to);
-  return named(bisect(LinksInMotion(scene_, {motions_.data(), segments_}, rates_), options, scratch_));
+  return named(bisect(LinksInMotion(scene_, {motions_.data(), segments_}, bounds_), options, scratch_));
 }
 
 LinkageAnswer LinkageChecker::check_path(std::span<const double> waypoints, const BisectOptions& options) {
   add_path(waypoints);
-  return named(bisect(LinksInMotion(scene_, {motions_.data(), segments_}, rates_), options, scratch_));
+  return named(bisect(LinksInMotion(scene_, {motions_.data(), segments_}, bounds_), options, scratch_));
 }
 
 LinkageAnswer LinkageChecker::check_path(std::span<const double> waypoints, const BisectOptions& options,
@@ -67,14 +68,14 @@ LinkageAnswer LinkageChecker::check_path(std::span<const double> waypoints, cons
   add_path(waypoints);
   answers_.resize(answers.size());
   const PathAnswer worst =
-      bisect_all(LinksInMotion(scene_, {motions_.data(), segments_}, rates_), options, scratch_, answers_);
+      bisect_all(LinksInMotion(scene_, {motions_.data(), segments_}, bounds_), options, scratch_, answers_);
   for (std::size_t i = 0; i < answers.size(); ++i) answers[i] = named(answers_[i]);
   return named(worst);
 }
 
 void LinkageChecker::begin() {
   segments_ = 0;
-  rates_.clear();
+  bounds_.clear();
 }
 
 void LinkageChecker::add_path(std::span<const double> waypoints) {
@@ -88,12 +89,12 @@ void LinkageChecker::add_segment(std::span<const double> from, std::span<const d
   if (segments_ == motions_.size()) motions_.emplace_back();
   LinkageMotion& motion = motions_[segments_++];
   motion.reset(scene_.linkage, from, to);
-  for (const LinkPair& pair : scene_.pairs) rates_.push_back(motion.rate(pair));
+  for (const LinkPair& pair : scene_.pairs) bounds_.push_back(motion.bounds(pair));
 }
 
 LinkageAnswer LinkageChecker::named(const PathAnswer& answer) const {
-  LinkageAnswer linkage{answer.verdict, answer.segment, answer.from, answer.to, {kWorld, kWorld}, answer.part_a,
-                        answer.part_b, answer.evaluations};
+  LinkageAnswer linkage{answer.verdict,   answer.segment, answer.from,   answer.to,
+                        {kWorld, kWorld}, answer.part_a,  answer.part_b, answer.evaluations};
   if (answer.verdict != Verdict::free) linkage.pair = scene_.pairs[answer.pair % scene_.pairs.size()];
   return linkage;
 }

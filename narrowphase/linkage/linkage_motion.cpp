@@ -47,6 +47,12 @@ double LinkageMotion::Run::speed(double seen_by) const {
   return std::max(at_first, at_last) + kRounding * (std::abs(turn) * size + slid);
 }
 
+double LinkageMotion::Run::acceleration(double seen_by) const {
+  const double turn = std::abs(spin - seen_by);
+  const double farthest = std::max(length(arm), length(arm + slide));
+  return turn * (turn * farthest + 2.0 * length(slide)) + kRounding * turn * (turn * size + slid);
+}
+
 void LinkageMotion::reset(std::span<const Link> linkage, std::span<const double> from,
                           std::span<const double> to) {
   linkage_ = linkage;
@@ -56,7 +62,7 @@ void LinkageMotion::reset(std::span<const Link> linkage, std::span<const double>
     const double value = from[i], change = to[i] - from[i];
     const LinkState parent = linkage[i].parent == kWorld ? LinkState{} : states_[linkage[i].parent];
     states_[i] = hung(linkage[i], parent, value, change);
-    slack_ = std::max(slack_, 2.0 * (states_[i].error +
+    slack_ = std::max(slack_, 8.0 * (states_[i].error +
                                      reach(linkage[i]) * angle_error(states_[i].angle, states_[i].spin)));
   }
 }
@@ -73,12 +79,12 @@ LinkageMotion::LinkState LinkageMotion::hung(const Link& link, const LinkState& 
   const double slid = length(state.slide), size = length(state.arm) + slid;
   state.last = {parent.spin, turn.rotate(state.arm), turn.rotate(state.slide), size, slid};
   state.run = state.last;
-  state.before = parent.before;
+  state.before = parent.before, state.bent = parent.bent;
   if (parent.run.spin == parent.spin) {
     state.run = parent.run;
     state.run.join(state.last);
   } else {
-    state.before += parent.run.speed(0.0);
+    state.before += parent.run.speed(0.0), state.bent += parent.run.acceleration(0.0);
   }
   state.reach = parent.reach + size;
   state.error = parent.error + size * angle_error(parent.angle, parent.spin) + 0x1p-51 * state.reach;
@@ -87,34 +93,58 @@ LinkageMotion::LinkState LinkageMotion::hung(const Link& link, const LinkState& 
 
 void LinkageMotion::place(double time, std::span<Pose> poses) const {
   for (std::uint32_t i = 0; i < states_.size(); ++i)
-    poses[i] = hung(i, linkage_[i].parent == kWorld ? Pose{} : poses[linkage_[i].parent], time);
+    poses[i] = hung(i, linkage_[i].parent == kWorld ? Pose{} : poses[linkage_[i].parent], time, kWorld);
 }
 
-Pose LinkageMotion::pose(std::uint32_t link, double time) const {
-  return link == kWorld ? Pose{} : hung(link, pose(linkage_[link].parent, time), time);
+Pose LinkageMotion::pose(std::uint32_t link, double time, std::uint32_t seen_from) const {
+  return link == seen_from ? Pose{}
+                           : hung(link, pose(linkage_[link].parent, time, seen_from), time, seen_from);
 }
 
-Pose LinkageMotion::hung(std::uint32_t link, const Pose& parent, double time) const {
+Pose LinkageMotion::hung(std::uint32_t link, const Pose& parent, double time, std::uint32_t seen_from) const {
   const LinkState& state = states_[link];
   return throng::narrowphase::pose(parent * (state.arm + time * state.slide),
-                                   state.angle + time * state.spin);
+                                   (state.angle - angle(seen_from)) + time * (state.spin - spin(seen_from)));
 }
 
-GapRate LinkageMotion::rate(const LinkPair& pair) {
+LinkageMotion::Moving LinkageMotion::moving(std::uint32_t link, double time, std::uint32_t seen_from) const {
+  if (link == seen_from) return {};
+  const std::uint32_t on = linkage_[link].parent;
+  const Moving parent = moving(on, time, seen_from);
+  const Pose stands = hung(link, parent.pose, time, seen_from);
+  const Vec by_turning = crossed(spin(on) - spin(seen_from), stands.position - parent.pose.position);
+  return {stands, parent.velocity + by_turning + parent.pose.rotate(states_[link].slide)};
+}
+
+LinkageMotion::Instant LinkageMotion::at(const LinkPair& pair, const PairBounds& bounds, double time) const {
+  const std::uint32_t top = nearest_common_ancestor(linkage_, pair);
+  const Moving a = moving(pair.a, time, top), b = moving(pair.b, time, top);
+  const Vec offset = b.pose.position - a.pose.position;
+  const Vec velocity = b.velocity - a.velocity - crossed(bounds.seen_by - spin(top), offset);
+  return {a.pose, b.pose, {bounds.spin_a, bounds.spin_b, velocity, bounds.rate.shift, bounds.acceleration}};
+}
+
+PairBounds LinkageMotion::bounds(const LinkPair& pair) {
   const LinkState& a = states_[pair.a];
-  if (pair.b == kWorld) return {a.before + a.run.speed(0.0), std::abs(a.spin), 0.0};
+  if (pair.b == kWorld)
+    return {0.0,
+            {a.before + a.run.speed(0.0), std::abs(a.spin), 0.0},
+            a.spin,
+            0.0,
+            a.bent + a.run.acceleration(0.0)};
   const std::uint32_t ancestor = nearest_common_ancestor(linkage_, pair);
   collect_runs(pair, ancestor);
-  const GapRate by_ancestor = rate(pair, ancestor == kWorld ? 0.0 : states_[ancestor].spin);
-  const GapRate by_median = rate(pair, median_spin(pair));
+  const PairBounds by_ancestor = bounds(pair, spin(ancestor)), by_median = bounds(pair, median_spin(pair));
   const double of_a = reach(linkage_[pair.a]), of_b = reach(linkage_[pair.b]);
-  return by_median.of(of_a, of_b) < by_ancestor.of(of_a, of_b) ? by_median : by_ancestor;
+  return by_median.rate.of(of_a, of_b) < by_ancestor.rate.of(of_a, of_b) ? by_median : by_ancestor;
 }
 
-GapRate LinkageMotion::rate(const LinkPair& pair, double seen_by) const {
-  double shift = 0.0;
-  for (const Run& run : runs_) shift += run.speed(seen_by);
-  return {shift, std::abs(states_[pair.a].spin - seen_by), std::abs(states_[pair.b].spin - seen_by)};
+PairBounds LinkageMotion::bounds(const LinkPair& pair, double seen_by) const {
+  const double spin_a = spin(pair.a) - seen_by, spin_b = spin(pair.b) - seen_by;
+  PairBounds bounds{seen_by, {0.0, std::abs(spin_a), std::abs(spin_b)}, spin_a, spin_b, 0.0};
+  for (const Run& run : runs_)
+    bounds.rate.shift += run.speed(seen_by), bounds.acceleration += run.acceleration(seen_by);
+  return bounds;
 }
 
 void LinkageMotion::climb(std::uint32_t& link, double sign) {

@@ -11,7 +11,7 @@ namespace {
 GapRate rate(const Linkage& linkage, const LinkPair& pair, std::vector<double> from, std::vector<double> to) {
   LinkageMotion motion;
   motion.reset(linkage, from, to);
-  return motion.rate(pair);
+  return motion.bounds(pair).rate;
 }
 
 TEST(LinkageRate, OfOneLinkIsThatOfARigidBodyThatTurns) {
@@ -101,7 +101,7 @@ Sharpness measure(const Linkage& linkage, const LinkPair& pair, Random& random, 
   motion.reset(linkage, from, to);
   const double radius_a = reach(linkage[pair.a]), radius_b = pair.b == kWorld ? 0.0 : reach(linkage[pair.b]);
   const std::uint32_t top = nearest_common_ancestor(linkage, pair);
-  Sharpness s{motion.rate(pair).of(radius_a, radius_b), 0.0, 0.0};
+  Sharpness s{motion.bounds(pair).rate.of(radius_a, radius_b), 0.0, 0.0};
   for (const auto& [end, radius] : {std::pair(pair.a, radius_a), std::pair(pair.b, radius_b)})
     s.book += textbook(linkage, end, top, radius, from, to);
   EXPECT_LE(s.sharp, s.book * (1.0 + 1e-9)) << what;
@@ -136,6 +136,45 @@ TEST(LinkageRate, IsNeverExceededNorExceedsTheTextbook) {
   }
   EXPECT_GT(tightest, 0.95) << "the sample comes near the bound";
   EXPECT_GT(much_sharper, 100);
+}
+
+/// Where b's origin is relative to a's, seen by who turns at `seen_by` since `now`, and stands as their
+/// common ancestor then.
+Vec offset(const LinkageMotion& motion, const LinkPair& pair, std::uint32_t ancestor, double seen_by,
+           double now, double time) {
+  const Vec between = motion.pose(pair.b, time).position - motion.pose(pair.a, time).position;
+  const Vec upright = pose({0, 0}, seen_by * (time - now)).unrotate(between);
+  return motion.pose(ancestor, now).unrotate(upright);
+}
+
+TEST(LinkageInstant, HasTheVelocityAndBoundsTheAcceleration) {
+  Random random(10);
+  double tightest = 0.0;
+  for (int i = 0; i < 2000; ++i) {
+    ShapeStore shapes;
+    const Linkage forest = random_forest(random, shapes, 2 + random() % 6);
+    const std::vector<double> from = random_values(random, forest.size(), 2.0);
+    const std::vector<double> to = random_values(random, forest.size(), 2.0);
+    const auto a = static_cast<std::uint32_t>(random() % (forest.size() - 1));
+    const LinkPair pair{a, random() % 3 == 0 ? kWorld : static_cast<std::uint32_t>(forest.size() - 1)};
+    LinkageMotion motion;
+    motion.reset(forest, from, to);
+    const PairBounds bounds = motion.bounds(pair);
+    const std::uint32_t ancestor = nearest_common_ancestor(forest, pair);
+    const double t = uniform(random, 0.1, 0.9), dt = 1e-4;
+    const LinkageMotion::Instant now = motion.at(pair, bounds, t);
+    const Vec before = offset(motion, pair, ancestor, bounds.seen_by, t, t - dt);
+    const Vec at = offset(motion, pair, ancestor, bounds.seen_by, t, t);
+    const Vec after = offset(motion, pair, ancestor, bounds.seen_by, t, t + dt);
+    const std::string what = "seed 10, forest " + std::to_string(i);
+    EXPECT_LE((now.b.position - now.a.position - at).norm(), 1e-12) << what;
+    EXPECT_LE(((after - before) / (2 * dt) - now.motion.velocity).norm(), 1e-5) << what;
+    const double bent = ((after - 2 * at + before) / (dt * dt)).norm();
+    EXPECT_LE(bent, bounds.acceleration + 1e-4) << what;
+    EXPECT_LE(now.motion.velocity.norm(), now.motion.speed * (1 + 1e-9) + 1e-12) << what;
+    if (bounds.acceleration > 0.1) tightest = std::max(tightest, bent / bounds.acceleration);
+  }
+  EXPECT_GT(tightest, 0.95);
 }
 
 TEST(LinkageRate, IsSharperTheLongerTheArm) {
