@@ -2,13 +2,14 @@
 // throng export: a recording in the formats of the field's tools.
 #include <cstdio>
 #include <filesystem>
-#include <limits>
 #include <memory>
+#include <optional>
 
 #include "sim/input_error.h"
 #include "tools/commands.h"
 #include "tools/export.h"
 #include "tools/replace_file.h"
+#include "tools/text_file.h"
 
 namespace throng::tools {
 
@@ -16,12 +17,17 @@ namespace {
 
 struct Options {
   std::string file, format, output;
-  double from = -std::numeric_limits<double>::infinity(), to = -from;  // s
+  std::optional<double> from, to;  // s
   std::int64_t every = 1;
   bool force = false;
 };
 
 void check_output(const Options& options) {
+  const bool is_lines = options.format == "csv" || options.format == "lammps";
+  if (options.output == kStandardOutput && !is_lines)
+    throw InputError("-o - writes csv and lammps to the standard output; " + options.format +
+                     " needs a file");
+  if (options.output == kStandardOutput) return;
   if (are_one_file(options.output, options.file))
     throw InputError("cannot write " + options.output + ": it is the recording");
   std::error_code neither;
@@ -36,22 +42,44 @@ void check_contents(const Options& options, const Recording& recording) {
     throw InputError(options.file + " holds no positions, which " + options.format + " can't do without");
 }
 
+std::string seconds(double time) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g s", time);
+  return text;
+}
+
+/// " from 1 s to 2 s", as far as that was asked for.
+std::string span_text(const Options& options) {
+  return (options.from ? " from " + seconds(*options.from) : "") +
+         (options.to ? " to " + seconds(*options.to) : "");
+}
+
 /// Each --every-th frame from the first that is not before --from, up to rounding.
 std::vector<std::size_t> select(const Options& options, const Recording& recording) {
   const auto times = recording.times();
   const double slack = 1e-9 * times.back();
+  const double from = options.from.value_or(times.front()), to = options.to.value_or(times.back());
+  if (options.from && options.to && from > to)
+    throw InputError("--from " + seconds(from) + " is after --to " + seconds(to));
   std::vector<std::size_t> frames;
   std::int64_t skip = 0;
   for (std::size_t i = 0; i < times.size(); ++i)
-    if (times[i] >= options.from - slack && times[i] <= options.to + slack && skip-- == 0) {
+    if (times[i] >= from - slack && times[i] <= to + slack && skip-- == 0) {
       frames.push_back(i);
       skip = options.every - 1;
     }
   if (!frames.empty()) return frames;
-  char text[160];
-  std::snprintf(text, sizeof text, " has no frame from --from %g to --to %g: it goes from %g s to %g s",
-                options.from, options.to, times.front(), times.back());
-  throw InputError(options.file + text);
+  throw InputError(options.file + " has no frame" + span_text(options) + ": its frames go from " +
+                   seconds(times.front()) + " to " + seconds(times.back()));
+}
+
+void write_format(const Recording& recording, const Options& options, std::span<const std::size_t> frames,
+                  const ExportTarget& target) {
+  if (options.format == "csv") export_csv(recording, frames, target);
+  if (options.format == "pedpy") export_pedpy(recording, frames, target);
+  if (options.format == "xdmf") export_xdmf(recording, options.file, frames, target);
+  if (options.format == "h5md3") export_h5md3(recording, frames, target);
+  if (options.format == "lammps") export_lammps(recording, frames, target);
 }
 
 int export_recording(const Options& options) {
@@ -60,14 +88,13 @@ int export_recording(const Options& options) {
   say_where_incomplete(recording, options.file);
   check_contents(options, recording);
   const std::vector<std::size_t> frames = select(options, recording);
-  replace_file(options.output, [&](const std::string& path) {
-    const ExportTarget target{path, options.output};
-    if (options.format == "csv") export_csv(recording, frames, target);
-    if (options.format == "pedpy") export_pedpy(recording, frames, target);
-    if (options.format == "xdmf") export_xdmf(recording, options.file, frames, target);
-    if (options.format == "h5md3") export_h5md3(recording, frames, target);
-    if (options.format == "lammps") export_lammps(recording, frames, target);
-  });
+  const auto write = [&](const std::string& path) {
+    write_format(recording, options, frames, {path, options.output});
+  };
+  if (options.output == kStandardOutput)
+    write(options.output);
+  else
+    replace_file(options.output, write);
   return 0;
 }
 
@@ -80,10 +107,13 @@ void add_export(CLI::App& app, int& exit_code) {
   command->add_option("--format", options->format, "csv, pedpy, xdmf, h5md3 or lammps")
       ->required()
       ->check(CLI::IsMember({"csv", "pedpy", "xdmf", "h5md3", "lammps"}));
-  command->add_option("-o,--output", options->output, "file to write")->required();
-  command->add_option("--from", options->from,
-                      "time of the first frame (s); that of the recording without it");
-  command->add_option("--to", options->to, "time of the last frame (s); likewise");
+  command
+      ->add_option("-o,--output", options->output, "file to write; - for the standard output (csv, lammps)")
+      ->required();
+  command->add_option("--from", options->from, "no frame before this time (s); from the first one without it")
+      ->check(real_number());
+  command->add_option("--to", options->to, "no frame after this time (s); up to the last one without it")
+      ->check(real_number());
   command->add_option("--every", options->every, "exports each Nth recorded frame")
       ->transform(whole_number() & CLI::Range(std::int64_t{1}, std::int64_t{1} << 40));
   command->add_flag("--force", options->force, "overwrites the output where it exists");

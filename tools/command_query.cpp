@@ -270,21 +270,6 @@ CLI::Validator something() {
   return {check, ""};
 }
 
-/// Refuses what isn't a number from end to end, in decimals; CLI11 alone takes 0x10 for 16 and 1e400 for inf.
-CLI::Validator real_number() {
-  const auto check = [](std::string& text) -> std::string {
-    double number = 0.0;
-    const char* end = text.data() + text.size();
-    const char* begin = text.data() + (text.size() > 1 && text.front() == '+' && text[1] != '-');
-    const auto [stop, error] = std::from_chars(begin, end, number);
-    if (text.empty()) return "a value is missing";
-    if (error == std::errc::result_out_of_range) return text + " is out of range";
-    if (error != std::errc() || stop != end) return "'" + text + "' is no number";
-    return {};
-  };
-  return {check, ""};
-}
-
 }  // namespace
 
 void add_query(CLI::App& app, int&) {

@@ -39,7 +39,8 @@ void write_body(TextFile& out, const Scene& scene, const Frame& frame, std::size
   const Vec& p = frame.position[row];
   out << std::int64_t{frame.id[row]} << " " << std::int64_t{scene.bodies.shape[row]} + 1 << " " << p.x()
       << " " << p.y() << " 0 " << scene.bodies.radius[row] << " " << mass(scene, row);
-  if (!frame.velocity.empty()) out << " " << frame.velocity[row].x() << " " << frame.velocity[row].y() << " 0";
+  if (!frame.velocity.empty())
+    out << " " << frame.velocity[row].x() << " " << frame.velocity[row].y() << " 0";
   if (!frame.angle.empty()) {
     const auto [sin, cos] = narrowphase::sin_cos(frame.angle[row] / 2.0);
     out << " 0 0 " << sin << " " << cos << " " << frame.angle[row];

@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cstring>
+#include <iostream>
 
 #include "sim/input_error.h"
 
@@ -18,7 +19,9 @@ std::string_view print(Number number, char (&text)[32]) {
 
 }  // namespace
 
-TextFile::TextFile(const ExportTarget& target) : name_(target.name), out_(target.path, std::ios::binary) {
+TextFile::TextFile(const ExportTarget& target)
+    : name_(target.name), out_(target.path == kStandardOutput ? std::cout : file_) {
+  if (target.path != kStandardOutput) file_.open(target.path, std::ios::binary);
   expect_written();
 }
 
@@ -39,7 +42,8 @@ TextFile& TextFile::operator<<(std::int64_t number) {
 }
 
 void TextFile::close() {
-  out_.close();
+  out_.flush();
+  if (file_.is_open()) file_.close();
   expect_written();
 }
 

@@ -10,6 +10,9 @@
 
 namespace throng::tools {
 
+/// The path of a target that is the standard output.
+inline constexpr std::string_view kStandardOutput = "-";
+
 /// A text file under construction. Numbers are written with the fewest digits that read back as they were.
 /// Everything throws InputError where it can't be written.
 class TextFile {
@@ -27,7 +30,8 @@ class TextFile {
   void expect_written() const;
 
   std::string name_;
-  std::ofstream out_;
+  std::ofstream file_;  // closed where it is the standard output
+  std::ostream& out_;
 };
 
 }  // namespace throng::tools

@@ -92,6 +92,19 @@ class Csv(Export):
                                  stdout=subprocess.PIPE, check=True).stdout
         self.assertEqual(printed, pathlib.Path(self.export("csv", "a.csv")).read_bytes())
 
+    def test_writes_to_the_standard_output_behind_what_is_there(self):
+        self.record()
+        expected = pathlib.Path(self.export("csv", "a.csv")).read_bytes()
+        command = f"(echo before; {PROGRAM} export a.h5 --format csv -o -; echo after) "
+        for redirected in ("| cat", "> out; cat out", ">> out2; cat out2"):
+            printed = subprocess.run(command + redirected, shell=True, cwd=self.folder, stdout=subprocess.PIPE, check=True).stdout
+            self.assertEqual(printed, b"before\n" + expected + b"after\n", redirected)
+        self.assertFalse((self.folder / "-").exists())
+        for format in ("pedpy", "xdmf", "h5md3"):
+            self.assertIn(f"{format} needs a file", self.refused("a.h5", "--format", format, "-o", "-"))
+        done = subprocess.run(f"{PROGRAM} export a.h5 --format csv -o - >/dev/full", shell=True, cwd=self.folder, capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stderr), (2, "throng: cannot write -: No space left on device\n"))
+
     def test_exports_what_a_stopped_run_committed(self):
         self.record_until_killed()
         code, error = self.throng("export", "a.h5.part", "--format", "csv", "-o", "a.csv", "--to", "0.5")
@@ -158,8 +171,10 @@ class Pedpy(Export):
 
     def test_refuses_a_span_without_frames(self):
         self.record()
-        text = self.refused("a.h5", "--format", "pedpy", "-o", "p", "--from", "1")
-        self.assertIn("a.h5 has no frame from --from 1 to --to inf: it goes from 0 s to 0.2 s", text)
+        for options, said in (("--from 1", "a.h5 has no frame from 1 s: its frames go from 0 s to 0.2 s"),
+                              ("--to=-1", "a.h5 has no frame to -1 s: its"), ("--from 0.001 --to 0.009", "no frame from 0.001 s to 0.009 s: its"),
+                              ("--from 0.1 --to 0.05", "--from 0.1 s is after --to 0.05 s"), ("--from late", "'late' is no number")):
+            self.assertIn(said, self.refused("a.h5", "--format", "pedpy", "-o", "p", *options.split()), options)
 
 
 class Xdmf(Export):
