@@ -8,6 +8,7 @@
 #include "sim/input_error.h"
 #include "tools/encoder.h"
 #include "tools/picture.h"
+#include "tools/progress.h"
 #include "tools/replace_file.h"
 
 namespace throng::tools {
@@ -34,7 +35,9 @@ void write_pictures(const Recording& recording, Picture& picture, const FilmOpti
   const double last = intervals(recording, options);
   Frame frame;
   std::optional<std::size_t> drawn;
+  Progress progress(Progress::style("auto"), std::llround(last) + 1, seconds, 0, "picture");
   for (double k = 0; k <= last; ++k) {
+    progress.update(std::llround(k));
     const std::size_t i = k == last ? times.size() - 1 : recording.index_at(first + k * seconds);
     if (i != drawn) {
       recording.read(i, frame);

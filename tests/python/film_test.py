@@ -3,6 +3,8 @@
 import json
 import os
 import pathlib
+import pty
+import re
 import shutil
 import signal
 import subprocess
@@ -68,6 +70,21 @@ class Film(Program):
         self.assertTrue(all(size % 2 == 0 for size in pictures.shape[1:3]), "yuv420p takes no odd sizes")
         self.assertEqual((self.folder / "a.mp4").read_bytes(), b"film of %d bytes" % (self.folder / "pictures").stat().st_size)
         self.assertEqual(self.files(), {"three.toml", "a.h5", "a.mp4", "told", "pictures"})
+
+    def test_shows_how_far_it_is_on_a_terminal_and_clears_that_away(self):
+        self.record()
+        self.install(FAKE)
+        master, slave = pty.openpty()
+        done = subprocess.run([PROGRAM, "replay", "a.h5", "--video", "a.mp4", "--width", "400", "--speed", "0.004"], cwd=self.folder,
+                              stderr=slave, env={**os.environ, "PATH": self.path("bin")})
+        said = os.read(master, 1 << 16).decode()
+        self.assertEqual(done.returncode, 0, said)
+        bars = said.split("\r\033[K")
+        self.assertEqual((bars[0], bars[-1]), ("", ""))
+        self.assertRegex(bars[-2], "^█+░* [ 0-9]{3} %  t = 0.[0-9]+ s  [0-9]+ pictures/s  [0-9]+ s left$")
+        times = [float(re.search("t = ([0-9.]+)", bar)[1]) for bar in bars[1:-1]]
+        self.assertEqual(times, sorted(times))
+        self.assertLessEqual(times[-1], 0.2)
 
     def test_has_the_frames_of_its_times(self):
         """The ball flies: what differs from one picture to the next is where it was and where it is."""
