@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // throng replay: plays, checks or draws a recording.
+#include <algorithm>
 #include <cinttypes>
 #include <cstdio>
 #include <filesystem>
@@ -42,6 +43,17 @@ void refuse_what_does_nothing(const Options& options) {
   if (options.threads && !options.verify) throw InputError("--threads are for --verify: give both");
 }
 
+/// A name may end in nothing or in what is written there. Devices and pipes are called anything.
+void check_name(const std::string& output, std::initializer_list<std::string_view> endings) {
+  namespace fs = std::filesystem;
+  std::error_code neither;
+  if (output.empty() || (fs::exists(output, neither) && fs::is_other(output, neither))) return;
+  if (fs::is_directory(output, neither)) throw InputError("cannot write " + output + ": it is a folder");
+  const std::string ending = fs::path(output).extension();
+  if (ending.empty() || std::find(endings.begin(), endings.end(), ending) != endings.end()) return;
+  throw InputError("cannot write " + output + ": what is written ends in " + std::string(*endings.begin()));
+}
+
 /// Pictures, films and pages replace what had their name; the recording is not to be had again.
 void refuse_to_overwrite(const Options& options) {
   const std::string* outputs[] = {&options.png, &options.html, &options.video};
@@ -53,6 +65,8 @@ void refuse_to_overwrite(const Options& options) {
       if (other != output && !other->empty() && are_one_file(*output, *other))
         throw InputError("two of --png, --html and --video name the same file: " + *output);
   }
+  check_name(options.png, {".png", ".PNG"});
+  check_name(options.html, {".html", ".htm"});
 }
 
 double mean_speed(const Frame& frame) {
@@ -125,7 +139,8 @@ void add_replay(CLI::App& app, int& exit_code) {
                     "runs the scenario again and compares every frame, bit for bit");
   command->add_option("--threads", options->threads, "threads for --verify; 1 without it")
       ->transform(whole_number() & CLI::Range(1, 256));
-  command->add_option("--png", options->png, "picture to write or replace, of the frame nearest to --at");
+  command->add_option("--png", options->png,
+                      "picture to write or replace, a PNG file, of the frame nearest to --at");
   command->add_option("--at", options->at, "time of the picture (s); the last frame without it");
   command
       ->add_option("--width", options->width,
@@ -141,7 +156,8 @@ void add_replay(CLI::App& app, int& exit_code) {
   command
       ->add_option(
           "--speed", options->speed,
-          "plays it in the terminal, so many times as fast as it happened, until its end or Ctrl-C;\n"
+          "plays it in the terminal, so many times as fast as it happened, until its end, q or Ctrl-C;\n"
+          "space pauses, arrows seek, or step where it is paused, + and - change the speed;\n"
           "with --video, how fast the film goes, 1 without it")
       ->check(CLI::Validator(
           [](std::string& text) {

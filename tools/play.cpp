@@ -5,11 +5,13 @@
 #include <chrono>
 #include <cstdio>
 #include <optional>
-#include <thread>
+#include <utility>
 
 #include "sim/observe.h"
 #include "tools/dots.h"
 #include "tools/drive.h"
+#include "tools/keys.h"
+#include "tools/playhead.h"
 #include "tools/printable.h"
 #include "tools/screen.h"
 #include "tools/terminal.h"
@@ -19,12 +21,13 @@ namespace throng::tools {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-using Seconds = std::chrono::duration<double>;
-
-constexpr Seconds kRest{0.04};  // at least, from one picture to the next
-constexpr Seconds kNap{0.1};    // at most, without a look at the clock and the terminal
+constexpr double kRest = 0.04;  // s at least, from one picture to the next
+constexpr double kNap = 0.1;    // s at most, without a look at the clock and the terminal
 constexpr std::uint8_t kFaint = 245;
+
+double seconds_now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 template <class... Arguments>
 std::string text(const char* format, Arguments... arguments) {
@@ -58,28 +61,29 @@ std::string bar(double fraction, int cells) {
   return line;
 }
 
-/// What is played, and how it looks.
+/// What is played, and how it looks. Times are from the first frame on.
 class Show {
  public:
-  Show(const Recording& recording, double speed)
-      : recording_(recording), view_(view_of(recording)), speed_(speed), first_(recording.times().front()) {}
+  explicit Show(const Recording& recording)
+      : recording_(recording), view_(view_of(recording)), first_(recording.times().front()) {}
 
-  /// The last frame whose time has come `elapsed` s after the beginning.
-  std::size_t frame_at(double elapsed) const {
+  std::size_t last() const { return recording_.frames() - 1; }
+  double time(std::size_t i) const { return recording_.times()[i] - first_; }  ///< s
+
+  /// The last frame that is not after `time` (s).
+  std::size_t frame_at(double time) const {
     const auto times = recording_.times();
-    const auto next = std::upper_bound(times.begin(), times.end(), first_ + speed_ * elapsed);
+    const auto next = std::upper_bound(times.begin(), times.end(), first_ + time);
     return next == times.begin() ? 0 : static_cast<std::size_t>(next - times.begin()) - 1;
   }
 
-  /// s after the beginning.
-  double due(std::size_t i) const { return (recording_.times()[i] - first_) / speed_; }
-
-  Screen picture(std::size_t i, const Terminal::Size& size) {
+  Screen picture(std::size_t i, const Playhead& head, const Terminal::Size& size) {
     recording_.read(i, frame_);
     const Scene& scene = recording_.geometry();
     Screen screen(size.columns, size.rows);
     const double last = recording_.times().back();
-    const std::string time = text("t = %.3f s of %.3f s  x%g", frame_.time, last, speed_);
+    const std::string time = text("%st = %.3f s of %.3f s  x%g", head.paused() ? "paused   " : "",
+                                  frame_.time, last, head.speed());
     screen.put(0, 0, scene.name);
     screen.put(std::max(0, size.columns - width(time)), 0, time);
     draw_dots(screen, {0, 1, size.columns, size.rows - 2}, scene, view_, frame_);
@@ -92,31 +96,61 @@ class Show {
  private:
   const Recording& recording_;
   View view_;
-  double speed_, first_;
+  double first_;
   Frame frame_;
 };
 
-/// Shows frame after frame until the last, or a signal. Returns what is shown then.
-Screen run(Show& show, std::size_t last, Terminal& terminal) {
-  const Clock::time_point begin = Clock::now();
-  const auto elapsed = [&] { return Seconds(Clock::now() - begin).count(); };
+/// A twentieth of the recording that way, or a frame of one that is paused.
+void seek(int direction, const Show& show, Playhead& head, double now) {
+  const double here = head.time(now);
+  const auto frame = static_cast<std::ptrdiff_t>(show.frame_at(here)) + direction;
+  const auto next = std::clamp<std::ptrdiff_t>(frame, 0, static_cast<std::ptrdiff_t>(show.last()));
+  head.go_to(head.paused() ? show.time(next) : here + direction * show.time(show.last()) / 20.0, now);
+}
+
+/// Returns false where the key ends it.
+bool obey(Key key, const Show& show, Playhead& head, double now) {
+  if (key == Key::pause) head.pause_or_go_on(now);
+  if (key == Key::faster) head.speed_up(2.0, now);
+  if (key == Key::slower) head.speed_up(0.5, now);
+  if (key == Key::forward) seek(1, show, head, now);
+  if (key == Key::back) seek(-1, show, head, now);
+  return key != Key::quit;
+}
+
+/// Waits until the next picture is due, or somebody types. Returns false where that ends it.
+bool wait(const Show& show, Playhead& head, std::size_t shown, double now, Terminal& terminal,
+          std::string& typed) {
+  double rest = kNap;
+  if (!head.paused() && shown < show.last())
+    rest = std::max(head.when(show.time(shown + 1)) - now, kRest - (seconds_now() - now));
+  typed += terminal.typed(std::min(rest, kNap));
+  for (Key key; (key = next_key(typed)) != Key::none;)
+    if (!obey(key, show, head, seconds_now())) return false;
+  return true;
+}
+
+/// Shows frame after frame until the last, q, or a signal. Returns what is shown then.
+Screen run(Show& show, double speed, Terminal& terminal) {
+  Playhead head(show.time(show.last()), speed, seconds_now());
   Screen shown;
-  std::optional<std::size_t> frame;
+  std::string typed;
+  std::optional<std::pair<std::size_t, std::string>> state;  // that is shown
   Terminal::Size size{};
   while (!stop_requested()) {
-    const double now = elapsed();
-    const std::size_t i = show.frame_at(now);
+    const double now = seconds_now();
+    const std::size_t i = show.frame_at(head.time(now));
+    const std::pair next_state(i, text("%d %g", head.paused(), head.speed()));
     const bool afresh = terminal.was_cleared() || terminal.size() != size;
-    if (i != frame || afresh) {
+    if (next_state != state || afresh) {
       size = terminal.size();
-      const Screen next = show.picture(i, size);
+      const Screen next = show.picture(i, head, size);
       terminal.write(next.update(afresh ? Screen() : shown));
       shown = next;
-      frame = i;
+      state = next_state;
     }
-    if (i == last) break;
-    const double rest = std::max(show.due(i + 1), now + kRest.count()) - elapsed();
-    std::this_thread::sleep_for(std::min(Seconds(std::max(0.0, rest)), kNap));
+    if (i == show.last() && !head.paused()) break;
+    if (!wait(show, head, i, now, terminal, typed)) break;
   }
   return shown;
 }
@@ -128,8 +162,8 @@ int play(const Recording& recording, double speed) {
   Screen last;
   {
     Terminal terminal("--speed");
-    Show show(recording, speed);
-    last = run(show, recording.frames() - 1, terminal);
+    Show show(recording);
+    last = run(show, speed, terminal);
   }
   std::fputs(last.lines().c_str(), stdout);
   return stop_requested() ? 130 : 0;

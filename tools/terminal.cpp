@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "tools/terminal.h"
 
+#include <poll.h>
 #include <sys/ioctl.h>
 #include <termios.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -55,6 +58,13 @@ void pause(int) {
   errno = error;
 }
 
+/// A signal that ends the program does so with the terminal as it was.
+void leave_and_end(int signal) {
+  leave();
+  std::signal(signal, SIG_DFL);
+  raise(signal);
+}
+
 }  // namespace
 
 Terminal::Terminal(const char* what) {
@@ -72,11 +82,17 @@ Terminal::Terminal(const char* what) {
   action.sa_flags = SA_RESTART;
   sigaction(SIGTSTP, nullptr, &before_);
   if (before_.sa_handler != SIG_IGN) sigaction(SIGTSTP, &action, nullptr);
+  action.sa_handler = leave_and_end;
+  for (std::size_t i = 0; i < kEnding.size(); ++i) {
+    sigaction(kEnding[i], nullptr, &endings_[i]);
+    if (endings_[i].sa_handler != SIG_IGN) sigaction(kEnding[i], &action, nullptr);
+  }
   enter();
 }
 
 Terminal::~Terminal() {
   sigaction(SIGTSTP, &before_, nullptr);
+  for (std::size_t i = 0; i < kEnding.size(); ++i) sigaction(kEnding[i], &endings_[i], nullptr);
   leave();
 }
 
@@ -90,6 +106,18 @@ bool Terminal::was_cleared() {
   const bool was = cleared != 0;
   cleared = 0;
   return was;
+}
+
+std::string Terminal::typed(double seconds) {
+  pollfd input{echoes ? STDIN_FILENO : -1, POLLIN, 0};  // poll waits for nothing at a descriptor below 0
+  const auto most = static_cast<int>(std::ceil(1e3 * std::max(0.0, seconds)));
+  if (poll(&input, 1, most) <= 0 || (input.revents & POLLIN) == 0) {
+    if ((input.revents & (POLLHUP | POLLERR)) != 0) echoes = false;  // else the poll would wait no more
+    return {};
+  }
+  char bytes[64];
+  const ssize_t count = read(STDIN_FILENO, bytes, sizeof bytes);
+  return {bytes, static_cast<std::size_t>(std::max<ssize_t>(0, count))};
 }
 
 void Terminal::write(std::string_view text) const {

@@ -279,6 +279,56 @@ class Terminal(Program):
             self.assertEqual(code, 0, (columns, rows))
             self.assertEqual(lines(left)[:-1], lines(played), (columns, rows))
 
+    def shown(self, session):
+        return lines(session.screen(session.said.split(LEAVE)[0]))[0]
+
+    def type(self, session, keys, until):
+        """Types, and waits for the title that follows."""
+        os.write(session.master, keys)
+        session.listen(lambda _: re.search(until, self.shown(session)))
+        self.assertRegex(self.shown(session), until)
+
+    def test_obeys_keys(self):
+        self.two()
+        session = self.play("two.h5", "0.0001")
+        session.listen(lambda said: b"t = 0.000" in said)
+        self.type(session, b" ", "paused   t = 0.000 s of 1.000 s  x0.0001$")
+        self.type(session, b"\033[C", "t = 0.010 s")
+        self.type(session, b"\033OC\033[C", "t = 0.030 s")
+        self.type(session, b"\033[D", "t = 0.020 s")
+        self.type(session, b"x\033[1;5P\033[D\033[D\033[D\033[D", "paused   t = 0.000 s")
+        self.type(session, b"+++", "x0.0008$")
+        self.type(session, b"-", "x0.0004$")
+        self.type(session, b" ", "two {9,}t = 0.000 s of 1.000 s  x0.0004$")
+        self.type(session, b"\033[C", "t = 0.050 s")
+        self.type(session, b"\033[C\033[C\033[D", "t = 0.100 s")
+        os.write(session.master, b"q")
+        code, played, left = session.end()
+        self.assertEqual(code, 0)
+        self.assertEqual(lines(left), lines(played) + [""])
+
+    def test_stays_at_the_end_where_it_is_paused_and_else_ends_there(self):
+        self.two()
+        session = self.play("two.h5", "0.0001")
+        session.listen(lambda said: b"t = 0.000" in said)
+        self.type(session, b" ", "paused")
+        self.type(session, b"\033[C" * 150, "paused   t = 1.000 s")
+        time.sleep(0.3)
+        self.assertIsNone(session.process.poll())
+        os.write(session.master, b" ")
+        self.assertEqual(session.end()[0], 0)
+
+    def test_gives_the_terminal_back_whatever_signal_ends_it(self):
+        self.two()
+        for number in (signal.SIGTERM, signal.SIGQUIT, signal.SIGSEGV, signal.SIGABRT, signal.SIGHUP):
+            session = self.play("two.h5", "0.001")
+            session.listen(lambda said: b"t = 0.000" in said)
+            self.assertNotEqual(termios.tcgetattr(session.slave), session.before)
+            session.process.send_signal(number)
+            code, _, left = session.end()  # which looks at the echo
+            self.assertEqual(code, 130 if number == signal.SIGTERM else -number)
+            self.assertFalse(left.cursor.hidden, number)
+
     def test_needs_a_terminal(self):
         self.two()
         code, error = self.throng("replay", "two.h5", "--speed", "1")

@@ -229,6 +229,22 @@ TEST_F(Replay, NeverDrawsOverItsRecording) {
   EXPECT_EQ(throng("replay a.h5 --verify").code, 0);
 }
 
+TEST_F(Replay, RefusesNamesThatSayWhatIsNotWritten) {
+  shell("mkdir folder folder.png");
+  const auto text = [&](const std::string& options) {
+    const Answer answer = throng("replay a.h5 " + options);
+    EXPECT_EQ(answer.code, 2) << options;
+    return answer.text;
+  };
+  EXPECT_EQ(text("--png a.jpg"), "throng: cannot write a.jpg: what is written ends in .png\n");
+  EXPECT_EQ(text("--html a.png"), "throng: cannot write a.png: what is written ends in .html\n");
+  EXPECT_EQ(text("--png folder.png"), "throng: cannot write folder.png: it is a folder\n");
+  EXPECT_EQ(text("--html folder"), "throng: cannot write folder: it is a folder\n");
+  EXPECT_THAT(text("--video folder"), HasSubstr("cannot write folder: "));
+  EXPECT_EQ(throng("replay a.h5 --png picture --width 300").code, 0);
+  EXPECT_EQ(throng("replay a.h5 --png /dev/null --width 300").code, 0);
+}
+
 TEST_F(Replay, ReplacesAnOlderPicture) {
   std::ofstream(folder / "a.png") << "old";
   EXPECT_EQ(throng("replay a.h5 --png a.png --width 300").code, 0);
