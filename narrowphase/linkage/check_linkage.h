@@ -36,6 +36,12 @@ struct LinkageAnswer {
   std::size_t evaluations = 0;           ///< distances of pairs, or bounds of them
 };
 
+/// How far a pair has come in the search for the first contact.
+struct FirstContactProgress {
+  double time;              ///< nothing that isn't in doubt touches up to here
+  std::size_t evaluations;  ///< so far
+};
+
 /// For a planner's millions of questions: keeps what it works with, allocates only to grow. One a thread.
 class LinkageChecker {
  public:
@@ -64,6 +70,14 @@ class LinkageChecker {
   LinkageAnswer check_path(std::span<const double> waypoints, const BisectOptions& options,
                            std::span<LinkageAnswer> answers);
 
+  /// When the first of the pairs touches. Hit: nothing touches before `from`, certain with rounding, and the
+  /// pair touches at `to`; in between the two move no farther than `width` (m), or than what rounding
+  /// decides, about 1e-13 of all lengths, unless they meet so slowly that rounding alone takes longer.
+  /// Undecided: from `from` to `to` some pair may touch by that little, before nothing does, and no hit
+  /// follows. Each pair advances by `safe_time` on its own, the one that lags behind first: grazing paths
+  /// cost as in check_motion.
+  LinkageAnswer first_contact(std::span<const double> from, std::span<const double> to, double width = 0.0);
+
  private:
   void place(std::span<const double> values);
   Pose pose(std::uint32_t link) const { return link == kWorld ? Pose{} : poses_[link]; }
@@ -81,6 +95,7 @@ class LinkageChecker {
   std::vector<PairBounds> bounds_;  ///< of each pair on each segment
   std::vector<PathAnswer> answers_;
   BisectScratch scratch_;
+  std::vector<FirstContactProgress> progress_;
 };
 
 }  // namespace throng::narrowphase
