@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scenarios/grammar.h"
 #include "scenarios/path.h"
 #include "scenarios/read.h"
 
@@ -244,9 +243,9 @@ bool Checker::check_fields(const toml::table& node, const Table& table, const Pa
 
 }  // namespace
 
-void check(const toml::table& root, Report& report) {
+void check(const toml::table& root, const Table& grammar, Report& report) {
   Checker checker(root, report);
-  if (!checker.check_fields(root, grammar(), Path())) report.mark_bad(root);
+  if (!checker.check_fields(root, grammar, Path())) report.mark_bad(root);
 }
 
 }  // namespace throng::scenarios

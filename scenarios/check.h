@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "scenarios/grammar.h"
 #include "scenarios/report.h"
 
 namespace throng::scenarios {
@@ -9,6 +10,6 @@ namespace throng::scenarios {
 /// out of range, what is missing, what stands there twice in two forms, what is not supported yet. A node
 /// with a fault in it is marked bad; whatever is not bad may be read without further questions. O(size of the
 /// tree).
-void check(const toml::table& root, Report& report);
+void check(const toml::table& root, const Table& grammar, Report& report);
 
 }  // namespace throng::scenarios

@@ -2,17 +2,13 @@
 #include "scenarios/load.h"
 
 #include <algorithm>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <sstream>
 
 #include "scenarios/check.h"
-#include "scenarios/limits.h"
 #include "scenarios/override.h"
 #include "scenarios/place.h"
 #include "scenarios/print.h"
-#include "scenarios/scan.h"
+#include "scenarios/source.h"
 #include "sim/engine_box2d.h"
 
 namespace throng {
@@ -20,28 +16,6 @@ namespace throng {
 using namespace scenarios;
 
 namespace {
-
-/// The diagnosis of a file that is no TOML.
-Diagnostic fault(int line, int column, std::string message) {
-  return {Diagnostic::Severity::error, line, column, "", std::move(message), ""};
-}
-
-/// The text's tree, or nothing and the reason in `loaded`.
-std::optional<toml::table> parse(const std::string& name, Loaded& loaded) {
-  const Excess excess = find_excess(loaded.text);
-  if (excess.line > 0) {
-    loaded.diagnostics = {fault(excess.line, excess.column, excess.message)};
-    return std::nullopt;
-  }
-  try {
-    return toml::parse(loaded.text, name);
-  } catch (const toml::parse_error& error) {
-    const auto& place = error.source().begin;
-    loaded.diagnostics = {fault(static_cast<int>(place.line), static_cast<int>(place.column),
-                                "this is no TOML: " + std::string(error.description()))};
-    return std::nullopt;
-  }
-}
 
 /// Where bodies pass through all, nothing keeps them in.
 void warn_of_idle_borders(const toml::table& root, const Scene& scene, Report& report) {
@@ -62,7 +36,7 @@ void check_engine(const toml::table& root, const Scene& scene, Report& report) {
 }
 
 void read_scene(const toml::table& root, Scene& scene, Report& report) {
-  check(root, report);
+  check(root, grammar(), report);
   if (report.full()) return;  // the rest of the tree was not looked at
   read_settings(root, scene, report);
   read_materials(root, scene, report);
@@ -75,31 +49,8 @@ void read_scene(const toml::table& root, Scene& scene, Report& report) {
   if (report.errors() == 0) check_engine(root, scene, report);
 }
 
-/// All of the file, or nothing and the reason in `loaded`.
-bool read_file(const std::string& file, Loaded& loaded) {
-  std::error_code code;
-  const auto fail = [&](std::string message) {
-    loaded.diagnostics = {fault(0, 0, std::move(message))};
-    return false;
-  };
-  const auto status = std::filesystem::status(file, code);
-  if (!std::filesystem::exists(status)) return fail("there is no such file");
-  if (std::filesystem::is_directory(status)) return fail("is a folder; must be a scenario file in TOML");
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return fail("can't be read: " + std::string(std::strerror(errno)));
-  std::string& text = loaded.text;
-  std::vector<char> block(1 << 16);
-  while (text.size() <= kMostBytes &&
-         (stream.read(block.data(), static_cast<std::streamsize>(block.size())), stream.gcount() > 0))
-    text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
-  if (stream.bad()) return fail("can't be read to its end");
-  if (text.size() <= kMostBytes) return true;
-  text.clear();
-  return fail("is larger than " + std::to_string(kMostBytes >> 20) + " MB; must be at most that");
-}
-
 void load(Loaded& loaded, const std::string& name, std::span<const std::string> overrides) {
-  std::optional<toml::table> root = parse(name, loaded);
+  std::optional<toml::table> root = parse(loaded.text, name, loaded.diagnostics);
   if (!root) return;
   Report report(root->source().path);
   for (const std::string& override_ : overrides) apply_override(*root, override_, report);
@@ -110,7 +61,7 @@ void load(Loaded& loaded, const std::string& name, std::span<const std::string> 
 
 }  // namespace
 
-int Loaded::errors() const {
+int errors(std::span<const Diagnostic> diagnostics) {
   return static_cast<int>(std::count_if(
       diagnostics.begin(), diagnostics.end(),
       [](const Diagnostic& diagnostic) { return diagnostic.severity == Diagnostic::Severity::error; }));
@@ -118,7 +69,7 @@ int Loaded::errors() const {
 
 Loaded load_scenario(const std::string& file, std::span<const std::string> overrides) {
   Loaded loaded;
-  if (read_file(file, loaded)) load(loaded, file, overrides);
+  if (read_source(file, loaded.text, loaded.diagnostics)) load(loaded, file, overrides);
   return loaded;
 }
 

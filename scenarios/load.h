@@ -20,13 +20,16 @@ struct Diagnostic {
   std::string source = {};   ///< the override that it came from, such as "--set time.dt=0"; empty: the file
 };
 
+/// How many of them are errors.
+int errors(std::span<const Diagnostic> diagnostics);
+
 /// A scenario as read: usable where `errors()` is 0.
 struct Loaded {
   Scene scene;
   std::vector<Diagnostic> diagnostics;  ///< in the order of the text; at most 20 errors
   std::string text;                     ///< as given
   std::string resolved;                 ///< TOML with all overrides applied; loads to the same scene
-  int errors() const;
+  int errors() const { return throng::errors(diagnostics); }
 };
 
 /// Reads a scenario file. `overrides` are "PATH=VALUE" in the file's own paths and TOML's values.

@@ -3,21 +3,15 @@
 
 #include "narrowphase/decompose.h"
 #include "narrowphase/disc_union.h"
-#include "narrowphase/holes.h"
 #include "narrowphase/polygon.h"
 #include "scenarios/limits.h"
 #include "scenarios/path.h"
 #include "scenarios/read.h"
+#include "scenarios/read_polygon.h"
 
 namespace throng::scenarios {
 
 namespace {
-
-/// A ring of a polygon, and where it stands.
-struct Place {
-  const toml::node* node;
-  std::string path;
-};
 
 /// A number as it stands, or { uniform = [low, high] }.
 Uniform read_uniform(const toml::node& node, const Path& path, Report& report) {
@@ -50,43 +44,24 @@ class ShapeReader {
   }
 
   void read_polygon(const toml::node& node, Shape& shape) {
-    add_ring(node, Path(path_, "polygon"));
-    if (const toml::node* holes = table_.get("holes")) add_holes(*holes, Path(path_, "holes"));
-    if (failed_) return;
-    narrowphase::CleanedRings cleaned = narrowphase::clean(rings_);
-    for (const narrowphase::RingNote& repair : cleaned.repairs)
-      report_.warning(places_[repair.ring].node->source(), places_[repair.ring].path, repair.text);
-    if (!cleaned.refusal.text.empty()) return fail(cleaned.refusal);
+    PolygonReader polygon(table_, path_, report_);
+    std::vector<std::vector<Vec>> rings = polygon.read();
+    if (rings.empty()) return;
     shape.kind = ShapeKind::polygon;
-    const narrowphase::MassProperties mass = narrowphase::mass_properties(cleaned.rings);
-    if (!(mass.area >= kLeastLeft * narrowphase::mass_properties(cleaned.rings[0]).area))
+    const narrowphase::MassProperties mass = narrowphase::mass_properties(rings);
+    if (!(mass.area >= kLeastLeft * narrowphase::mass_properties(rings[0]).area))
       return fail(*table_.get("holes"), Path(path_, "holes"),
                   "must leave at least " + to_text(kLeastLeft) + " of the polygon's area");
     if (!take_mass(mass, node, Path(path_, "polygon"), shape)) return;
-    for (std::vector<Vec>& ring : cleaned.rings)
+    for (std::vector<Vec>& ring : rings)
       for (Vec& vertex : ring) vertex -= shape.centre;
-    cleaned = narrowphase::clean(cleaned.rings);  // the move may have rounded a sliver away
-    if (!cleaned.refusal.text.empty()) return fail(cleaned.refusal);
+    const narrowphase::CleanedRings cleaned =
+        narrowphase::clean(rings);  // the move may have rounded a sliver away
+    if (!cleaned.refusal.text.empty()) return polygon.fail(cleaned.refusal);
     shape.parts = narrowphase::decompose(cleaned.rings);
     shape.outline = cleaned.rings[0];
     shape.holes.assign(cleaned.rings.begin() + 1, cleaned.rings.end());
     for (const Vec& vertex : shape.outline) shape.radius = std::max(shape.radius, vertex.norm());
-  }
-
-  void add_ring(const toml::node& node, const Path& path) {
-    rings_.push_back(points(node));
-    places_.push_back({&node, path.text()});
-    if (const std::string fault = too_short(rings_.back(), true); !fault.empty()) fail(node, path, fault);
-  }
-
-  void add_holes(const toml::node& node, const Path& path) {
-    std::size_t vertices = rings_[0].size();
-    for (std::size_t i = 0; i < node.as_array()->size(); ++i) {
-      add_ring(*node.as_array()->get(i), Path(path, i));
-      vertices += rings_.back().size();
-    }
-    if (vertices > kMostVertices)
-      fail(node, path, "makes more than " + std::to_string(kMostVertices) + " vertices with the polygon's");
   }
 
   void read_composite(const toml::node& node, Shape& shape) {
@@ -120,43 +95,12 @@ class ShapeReader {
 
   void fail(const toml::node& node, const Path& path, std::string message) {
     report_.error(node, path.text(), std::move(message));
-    failed_ = true;
-  }
-
-  void fail(const narrowphase::RingNote& refusal) {
-    report_.error(*places_[refusal.ring].node, places_[refusal.ring].path, refusal.text);
   }
 
   const toml::table& table_;
   const Path& path_;
   Report& report_;
-  std::vector<std::vector<Vec>> rings_;  // of a polygon, its outline first
-  std::vector<Place> places_;            // of these
-  bool failed_ = false;
 };
-
-std::size_t count_vertices(const toml::table& shape) {
-  std::size_t count = 0;
-  for (const char* key : {"polygon", "discs"})
-    if (const toml::node* list = shape.get(key)) count += list->as_array()->size();
-  if (const toml::node* holes = shape.get("holes"))
-    for (const toml::node& hole : *holes->as_array()) count += hole.as_array()->size();
-  return count;
-}
-
-/// Counted before any geometry is done, whose cost grows faster. False, and reported, where it is too much.
-bool check_total(const toml::table& shapes, const Path& path, Report& report) {
-  std::size_t total = 0;
-  for (const auto& [name, entry] : shapes) {
-    if (report.bad(entry)) continue;
-    total += count_vertices(*entry.as_table());
-    if (total <= kMostInShapes) continue;
-    report.error(entry, Path(path, name.str()).text(),
-                 "makes more than " + std::to_string(kMostInShapes) + " vertices and discs in all shapes");
-    return false;
-  }
-  return true;
-}
 
 }  // namespace
 

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "scenarios/grammar.h"
-
 namespace throng::scenarios {
 
 namespace {
@@ -54,10 +52,14 @@ void list(const Table& table, const std::string& prefix, std::string& text) {
 
 }  // namespace
 
-std::string reference() {
-  std::string text = "Scenario files are TOML. SI units, radians, counter-clockwise polygons.\n\n";
-  list(grammar(), "", text);
+std::string reference(const Table& grammar, const std::string& about) {
+  std::string text = about + "\n\n";
+  list(grammar, "", text);
   return text;
+}
+
+std::string reference() {
+  return reference(grammar(), "Scenario files are TOML. SI units, radians, counter-clockwise polygons.");
 }
 
 }  // namespace throng::scenarios

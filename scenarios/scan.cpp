@@ -28,7 +28,7 @@ class Scanner {
     if (c == ',' || c == '=' || c == '[' || c == '{' || c == '\n') dots_ = 0;
     if (dots_ >= kDeepest) fail("a dotted key of more than " + std::to_string(kDeepest) + " parts");
     if (items_ > kMostItems) fail("more than " + std::to_string(kMostItems) + " values");
-    if (c == '\0') fail("a zero byte: this is a binary file, not a scenario in TOML");
+    if (c == '\0') fail("a zero byte: this is a binary file, no TOML");
     advance();
   }
 

@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "scenarios/grammar.h"
 #include "scenarios/toml.h"
 
 namespace throng::scenarios {
@@ -105,12 +104,15 @@ ordered_json schema_of(const Type& type) {
 
 }  // namespace
 
-std::string schema() {
-  ordered_json result = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
-                         {"title", "throng scenario"},
-                         {"description", "Printed by throng validate --schema; SI units and radians."}};
-  result.update(table(grammar()));
+std::string schema(const Table& grammar, const std::string& title, const std::string& about) {
+  ordered_json result = {
+      {"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", title}, {"description", about}};
+  result.update(table(grammar));
   return result.dump(2) + "\n";
+}
+
+std::string schema() {
+  return schema(grammar(), "throng scenario", "Printed by throng validate --schema; SI units and radians.");
 }
 
 }  // namespace throng::scenarios

@@ -10,20 +10,16 @@
 
 namespace throng::tools {
 
-namespace {
-
-void expect_sound(const Loaded& loaded, const std::string& name) {
-  std::fputs(to_string(loaded.diagnostics, name).c_str(), stderr);
-  if (const int n = loaded.errors(); n > 0)
+void expect_sound(std::span<const Diagnostic> diagnostics, const std::string& name) {
+  std::fputs(to_string(diagnostics, name).c_str(), stderr);
+  if (const int n = errors(diagnostics); n > 0)
     throw InputError(name + ": " + (n >= scenarios::Report::kMostErrors ? "the first " : "") +
                      std::to_string(n) + (n == 1 ? " error" : " errors"));
 }
 
-}  // namespace
-
 Loaded load_or_throw(const std::string& file, const std::vector<std::string>& overrides) {
   Loaded loaded = load_scenario(file, overrides);
-  expect_sound(loaded, file);
+  expect_sound(loaded.diagnostics, file);
   if (loaded.scene.name.empty())
     loaded.scene.name = recording::as_utf8(std::filesystem::path(file).stem().string());
   return loaded;
@@ -32,7 +28,7 @@ Loaded load_or_throw(const std::string& file, const std::vector<std::string>& ov
 Loaded load_text_or_throw(const std::string& text, const std::string& name,
                           const std::vector<std::string>& overrides) {
   Loaded loaded = load_scenario_text(text, name, overrides);
-  expect_sound(loaded, name);
+  expect_sound(loaded.diagnostics, name);
   return loaded;
 }
 

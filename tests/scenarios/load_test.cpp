@@ -192,7 +192,7 @@ TEST(Load, SaysThatAFileIsNotThere) {
 }
 
 TEST(Load, SaysThatAFileIsAFolder) {
-  EXPECT_EQ(faults(load_scenario("/")), "s.toml: error: is a folder; must be a scenario file in TOML\n");
+  EXPECT_EQ(faults(load_scenario("/")), "s.toml: error: is a folder; must be a file in TOML\n");
 }
 
 TEST(Load, RefusesAHugeFileBeforeItHasReadAllOfIt) {
