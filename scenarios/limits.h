@@ -16,6 +16,10 @@ constexpr std::size_t kMostHoles = 1'000;         ///< of one polygonal shape
 constexpr std::size_t kMostParts = 1'000;         ///< discs of one composite
 constexpr std::size_t kMostInShapes = 1'000'000;  ///< vertices and discs of all shapes together
 
+constexpr std::size_t kMostLinks = 1'000;  ///< of all robots and bodies of a motion
+constexpr std::size_t kMostWaypoints = 10'000;
+constexpr std::size_t kMostMayTouch = 10'000;  ///< pairs of names
+
 constexpr double kFarthest = 1e9;        ///< m, any coordinate
 constexpr double kShortest = 1e-9;       ///< m, any radius
 constexpr double kShortestEdge = 1e-12;  ///< m, of walls, polygons and domains: its square must be far from 0

@@ -14,8 +14,8 @@ class PolygonReader {
   PolygonReader(const toml::table& table, const Path& path, Report& report)
       : table_(table), path_(path), report_(report) {}
 
-  /// The outline, counter-clockwise, then the holes, clockwise, in the file's coordinates; none, and reported,
-  /// where there is no such polygon. What was mended is a warning. Cost as `clean` of holes.h.
+  /// The outline, counter-clockwise, then the holes, clockwise, in the file's coordinates; none, and
+  /// reported, where there is no such polygon. What was mended is a warning. Cost as `clean` of holes.h.
   std::vector<std::vector<Vec>> read();
 
   /// Reports what is wrong with a ring that `read` gave.

@@ -4,8 +4,8 @@
 #include "scenarios/grammar.h"
 #include "scenarios/limits.h"
 
-/// The words that grammars are written in: a maker for each kind of value, and the lengths and points that all of
-/// them share.
+/// The words that grammars are written in: a maker for each kind of value, and the lengths and points that
+/// all of them share.
 namespace throng::scenarios::types {
 
 Type boolean();

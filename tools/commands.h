@@ -20,6 +20,7 @@ void add_resume(CLI::App& app, int& exit_code, const std::string& command_line);
 void add_replay(CLI::App& app, int& exit_code);
 void add_query(CLI::App& app, int& exit_code);
 void add_pairs(CLI::App& app, int& exit_code);
+void add_motion(CLI::App& app, int& exit_code);
 void add_info(CLI::App& app, int& exit_code);
 void add_export(CLI::App& app, int& exit_code);
 void add_bench(CLI::App& app, int& exit_code);

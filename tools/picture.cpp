@@ -8,6 +8,7 @@
 
 #include "sim/input_error.h"
 #include "tools/palette.h"
+#include "tools/pen.h"
 #include "tools/picture_bodies.h"
 #include "tools/replace_file.h"
 
@@ -15,41 +16,14 @@ namespace throng::tools {
 
 namespace {
 
+constexpr Colour kDomain{0.55, 0.57, 0.60};
+
 using Context = std::unique_ptr<cairo_t, void (*)(cairo_t*)>;
-
-constexpr Colour kInk{0.16, 0.17, 0.20}, kFaint{0.45, 0.47, 0.50}, kDomain{0.55, 0.57, 0.60};
-
-void set_colour(cairo_t* cairo, const Colour& c) {
-  cairo_set_source_rgb(cairo, c.red, c.green, c.blue);
-}
 
 std::string number(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", value);
   return text;
-}
-
-std::string length(double metres) {
-  if (metres >= 1000) return number(metres / 1000) + " km";
-  if (metres >= 1) return number(metres) + " m";
-  if (metres >= 0.01) return number(metres * 100) + " cm";
-  return number(metres * 1000) + " mm";
-}
-
-enum class Align { left, centre, right };
-
-void write(cairo_t* cairo, const std::string& text, double x, double y, Align align = Align::left) {
-  cairo_text_extents_t size;
-  cairo_text_extents(cairo, text.c_str(), &size);
-  const double shift = align == Align::left ? 0 : align == Align::centre ? 0.5 : 1;
-  cairo_move_to(cairo, x - shift * size.x_advance, y);
-  cairo_show_text(cairo, text.c_str());
-}
-
-void set_font(cairo_t* cairo, double size, bool bold) {
-  cairo_select_font_face(cairo, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
-                         bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
-  cairo_set_font_size(cairo, size);
 }
 
 void draw_domain(cairo_t* cairo, const Domain& domain, double pixel) {
@@ -95,22 +69,6 @@ void draw_title(cairo_t* cairo, const Page& page, const Scene& scene, const Fram
         2.0 * page.unit, Align::right);
 }
 
-void draw_scale_bar(cairo_t* cairo, const Page& page) {
-  const double metres = round_below(0.22 * page.width / page.scale), bar = metres * page.scale;
-  const double y = page.height - 2.9 * page.unit, tick = 0.3 * page.unit;
-  set_colour(cairo, kInk);
-  cairo_set_line_width(cairo, 0.12 * page.unit);
-  cairo_move_to(cairo, page.border, y - tick);
-  cairo_line_to(cairo, page.border, y + tick);
-  cairo_move_to(cairo, page.border, y);
-  cairo_line_to(cairo, page.border + bar, y);
-  cairo_move_to(cairo, page.border + bar, y - tick);
-  cairo_line_to(cairo, page.border + bar, y + tick);
-  cairo_stroke(cairo);
-  set_font(cairo, page.unit, false);
-  write(cairo, length(metres), page.border + bar / 2, y + 1.7 * page.unit, Align::centre);
-}
-
 void draw_colour_bar(cairo_t* cairo, const Page& page, const SpeedScale& scale) {
   const double width = std::min(18 * page.unit, 0.4 * page.width), height = 0.8 * page.unit;
   const double x = page.width - page.border - width, y = page.height - 2.9 * page.unit - height / 2;
@@ -131,7 +89,7 @@ void draw_colour_bar(cairo_t* cairo, const Page& page, const SpeedScale& scale) 
 }
 
 void draw_legend(cairo_t* cairo, const Page& page, const Frame& frame, const SpeedScale& scale) {
-  draw_scale_bar(cairo, page);
+  draw_scale_bar(cairo, page.border, page.height - 2.9 * page.unit, page.width, page.scale, page.unit);
   const double y = page.height - 2.6 * page.unit;
   if (scale.top > 0) return draw_colour_bar(cairo, page, scale);
   set_colour(cairo, kFaint);

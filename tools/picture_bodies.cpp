@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "tools/images.h"
+#include "tools/pen.h"
 
 namespace throng::tools {
 
@@ -13,36 +14,6 @@ namespace {
 constexpr Colour kFixed{0.62, 0.63, 0.65}, kKinematic{0.45, 0.47, 0.50}, kWall{0.20, 0.21, 0.24};
 constexpr double kSmallest = 1.5;   // pixels of radius below which a body has no outline
 constexpr double kTurnShows = 4.0;  // pixels of radius from which a disc shows how it turned
-
-void set_colour(cairo_t* cairo, const Colour& c) {
-  cairo_set_source_rgb(cairo, c.red, c.green, c.blue);
-}
-
-/// A convex part grown by its radius: straight along the edges, round at the vertices.
-void add_part(cairo_t* cairo, const narrowphase::Convex& part) {
-  cairo_new_sub_path(cairo);
-  const std::size_t n = part.vertices.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const Vec& vertex = part.vertices[i];
-    const Vec before = vertex - part.vertices[(i + n - 1) % n], after = part.vertices[(i + 1) % n] - vertex;
-    if (part.radius <= 0) {
-      cairo_line_to(cairo, vertex.x(), vertex.y());
-    } else if (n == 1) {
-      cairo_arc(cairo, vertex.x(), vertex.y(), part.radius, 0, 2 * std::numbers::pi);
-    } else {
-      const double quarter = std::numbers::pi / 2;
-      cairo_arc(cairo, vertex.x(), vertex.y(), part.radius, std::atan2(before.y(), before.x()) - quarter,
-                std::atan2(after.y(), after.x()) - quarter);
-    }
-  }
-  cairo_close_path(cairo);
-}
-
-void add_ring(cairo_t* cairo, const std::vector<Vec>& ring) {
-  cairo_new_sub_path(cairo);
-  for (const Vec& point : ring) cairo_line_to(cairo, point.x(), point.y());
-  cairo_close_path(cairo);
-}
 
 /// Holes run against the outline, which leaves them unfilled.
 void add_shape(cairo_t* cairo, const Shape& shape, double radius) {

@@ -79,6 +79,7 @@ int main(int argc, char** argv) {
   add_export(app, exit_code);
   add_info(app, exit_code);
   add_pairs(app, exit_code);
+  add_motion(app, exit_code);
   add_bench(app, exit_code);
 
   if (const std::string message = unknown_command(app, argc > 1 ? argv[1] : "-"); !message.empty())

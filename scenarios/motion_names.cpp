@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include "scenarios/motion_names.h"
+
+namespace throng::scenarios {
+
+void Names::add(const std::string& name, Solids solids, const toml::node& node, const Path& path,
+                Report& report) {
+  if (solids_.emplace(name, solids).second) return;
+  report.error(node, path.text(), "is called " + in_quotes(name) + ", as something before it");
+}
+
+const Solids* Names::find(const std::string& name) const {
+  const auto found = solids_.find(name);
+  return found == solids_.end() ? nullptr : &found->second;
+}
+
+std::vector<std::string> Names::all() const {
+  std::vector<std::string> result;
+  for (const auto& [name, solids] : solids_) result.push_back(name);
+  return result;
+}
+
+}  // namespace throng::scenarios

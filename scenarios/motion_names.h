@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "scenarios/motion_task.h"
+#include "scenarios/path.h"
+#include "scenarios/report.h"
+
+namespace throng::scenarios {
+
+/// What the things of a motion file are called.
+class Names {
+ public:
+  static constexpr const char* kObstacles = "obstacles";  ///< all of them
+
+  /// Reports a name that something else has.
+  void add(const std::string& name, Solids solids, const toml::node& node, const Path& path, Report& report);
+
+  /// Null where nothing is called so.
+  const Solids* find(const std::string& name) const;
+
+  std::vector<std::string> all() const;
+
+ private:
+  std::map<std::string, Solids> solids_;
+};
+
+}  // namespace throng::scenarios

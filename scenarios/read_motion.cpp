@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "scenarios/read_motion.h"
+
+#include <algorithm>
+
+#include "scenarios/check.h"
+#include "scenarios/limits.h"
+#include "scenarios/motion_grammar.h"
+#include "scenarios/motion_parts.h"
+#include "scenarios/source.h"
+
+namespace throng {
+
+using namespace scenarios;
+
+namespace {
+
+std::size_t count_links(const MotionTask& task) {
+  std::size_t count = 0;
+  for (const Mover& mover : task.movers) count += mover.links.size();
+  return count;
+}
+
+/// Who has one waypoint stays there; all others must have as many as each other.
+void match_waypoints(const toml::table& root, MotionTask& task, Report& report) {
+  const auto longest = std::max_element(
+      task.movers.begin(), task.movers.end(),
+      [](const Mover& a, const Mover& b) { return a.waypoints.size() < b.waypoints.size(); });
+  if (longest == task.movers.end())
+    return report.error(root, "bodies", "is missing: what moves, as [[bodies]] or [[robots]]");
+  const std::size_t count = longest->waypoints.size();
+  if (count < 2)
+    return report.error(root, "bodies", "nothing moves: one of them needs two waypoints or more");
+  for (Mover& mover : task.movers) {
+    const std::size_t own = mover.waypoints.size();
+    if (own != 1 && own != count)
+      report.error(*root.get(mover.body ? "bodies" : "robots"), mover.name + ".waypoints",
+                   "must be 1, or " + std::to_string(count) + " as those of " + longest->name + ", and are " +
+                       std::to_string(own));
+    mover.waypoints.resize(count, mover.waypoints[0]);
+  }
+}
+
+void read_durations(const toml::table& root, MotionTask& task, Report& report) {
+  const toml::node* node = root.get("durations");
+  if (!node || report.bad(*node)) return;
+  for (const toml::node& entry : *node->as_array()) task.durations.push_back(number(entry));
+  if (task.waypoints() > 0 && task.durations.size() + 1 != task.waypoints())
+    report.error(*node, "durations",
+                 "must be as many as segments: " + std::to_string(task.waypoints() - 1) + ", and are " +
+                     std::to_string(task.durations.size()));
+}
+
+void read_all(const toml::table& root, const std::string& file, MotionTask& task, Report& report) {
+  check(root, motion_grammar(), report);
+  if (report.full()) return;  // the rest of the tree was not looked at
+  if (good(root, "name", report)) task.name = text(root, "name", "");
+  if (good(root, "description", report)) task.description = text(root, "description", "");
+  Names names;
+  read_motion_shapes(root, task, report);
+  read_moving_bodies(root, task, names, report);
+  read_robots(root, task, names, report);
+  if (count_links(task) > kMostLinks)
+    report.error(root, "robots", "make more than " + std::to_string(kMostLinks) + " links, three a body");
+  read_obstacles(root, file, task, names, report);
+  if (report.errors() > 0) return;
+  match_waypoints(root, task, report);
+  read_durations(root, task, report);
+  read_may_touch(root, task, names, report);
+}
+
+void load(const std::string& source, const std::string& name, LoadedMotion& loaded) {
+  const std::optional<toml::table> root = parse(source, name, loaded.diagnostics);
+  if (!root) return;
+  Report report(root->source().path);
+  read_all(*root, name, loaded.task, report);
+  loaded.diagnostics = report.take();
+}
+
+}  // namespace
+
+LoadedMotion load_motion(const std::string& file) {
+  LoadedMotion loaded;
+  std::string source;
+  if (read_source(file, source, loaded.diagnostics)) load(source, file, loaded);
+  return loaded;
+}
+
+LoadedMotion load_motion_text(const std::string& source, const std::string& name) {
+  LoadedMotion loaded;
+  load(source, name, loaded);
+  return loaded;
+}
+
+}  // namespace throng

@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: MIT
+#include "tools/motion_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "sim/input_error.h"
+#include "tools/motion_lanes.h"
+#include "tools/pen.h"
+#include "tools/picture.h"
+#include "tools/replace_file.h"
+
+namespace throng::tools {
+
+namespace {
+
+using narrowphase::Pose;
+using narrowphase::Verdict;
+
+constexpr std::size_t kMostLanes = 6;
+constexpr Colour kProven{0.33, 0.55, 0.62};
+
+void add_shape(cairo_t* cairo, const MotionShape& shape) {
+  for (const std::vector<Vec>& ring : shape.rings) add_ring(cairo, ring);
+  if (!shape.rings.empty()) return;
+  for (const narrowphase::Convex& part : shape.parts) add_part(cairo, part);
+}
+
+struct Look {
+  Colour colour;
+  double fill, line;  ///< opacity
+  double thickness;   ///< pixels
+};
+
+/// Outline first, twice as wide, then the filling: right for shapes of several parts, too.
+void draw_shape(cairo_t* cairo, const MotionShape& shape, const Pose& pose, const Look& look, double pixel) {
+  cairo_save(cairo);
+  const cairo_matrix_t matrix{pose.cos, pose.sin, -pose.sin, pose.cos, pose.position.x(), pose.position.y()};
+  cairo_transform(cairo, &matrix);
+  add_shape(cairo, shape);
+  set_colour(cairo, look.colour, look.fill);
+  cairo_fill_preserve(cairo);
+  set_colour(cairo, shade(look.colour), look.line);
+  cairo_set_line_width(cairo, look.thickness * pixel);
+  cairo_stroke(cairo);
+  cairo_restore(cairo);
+}
+
+/// Paints the picture, in metres with y up.
+class Plot {
+ public:
+  Plot(cairo_t* cairo, const MotionSystem& system, const MotionAnswer& answer, const MotionView& view,
+       double pixel)
+      : cairo_(cairo), system_(system), task_(system.task()), answer_(answer), view_(view), pixel_(pixel) {}
+
+  void draw() {
+    cairo_set_line_join(cairo_, CAIRO_LINE_JOIN_ROUND);
+    cairo_set_tolerance(cairo_, 0.1);
+    for (const Obstacle& obstacle : task_.obstacles)
+      draw_shape(cairo_, task_.shapes[obstacle.shape], narrowphase::pose(obstacle.at, obstacle.angle),
+                 {kObstacle, 1.0, 1.0, 1.6}, pixel_);
+    for (const MotionInstant& ghost : view_.ghosts) draw_movers(ghost, 0.05, 0.28, 0.8);
+    draw_ways();
+    draw_movers(view_.ghosts.front(), 0.18, 0.9, 1.6);
+    draw_movers(view_.ghosts.back(), 0.55, 0.9, 1.6);
+    if (view_.contact) draw_contact();
+  }
+
+ private:
+  void draw_movers(const MotionInstant& instant, double fill, double line, double thickness,
+                   const Colour* colour = nullptr) {
+    const std::vector<Pose> poses = system_.poses(instant.segment, instant.fraction);
+    std::size_t link = 0;
+    for (std::size_t i = 0; i < task_.movers.size(); ++i)
+      for (const MotionLink& one : task_.movers[i].links) {
+        const Pose& pose = poses[link++];
+        if (one.shape != MotionLink::kNone)
+          draw_shape(cairo_, task_.shapes[one.shape], pose,
+                     {colour ? *colour : mover_colour(i), fill, line, thickness}, pixel_);
+      }
+  }
+
+  /// The way of each mover's last link's origin, dashed.
+  void draw_ways() {
+    const double dashes[] = {5 * pixel_, 3 * pixel_};
+    cairo_set_dash(cairo_, dashes, 2, 0);
+    cairo_set_line_width(cairo_, 1.6 * pixel_);
+    std::size_t link = 0;
+    for (std::size_t i = 0; i < task_.movers.size(); ++i) {
+      link += task_.movers[i].links.size();
+      cairo_new_path(cairo_);
+      for (std::size_t k = 0; k <= 32 * system_.segments(); ++k) {
+        const std::size_t segment = std::min(k / 32, system_.segments() - 1);
+        const Vec at = system_.poses(segment, static_cast<double>(k - 32 * segment) / 32)[link - 1].position;
+        cairo_line_to(cairo_, at.x(), at.y());
+      }
+      set_colour(cairo_, shade(mover_colour(i)));
+      cairo_stroke(cairo_);
+    }
+    cairo_set_dash(cairo_, nullptr, 0, 0);
+  }
+
+  void draw_contact() {
+    draw_movers(*view_.contact, 0.22, 1.0, 2.4, &kContact);
+    const SegmentAnswer& segment = answer_.segments[view_.contact->segment];
+    if (!segment.contact) return;
+    const auto [point, normal] = *segment.contact;
+    const Vec tip = point + 34 * pixel_ * normal, side(-normal.y(), normal.x());
+    set_colour(cairo_, kInk);
+    cairo_set_line_width(cairo_, 2.4 * pixel_);
+    cairo_move_to(cairo_, point.x(), point.y());
+    cairo_line_to(cairo_, tip.x(), tip.y());
+    cairo_stroke(cairo_);
+    for (const Vec& corner :
+         {Vec(tip + 8 * pixel_ * normal), Vec(tip + 5 * pixel_ * side), Vec(tip - 5 * pixel_ * side)})
+      cairo_line_to(cairo_, corner.x(), corner.y());
+    cairo_fill(cairo_);
+    cairo_arc(cairo_, point.x(), point.y(), 5 * pixel_, 0, 2 * std::numbers::pi);
+    cairo_fill(cairo_);
+  }
+
+  cairo_t* cairo_;
+  const MotionSystem& system_;
+  const MotionTask& task_;
+  const MotionAnswer& answer_;
+  const MotionView& view_;
+  double pixel_;  // m
+};
+
+/// The text cut so that it fits.
+std::string fitting(cairo_t* cairo, std::string text, double width) {
+  if (text_width(cairo, text) <= width) return text;
+  while (!text.empty() && text_width(cairo, text + "…") > width) {
+    text.pop_back();
+    while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0) == 0x80) text.pop_back();
+    if (!text.empty() && static_cast<unsigned char>(text.back()) >= 0xC0) text.pop_back();
+  }
+  return text + "…";
+}
+
+/// What was proven free, a lane a pair; time goes to the right.
+class Timeline {
+ public:
+  Timeline(cairo_t* cairo, const Page& page, const MotionSystem& system, const MotionAnswer& answer,
+           const std::vector<Lane>& lanes)
+      : cairo_(cairo), unit_(page.unit), system_(system), answer_(answer), lanes_(lanes) {
+    left_ = page.border + std::min(0.24 * page.width, 16 * unit_);
+    width_ = page.width - page.border - left_;
+    label_ = page.border;
+  }
+
+  static double height(std::size_t lanes, double unit) {
+    return (3.6 + 1.5 * static_cast<double>(lanes)) * unit;
+  }
+
+  void draw(double top) {
+    draw_segments(top);
+    set_font(cairo_, 0.85 * unit_, false);
+    for (std::size_t i = 0; i < lanes_.size(); ++i)
+      draw_lane(lanes_[i], top + (2.0 + 1.5 * static_cast<double>(i)) * unit_);
+    draw_doubt(top);
+  }
+
+ private:
+  double x(double at) const { return left_ + width_ * at / static_cast<double>(system_.segments()); }
+
+  void draw_segments(double top) {
+    set_font(cairo_, 0.85 * unit_, false);
+    const double each = width_ / static_cast<double>(system_.segments());
+    for (std::size_t i = 0; i < answer_.segments.size(); ++i) {
+      const auto at = static_cast<double>(i);
+      const std::optional<Verdict>& verdict = answer_.segments[i].verdict;
+      set_colour(cairo_, verdict && *verdict != Verdict::free ? kContact : kFaint);
+      const std::string name =
+          "segment " + std::to_string(i) + (verdict ? std::string(": ") + word(*verdict) : "");
+      if (each > text_width(cairo_, name) + unit_)
+        write(cairo_, name, x(at + 0.5), top + 1.2 * unit_, Align::centre);
+      set_colour(cairo_, kFaint, 0.5);
+      cairo_set_line_width(cairo_, 1);
+      for (double border : {at, at + 1}) {
+        cairo_move_to(cairo_, x(border), top + 0.4 * unit_);
+        cairo_line_to(cairo_, x(border), top + (2.0 + 1.5 * static_cast<double>(lanes_.size())) * unit_);
+      }
+      cairo_stroke(cairo_);
+    }
+  }
+
+  void draw_lane(const Lane& lane, double y) {
+    set_colour(cairo_, kInk);
+    write(cairo_, fitting(cairo_, lane.label, left_ - label_ - 0.5 * unit_), label_, y + 0.85 * unit_);
+    for (const Lane::Strip& strip : lane.strips) {
+      cairo_rectangle(cairo_, x(strip.from), y, std::max(0.5, x(strip.to) - x(strip.from)), unit_);
+      set_colour(cairo_, strip.proven ? kProven : kContact, strip.proven ? 0.45 : 1.0);
+      cairo_fill(cairo_);
+    }
+    set_colour(cairo_, kInk);
+    cairo_set_line_width(cairo_, 1);
+    for (const Lane::Strip& strip : lane.strips) {
+      cairo_move_to(cairo_, x(strip.at), y + 0.2 * unit_);
+      cairo_line_to(cairo_, x(strip.at), y + 0.8 * unit_);
+    }
+    cairo_stroke(cairo_);
+  }
+
+  /// Contacts and what is in doubt, across all lanes.
+  void draw_doubt(double top) {
+    for (std::size_t i = 0; i < answer_.segments.size(); ++i) {
+      const SegmentAnswer& segment = answer_.segments[i];
+      if (!segment.verdict || *segment.verdict == Verdict::free) continue;
+      const double from = x(static_cast<double>(i) + segment.from),
+                   to = x(static_cast<double>(i) + segment.to);
+      set_colour(cairo_, kContact, 0.9);
+      cairo_rectangle(cairo_, from - 1, top + 1.6 * unit_, std::max(2.5, to - from),
+                      (0.4 + 1.5 * static_cast<double>(lanes_.size())) * unit_);
+      cairo_fill(cairo_);
+    }
+  }
+
+  cairo_t* cairo_;
+  double unit_, left_, width_, label_;
+  const MotionSystem& system_;
+  const MotionAnswer& answer_;
+  const std::vector<Lane>& lanes_;
+};
+
+std::string summary(const MotionSystem& system, const MotionAnswer& answer, const MotionView& view) {
+  std::string text = word(answer.verdict);
+  if (view.contact) {
+    const SegmentAnswer& segment = answer.segments[view.contact->segment];
+    char number[40];
+    std::snprintf(number, sizeof number, "%.6g", segment.contact ? segment.to : segment.from);
+    text += ": " + segment.a + " – " + segment.b + " at " + number + " of segment " +
+            std::to_string(view.contact->segment);
+    if (const auto time =
+            seconds(system.task(), view.contact->segment, segment.contact ? segment.to : segment.from)) {
+      std::snprintf(number, sizeof number, ", %.6g s", *time);
+      text += number;
+    }
+  }
+  return text;
+}
+
+void draw_words(cairo_t* cairo, const Page& page, const MotionSystem& system, const MotionAnswer& answer,
+                const MotionView& view) {
+  set_colour(cairo, kInk);
+  set_font(cairo, 1.25 * page.unit, true);
+  const double room = page.width - 2 * page.border;
+  const std::string name = fitting(cairo, system.task().name, 0.4 * room);
+  write(cairo, name, page.border, 2.0 * page.unit);
+  const double taken = text_width(cairo, name) + page.unit;
+  set_font(cairo, page.unit, false);
+  set_colour(cairo, answer.verdict == Verdict::free ? kFaint : kContact);
+  write(cairo, fitting(cairo, summary(system, answer, view), room - taken), page.width - page.border,
+        2.0 * page.unit, Align::right);
+}
+
+void draw_all(cairo_t* cairo, const Page& page, const MotionSystem& system, const MotionAnswer& answer) {
+  const MotionView view = view_of(system, answer);
+  const std::vector<Lane> rows = lanes(system, answer, kMostLanes);
+  set_colour(cairo, {1, 1, 1});
+  cairo_paint(cairo);
+  cairo_save(cairo);
+  cairo_rectangle(cairo, 0, page.top - 0.4 * page.unit, page.width,
+                  page.height - page.top - page.bottom + 0.8 * page.unit);
+  cairo_clip(cairo);
+  cairo_translate(cairo, (page.width - page.scale * view.extent.size().x()) / 2, page.height - page.bottom);
+  cairo_scale(cairo, page.scale, -page.scale);
+  cairo_translate(cairo, -view.extent.min.x(), -view.extent.min.y());
+  Plot(cairo, system, answer, view, page.unit / 20 / page.scale).draw();
+  cairo_restore(cairo);
+  draw_words(cairo, page, system, answer, view);
+  draw_scale_bar(cairo, page.border, page.height - 2.9 * page.unit, page.width, page.scale, page.unit);
+  set_colour(cairo, kFaint);
+  set_font(cairo, 0.85 * page.unit, false);
+  write(cairo,
+        "start pale, end full" + std::string(view.contact ? view.doubt ? ", in doubt" : ", contact" : "") +
+            (view.contact ? " red; below: what each distance (tick) proves free"
+                          : "; below: what each distance (tick) proves free"),
+        page.width - page.border, page.height - 1.4 * page.unit, Align::right);
+  Timeline(cairo, page, system, answer, rows).draw(page.height);
+}
+
+}  // namespace
+
+void write_motion_png(const MotionSystem& system, const MotionAnswer& answer, const std::string& output,
+                      int width) {
+  const Page page(view_of(system, answer).extent, width);
+  const std::size_t rows = lanes(system, answer, kMostLanes).size();
+  const int height = page.height + static_cast<int>(std::ceil(Timeline::height(rows, page.unit)));
+  const std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)> surface(
+      cairo_image_surface_create(CAIRO_FORMAT_RGB24, page.width, height), cairo_surface_destroy);
+  const std::unique_ptr<cairo_t, void (*)(cairo_t*)> cairo(cairo_create(surface.get()), cairo_destroy);
+  if (const cairo_status_t status = cairo_status(cairo.get()); status != CAIRO_STATUS_SUCCESS)
+    throw InputError("cannot draw " + output + ": " + cairo_status_to_string(status));
+  draw_all(cairo.get(), page, system, answer);
+  replace_file(output, [&](const std::string& name) {
+    const cairo_status_t status = cairo_surface_write_to_png(surface.get(), name.c_str());
+    if (status != CAIRO_STATUS_SUCCESS)
+      throw InputError("cannot write " + output + ": " + cairo_status_to_string(status));
+  });
+}
+
+}  // namespace throng::tools

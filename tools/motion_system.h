@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "narrowphase/linkage/check_linkage.h"
+#include "scenarios/motion_task.h"
+
+namespace throng::tools {
+
+/// A motion task as the narrowphase has it: all movers are one linkage, a body being two slides and a turn;
+/// all obstacles are one solid, but those that some may touch and others not, which are links that don't
+/// move.
+class MotionSystem {
+ public:
+  /// Expects a task without faults, which must outlive this. As costly as `pairs_to_check`.
+  explicit MotionSystem(const MotionTask& task);
+  MotionSystem(const MotionSystem&) = delete;
+  MotionSystem& operator=(const MotionSystem&) = delete;
+
+  const narrowphase::LinkageScene& scene() const { return scene_; }
+  const MotionTask& task() const { return task_; }
+  std::size_t segments() const { return task_.waypoints() - 1; }
+
+  /// All configurations, one behind the other.
+  std::span<const double> path() const { return path_; }
+  std::span<const double> waypoint(std::size_t i) const;
+
+  /// The configuration at a fraction of a segment.
+  std::vector<double> values(std::size_t segment, double fraction) const;
+
+  /// Where all movers' links stand, in the order of the task.
+  std::vector<narrowphase::Pose> poses(std::size_t segment, double fraction) const;
+
+  /// What the two are called; `part` is that of the obstacles, where it is known.
+  static constexpr std::uint32_t kNoPart = 0xFFFFFFFF;
+  std::pair<std::string, std::string> names(const narrowphase::LinkPair& pair, std::uint32_t part) const;
+
+  /// How two parts lie to each other: of what `pair` is.
+  narrowphase::Separation separation(const narrowphase::LinkPair& pair, std::uint32_t part_a,
+                                     std::uint32_t part_b, std::size_t segment, double fraction) const;
+
+ private:
+  void add_movers();
+  void add_obstacles();
+  void add_pairs();
+  std::string link_name(std::uint32_t link) const;
+
+  const MotionTask& task_;
+  std::vector<narrowphase::PartsBvh> shapes_;  // of the task's, those of movers and of obstacles apart
+  std::vector<narrowphase::Link> linkage_;
+  std::uint32_t moving_ = 0;                // links of movers, before the obstacles that are links
+  std::vector<std::uint32_t> apart_;        // obstacles that are links
+  std::vector<narrowphase::Convex> parts_;  // of all other obstacles, in the world's frame
+  std::vector<std::uint32_t> obstacle_of_;  // of each of these
+  narrowphase::PartsBvh obstacles_;
+  std::vector<narrowphase::LinkPair> pairs_;
+  std::vector<double> path_;
+  narrowphase::LinkageScene scene_;
+};
+
+}  // namespace throng::tools
