@@ -10,6 +10,7 @@
 #include "sim/input_error.h"
 #include "sim/recording/utf8.h"
 #include "tools/commands.h"
+#include "tools/motion_page.h"
 #include "tools/motion_picture.h"
 #include "tools/scenario.h"
 
@@ -73,6 +74,7 @@ void answer_file(const Options& options) {
   const bool drawn = !options.png.empty() || !options.html.empty();
   const MotionAnswer answer = answer_motion(system, {options.any, options.epsilon, drawn});
   if (!options.png.empty()) write_motion_png(system, answer, options.png, options.width);
+  if (!options.html.empty()) write_motion_page(system, answer, options.html);
   std::puts(to_json(system, answer).dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
 }
 
@@ -105,6 +107,9 @@ void add_motion(CLI::App& app, int& exit_code) {
   command->add_option(
       "--png", options->png,
       "picture to write or replace: the way, the contact, and what each distance proves free");
+  command->add_option(
+      "--html", options->html,
+      "page to write or replace: the same with a scrubber over time, in any browser, without network");
   command->add_option("--width", options->width, "of the picture, in pixels; 1600 without it")
       ->transform(whole_number() & CLI::Range(200, 8000));
   command->add_flag("--schema", options->schema,

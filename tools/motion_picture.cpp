@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "sim/input_error.h"
-#include "tools/motion_lanes.h"
+#include "tools/motion_timeline.h"
 #include "tools/pen.h"
 #include "tools/picture.h"
 #include "tools/replace_file.h"
@@ -20,7 +20,6 @@ using narrowphase::Pose;
 using narrowphase::Verdict;
 
 constexpr std::size_t kMostLanes = 6;
-constexpr Colour kProven{0.33, 0.55, 0.62};
 
 void add_shape(cairo_t* cairo, const MotionShape& shape) {
   for (const std::vector<Vec>& ring : shape.rings) add_ring(cairo, ring);
@@ -129,119 +128,6 @@ class Plot {
   double pixel_;  // m
 };
 
-/// The text cut so that it fits.
-std::string fitting(cairo_t* cairo, std::string text, double width) {
-  if (text_width(cairo, text) <= width) return text;
-  while (!text.empty() && text_width(cairo, text + "…") > width) {
-    text.pop_back();
-    while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0) == 0x80) text.pop_back();
-    if (!text.empty() && static_cast<unsigned char>(text.back()) >= 0xC0) text.pop_back();
-  }
-  return text + "…";
-}
-
-/// What was proven free, a lane a pair; time goes to the right.
-class Timeline {
- public:
-  Timeline(cairo_t* cairo, const Page& page, const MotionSystem& system, const MotionAnswer& answer,
-           const std::vector<Lane>& lanes)
-      : cairo_(cairo), unit_(page.unit), system_(system), answer_(answer), lanes_(lanes) {
-    left_ = page.border + std::min(0.24 * page.width, 16 * unit_);
-    width_ = page.width - page.border - left_;
-    label_ = page.border;
-  }
-
-  static double height(std::size_t lanes, double unit) {
-    return (3.6 + 1.5 * static_cast<double>(lanes)) * unit;
-  }
-
-  void draw(double top) {
-    draw_segments(top);
-    set_font(cairo_, 0.85 * unit_, false);
-    for (std::size_t i = 0; i < lanes_.size(); ++i)
-      draw_lane(lanes_[i], top + (2.0 + 1.5 * static_cast<double>(i)) * unit_);
-    draw_doubt(top);
-  }
-
- private:
-  double x(double at) const { return left_ + width_ * at / static_cast<double>(system_.segments()); }
-
-  void draw_segments(double top) {
-    set_font(cairo_, 0.85 * unit_, false);
-    const double each = width_ / static_cast<double>(system_.segments());
-    for (std::size_t i = 0; i < answer_.segments.size(); ++i) {
-      const auto at = static_cast<double>(i);
-      const std::optional<Verdict>& verdict = answer_.segments[i].verdict;
-      set_colour(cairo_, verdict && *verdict != Verdict::free ? kContact : kFaint);
-      const std::string name =
-          "segment " + std::to_string(i) + (verdict ? std::string(": ") + word(*verdict) : "");
-      if (each > text_width(cairo_, name) + unit_)
-        write(cairo_, name, x(at + 0.5), top + 1.2 * unit_, Align::centre);
-      set_colour(cairo_, kFaint, 0.5);
-      cairo_set_line_width(cairo_, 1);
-      for (double border : {at, at + 1}) {
-        cairo_move_to(cairo_, x(border), top + 0.4 * unit_);
-        cairo_line_to(cairo_, x(border), top + (2.0 + 1.5 * static_cast<double>(lanes_.size())) * unit_);
-      }
-      cairo_stroke(cairo_);
-    }
-  }
-
-  void draw_lane(const Lane& lane, double y) {
-    set_colour(cairo_, kInk);
-    write(cairo_, fitting(cairo_, lane.label, left_ - label_ - 0.5 * unit_), label_, y + 0.85 * unit_);
-    for (const Lane::Strip& strip : lane.strips) {
-      cairo_rectangle(cairo_, x(strip.from), y, std::max(0.5, x(strip.to) - x(strip.from)), unit_);
-      set_colour(cairo_, strip.proven ? kProven : kContact, strip.proven ? 0.45 : 1.0);
-      cairo_fill(cairo_);
-    }
-    set_colour(cairo_, kInk);
-    cairo_set_line_width(cairo_, 1);
-    for (const Lane::Strip& strip : lane.strips) {
-      cairo_move_to(cairo_, x(strip.at), y + 0.2 * unit_);
-      cairo_line_to(cairo_, x(strip.at), y + 0.8 * unit_);
-    }
-    cairo_stroke(cairo_);
-  }
-
-  /// Contacts and what is in doubt, across all lanes.
-  void draw_doubt(double top) {
-    for (std::size_t i = 0; i < answer_.segments.size(); ++i) {
-      const SegmentAnswer& segment = answer_.segments[i];
-      if (!segment.verdict || *segment.verdict == Verdict::free) continue;
-      const double from = x(static_cast<double>(i) + segment.from),
-                   to = x(static_cast<double>(i) + segment.to);
-      set_colour(cairo_, kContact, 0.9);
-      cairo_rectangle(cairo_, from - 1, top + 1.6 * unit_, std::max(2.5, to - from),
-                      (0.4 + 1.5 * static_cast<double>(lanes_.size())) * unit_);
-      cairo_fill(cairo_);
-    }
-  }
-
-  cairo_t* cairo_;
-  double unit_, left_, width_, label_;
-  const MotionSystem& system_;
-  const MotionAnswer& answer_;
-  const std::vector<Lane>& lanes_;
-};
-
-std::string summary(const MotionSystem& system, const MotionAnswer& answer, const MotionView& view) {
-  std::string text = word(answer.verdict);
-  if (view.contact) {
-    const SegmentAnswer& segment = answer.segments[view.contact->segment];
-    char number[40];
-    std::snprintf(number, sizeof number, "%.6g", segment.contact ? segment.to : segment.from);
-    text += ": " + segment.a + " – " + segment.b + " at " + number + " of segment " +
-            std::to_string(view.contact->segment);
-    if (const auto time =
-            seconds(system.task(), view.contact->segment, segment.contact ? segment.to : segment.from)) {
-      std::snprintf(number, sizeof number, ", %.6g s", *time);
-      text += number;
-    }
-  }
-  return text;
-}
-
 void draw_words(cairo_t* cairo, const Page& page, const MotionSystem& system, const MotionAnswer& answer,
                 const MotionView& view) {
   set_colour(cairo, kInk);
@@ -279,7 +165,7 @@ void draw_all(cairo_t* cairo, const Page& page, const MotionSystem& system, cons
             (view.contact ? " red; below: what each distance (tick) proves free"
                           : "; below: what each distance (tick) proves free"),
         page.width - page.border, page.height - 1.4 * page.unit, Align::right);
-  Timeline(cairo, page, system, answer, rows).draw(page.height);
+  draw_timeline(cairo, page, answer, rows);
 }
 
 }  // namespace
@@ -288,7 +174,7 @@ void write_motion_png(const MotionSystem& system, const MotionAnswer& answer, co
                       int width) {
   const Page page(view_of(system, answer).extent, width);
   const std::size_t rows = lanes(system, answer, kMostLanes).size();
-  const int height = page.height + static_cast<int>(std::ceil(Timeline::height(rows, page.unit)));
+  const int height = page.height + static_cast<int>(std::ceil(timeline_height(rows, page.unit)));
   const std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)> surface(
       cairo_image_surface_create(CAIRO_FORMAT_RGB24, page.width, height), cairo_surface_destroy);
   const std::unique_ptr<cairo_t, void (*)(cairo_t*)> cairo(cairo_create(surface.get()), cairo_destroy);

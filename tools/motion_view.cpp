@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <limits>
 
 namespace throng::tools {
@@ -88,6 +89,23 @@ MotionView view_of(const MotionSystem& system, const MotionAnswer& answer) {
   view.extent = with_margin(view.extent);
   find_contact(answer, view);
   return view;
+}
+
+std::string summary(const MotionSystem& system, const MotionAnswer& answer, const MotionView& view) {
+  std::string text = word(answer.verdict);
+  if (view.contact) {
+    const SegmentAnswer& segment = answer.segments[view.contact->segment];
+    char number[40];
+    std::snprintf(number, sizeof number, "%.6g", segment.contact ? segment.to : segment.from);
+    text += ": " + segment.a + " – " + segment.b + " at " + number + " of segment " +
+            std::to_string(view.contact->segment);
+    if (const auto time =
+            seconds(system.task(), view.contact->segment, segment.contact ? segment.to : segment.from)) {
+      std::snprintf(number, sizeof number, ", %.6g s", *time);
+      text += number;
+    }
+  }
+  return text;
 }
 
 Colour mover_colour(std::size_t mover) {

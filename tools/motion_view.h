@@ -24,6 +24,9 @@ struct MotionView {
 /// All that moves, wherever it comes, and what of the obstacles is near. O(segments * vertices).
 MotionView view_of(const MotionSystem& system, const MotionAnswer& answer);
 
+/// The answer in a line: the verdict, who and when.
+std::string summary(const MotionSystem& system, const MotionAnswer& answer, const MotionView& view);
+
 /// The colour of a mover: the eight of Okabe and Ito (2008) but black, yellow and the vermillion of contacts.
 Colour mover_colour(std::size_t mover);
 inline constexpr Colour kContact{0.835, 0.369, 0.0}, kObstacle{0.62, 0.63, 0.65};

@@ -36,6 +36,16 @@ void write(cairo_t* cairo, const std::string& text, double x, double y, Align al
   cairo_show_text(cairo, text.c_str());
 }
 
+std::string fitting(cairo_t* cairo, std::string text, double width) {
+  if (text_width(cairo, text) <= width) return text;
+  while (!text.empty() && text_width(cairo, text + "…") > width) {
+    text.pop_back();
+    while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0) == 0x80) text.pop_back();
+    if (!text.empty() && static_cast<unsigned char>(text.back()) >= 0xC0) text.pop_back();
+  }
+  return text + "…";
+}
+
 void set_font(cairo_t* cairo, double size, bool bold) {
   cairo_select_font_face(cairo, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
                          bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);

@@ -21,6 +21,9 @@ void set_font(cairo_t* cairo, double size, bool bold);
 double text_width(cairo_t* cairo, const std::string& text);
 void write(cairo_t* cairo, const std::string& text, double x, double y, Align align = Align::left);
 
+/// The text, cut so that it is at most so wide.
+std::string fitting(cairo_t* cairo, std::string text, double width);
+
 /// A length for people: "20 cm".
 std::string length_text(double metres);
 

@@ -11,6 +11,7 @@
 
 #include "sim/input_error.h"
 #include "tools/base64.h"
+#include "tools/embeddable.h"
 #include "tools/replace_file.h"
 #include "tools/view.h"
 
@@ -22,13 +23,6 @@ using Json = nlohmann::json;
 
 constexpr std::string_view kGiven = "@GIVEN@", kRecording = "@RECORDING@";
 constexpr std::size_t kPiece = std::size_t{3} << 18;  // bytes; a multiple of 3, so that pieces of base64 join
-
-/// JSON that may stand in a script element: no text can end it.
-std::string embeddable(const Json& json) {
-  std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace), safe;
-  for (char c : text) c == '<' ? safe += "\\u003c" : safe += c;
-  return safe;
-}
 
 void write_base64(std::ostream& out, const std::string& file) {
   std::ifstream in(file, std::ios::binary);
