@@ -35,4 +35,7 @@ std::vector<Row> bench_broadphase_queries(const Options& options);
 /// Hierarchies over large polygons: what their volumes are worth, building, points, collisions, distances.
 std::vector<Row> bench_bvh(const Options& options);
 
+/// Do moving solids meet, and when first: bisection, advancement, sampling, Box2D; against 50 digits.
+std::vector<Row> bench_motion(const Options& options);
+
 }  // namespace throng::bench

@@ -33,12 +33,13 @@ int main(int argc, char** argv) {
       {"recording", bench_recording},
       {"broadphase", bench_broadphase},
       {"narrowphase", bench_narrowphase},
-      {"bvh", bench_bvh}};
+      {"bvh", bench_bvh},
+      {"motion", bench_motion}};
   Options options;
   std::string name, json, target;
   CLI::App app{"The benchmarks of throng: time and error beside each other, engines in turn in one run."};
   app.name("throng bench");
-  app.add_option("NAME", name, "step, recording, broadphase, narrowphase or bvh")
+  app.add_option("NAME", name, "step, recording, broadphase, narrowphase, bvh or motion")
       ->required()
       ->check(CLI::IsMember(benchmarks));
   app.add_option("--scenarios", options.scenarios, "folder of the gallery")->default_val(THRONG_SCENARIOS);

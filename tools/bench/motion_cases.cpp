@@ -82,8 +82,8 @@ MotionCase bar_past_post(double clearance, std::size_t queries) {
                 std::abs(clearance));
   MotionCase c{name, 4.0, clearance > 0.0};
   c.solids.push_back(std::make_unique<Solid>(std::vector{box({-2.0, -0.1}, {2.0, 0.1})}));
-  c.solids.push_back(std::make_unique<Solid>(
-      std::vector{box({reach + clearance, -0.5}, {reach + clearance + 1.0, 0.5})}));
+  c.solids.push_back(
+      std::make_unique<Solid>(std::vector{box({reach + clearance, -0.5}, {reach + clearance + 1.0, 0.5})}));
   Random random(7);
   for (std::size_t i = 0; i < queries; ++i) {
     const double angle = random.angle();
@@ -132,7 +132,8 @@ MotionCase random_clutter(std::size_t queries) {
   c.solids.push_back(std::make_unique<Solid>(std::move(obstacles)));
   while (c.queries.size() < queries) {
     const Vec start{random.uniform(0.0, 28.5), random.uniform(0.0, 28.5)};
-    const Motion motion{start, random.angle(), random.uniform(0.1, 1.5) * random.bearing(), random.uniform(-1.5, 1.5)};
+    const Motion motion{start, random.angle(), random.uniform(0.1, 1.5) * random.bearing(),
+                        random.uniform(-1.5, 1.5)};
     if (separation(c.solids[0]->bvh, pose_at(motion, 0.0), c.solids[1]->bvh, {}).distance > 0.0)
       c.queries.push_back({c.solids[0].get(), c.solids[1].get(), motion, {}});
   }

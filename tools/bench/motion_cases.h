@@ -27,8 +27,8 @@ struct MotionQuery {
 
 struct MotionCase {
   std::string name;
-  double size;    ///< m, what errors are relative to
-  bool past;      ///< known to be free by how it was made, with a gap that the name tells
+  double size;  ///< m, what errors are relative to
+  bool past;    ///< known to be free by how it was made, with a gap that the name tells
   std::vector<std::unique_ptr<Solid>> solids = {};
   std::vector<MotionQuery> queries = {};
 

@@ -103,7 +103,8 @@ struct Touch {
     const Pair2<Real> edge = real<Real>(q) - real<Real>(p);
     const Real length = sqrt(dot(edge, edge));
     // The outside of a counter-clockwise polygon lies on the right.
-    return {-cross(edge, from) / length - Real(radius), -cross(edge, v.rate) / length, dot(edge, from) / length};
+    return {-cross(edge, from) / length - Real(radius), -cross(edge, v.rate) / length,
+            dot(edge, from) / length};
   }
   Long length() const { return (q - p).norm(); }
   /// Of f's second derivative.
@@ -186,8 +187,8 @@ void improve(const Touch& touch, double duration, Found& found) {
 }
 
 /// All vertices of b against all edges of a, and against its vertices where something is round.
-void improve(const Convex& a, const Motion& motion_a, const Convex& b, const Motion& motion_b, double duration,
-             bool with_vertices, Found& found) {
+void improve(const Convex& a, const Motion& motion_a, const Convex& b, const Motion& motion_b,
+             double duration, bool with_vertices, Found& found) {
   const double radius = a.radius + b.radius;
   const std::size_t n = a.vertices.size();
   for (const Vec& v : b.vertices)
@@ -203,7 +204,8 @@ void improve(const Convex& a, const Motion& motion_a, const Convex& b, const Mot
 
 FirstTouch first_touch(const Convex& a, const Motion& motion_a, const Convex& b, const Motion& motion_b,
                        double duration) {
-  if (narrowphase::exhaustive_separation(a, pose_at(motion_a, 0.0), b, pose_at(motion_b, 0.0)).distance <= 0.0)
+  if (narrowphase::exhaustive_separation(a, pose_at(motion_a, 0.0), b, pose_at(motion_b, 0.0)).distance <=
+      0.0)
     return {0.0};
   Found found;
   improve(a, motion_a, b, motion_b, duration, true, found);
