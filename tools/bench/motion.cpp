@@ -38,7 +38,8 @@ Answers ask_all(const MotionEngine& engine, std::size_t queries, bool quick) {
 
 struct Faults {
   int missed = 0, false_hits = 0, undecided = 0;
-  double time = 0.0, gap = 0.0;  ///< s, and of the size: the largest errors of a hit's time, and of its contact
+  double time = 0.0,
+         gap = 0.0;  ///< s, and of the size: the largest errors of a hit's time, and of its contact
 };
 
 Faults faults(const MotionCase& c, const MotionEngine& engine, const Answers& answers, const Truth& truth) {
@@ -67,7 +68,12 @@ std::string check(const MotionEngine& engine, const Faults& f, const Truth& trut
 
 Row row(const MotionCase& c, const MotionEngine& engine, const Answers& answers, const Truth& truth) {
   const Faults f = faults(c, engine, answers, truth);
-  Row result{"motion", c.name, engine.name, 1, {}, static_cast<double>(answers.told.size()),
+  Row result{"motion",
+             c.name,
+             engine.name,
+             1,
+             {},
+             static_cast<double>(answers.told.size()),
              check(engine, f, truth)};
   result.error = {{"evaluations", answers.evaluations},
                   {"missed", f.missed},
@@ -134,8 +140,8 @@ void add_bars(const Options& options, std::vector<Row>& rows) {
     for (Row& row : run(std::move(c), options)) {
       const double evaluations = row.error["evaluations"];
       if (const auto before = last.find(row.engine); before != last.end() && clearance > 0.0)
-        row.error["growth"] = std::log(evaluations / before->second.second) /
-                              std::log(before->second.first / clearance);
+        row.error["growth"] =
+            std::log(evaluations / before->second.second) / std::log(before->second.first / clearance);
       last[row.engine] = {clearance, evaluations};
       rows.push_back(std::move(row));
     }

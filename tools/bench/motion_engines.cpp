@@ -15,7 +15,8 @@ MotionEngine bisection(const MotionCase& c) {
   const auto scratch = std::make_shared<BisectScratch>();
   return {"bisection", Promise::exact, false, [&c, scratch](std::size_t i) {
             const MotionQuery& q = c.queries[i];
-            const PathAnswer answer = check_motion(q.a->bvh, q.motion_a, q.b->bvh, q.motion_b, 1.0, {}, *scratch);
+            const PathAnswer answer =
+                check_motion(q.a->bvh, q.motion_a, q.b->bvh, q.motion_b, 1.0, {}, *scratch);
             return Told{answer.verdict, answer.from, answer.evaluations};
           }};
 }
