@@ -34,7 +34,8 @@ class SquareAndWall : public ::testing::Test {
     state->setXY(x, y), state->setYaw(yaw);
     return state;
   }
-  bool free(const ob::ScopedState<ob::SE2StateSpace>& from, const ob::ScopedState<ob::SE2StateSpace>& to) const {
+  bool free(const ob::ScopedState<ob::SE2StateSpace>& from,
+            const ob::ScopedState<ob::SE2StateSpace>& to) const {
     return space_->checkMotion(from.get(), to.get());
   }
 
@@ -85,7 +86,8 @@ TEST_F(SquareAndWall, AnglesGoTheShortWayRound) {
 TEST_F(SquareAndWall, EveryStateOfAStraightMotionIsWhatOmplInterpolates) {
   ::ompl::RNG random(5);
   for (int i = 0; i < 200; ++i) {
-    const auto from = at(random.uniformReal(-9, 9), random.uniformReal(-9, 9), random.uniformReal(-3.14, 3.14));
+    const auto from =
+        at(random.uniformReal(-9, 9), random.uniformReal(-9, 9), random.uniformReal(-3.14, 3.14));
     const auto to = at(random.uniformReal(-9, 9), random.uniformReal(-9, 9), random.uniformReal(-3.14, 3.14));
     std::vector<double> begin, end, between;
     append_values(*se2_, from.get(), begin), append_end(*se2_, from.get(), to.get(), end);

@@ -76,21 +76,21 @@ bool MotionCase::convex() const {
 }
 
 MotionCase bar_past_post(double clearance, std::size_t queries) {
-  const double reach = Vec(2.0, 0.1).norm();
+  const double reach = Vec(1.0, 0.1).norm();
   char name[64];
   std::snprintf(name, sizeof name, clearance > 0.0 ? "bar past post, clearance %g" : "bar into post, %g deep",
                 std::abs(clearance));
   MotionCase c{name, 4.0, clearance > 0.0};
-  c.solids.push_back(std::make_unique<Solid>(std::vector{box({-2.0, -0.1}, {2.0, 0.1})}));
+  c.solids.push_back(std::make_unique<Solid>(std::vector{box({-3.0, -0.1}, {1.0, 0.1})}));
   c.solids.push_back(
       std::make_unique<Solid>(std::vector{box({reach + clearance, -0.5}, {reach + clearance + 1.0, 0.5})}));
   Random random(7);
   for (std::size_t i = 0; i < queries; ++i) {
     const double angle = random.angle();
     const Pose world = narrowphase::pose({random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)}, angle);
-    const double begin = random.uniform(0.9, 2.2), turn = i % 2 == 0 ? 1.0 : -1.0;
+    const double turn = i % 2 == 0 ? 1.0 : -1.0, begin = turn * random.uniform(-2.1, -2.0);
     c.queries.push_back({c.solids[0].get(), c.solids[1].get(),
-                         in(world, angle, {{0.0, 0.0}, begin, {0.0, 0.0}, 2.0 * std::numbers::pi * turn}),
+                         in(world, angle, {{0.0, 0.0}, begin, {0.0, 0.0}, 4.1 * turn}),
                          in(world, angle, {})});
   }
   return c;

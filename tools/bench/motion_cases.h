@@ -35,8 +35,9 @@ struct MotionCase {
   bool convex() const;
 };
 
-/// A bar of 4 m x 0.2 m turns once about its centre beside the flat side of a post; at its nearest it is
-/// `clearance` (m) away, or for a negative one that deep in it.
+/// A bar of 4 m x 0.2 m turns by 4.1 rad about a point of it, so that its short end, of 1 m, passes the flat
+/// side of a post that its long end would reach; at its nearest it is `clearance` (m) away, or for a negative
+/// one that deep in it.
 MotionCase bar_past_post(double clearance, std::size_t queries);
 
 /// Two polygons of eight corners on circles of radius 1, which go up to 4 m and turn up to a radian each;

@@ -61,7 +61,8 @@ ob::SpaceInformationPtr information(const Problem& problem, double resolution) {
 ob::ProblemDefinitionPtr definition(const Problem& problem, const ob::SpaceInformationPtr& space) {
   const auto result = std::make_shared<ob::ProblemDefinition>(space);
   ob::ScopedState<> start(space), goal(space);
-  for (std::size_t i = 0; i < problem.start.size(); ++i) start[i] = problem.start[i], goal[i] = problem.goal[i];
+  for (std::size_t i = 0; i < problem.start.size(); ++i)
+    start[i] = problem.start[i], goal[i] = problem.goal[i];
   result->setStartAndGoalStates(start, goal);
   return result;
 }
@@ -73,7 +74,8 @@ bool collides(const Problem& problem, const ob::StateSpace& space, const og::Pat
   for (std::size_t i = 0; i + 1 < path.getStateCount(); ++i) {
     from.clear(), to.clear();
     append_values(space, path.getState(static_cast<unsigned>(i)), from);
-    append_end(space, path.getState(static_cast<unsigned>(i)), path.getState(static_cast<unsigned>(i + 1)), to);
+    append_end(space, path.getState(static_cast<unsigned>(i)), path.getState(static_cast<unsigned>(i + 1)),
+               to);
     if (checker.check_motion(from, to).verdict == throng::narrowphase::Verdict::hit) return true;
   }
   return false;
@@ -110,7 +112,8 @@ Outcome plan(const Problem& problem, const MakePlanner& planner_of, double resol
 
 double median(std::vector<double> values) {
   if (values.empty()) return 0.0;
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
+                   values.end());
   return values[values.size() / 2];
 }
 
@@ -119,7 +122,8 @@ void print_row(const Problem& problem, const char* planner, double resolution, c
   char check[32] = "exact";
   if (resolution != kExact) std::snprintf(check, sizeof check, "discrete %g", resolution);
   std::printf("%-18s %-12s %-15s %6zu/%-4d %12.4g %10.0f %10d\n", problem.name.c_str(), planner, check,
-              outcome.ms.size(), effort.runs, median(outcome.ms), outcome.motions / effort.runs, outcome.collide);
+              outcome.ms.size(), effort.runs, median(outcome.ms), outcome.motions / effort.runs,
+              outcome.collide);
 }
 
 /// The number of paths that were taken as proven and collide: 0 unless throng lies.

@@ -56,8 +56,9 @@ void append_end(const ob::StateSpace& space, const ob::State* from, const ob::St
     values.push_back(end_of_short_way(from->as<ob::SO2StateSpace::StateType>()->value,
                                       to->as<ob::SO2StateSpace::StateType>()->value));
   } else {
-    throw std::invalid_argument("state space " + space.getName() +
-                                ": straight motions are those of RealVector, SO2, SE2 and what is compound of them");
+    throw std::invalid_argument(
+        "state space " + space.getName() +
+        ": straight motions are those of RealVector, SO2, SE2 and what is compound of them");
   }
 }
 

@@ -37,8 +37,8 @@ class ExactStateValidity : public ::ompl::base::StateValidityChecker {
 
 /// In place of OMPL's DiscreteMotionValidator: a motion is valid if it is proven to be free. What can't be
 /// decided, motions within rounding of a touch, counts as invalid; the resolution of the space is not asked.
-/// A configuration of the scene's linkage is a state's numbers (`append_values`): a body that moves in SE2 is a
-/// linkage of two prismatic joints and a revolute one, see `free_body`. Threads may share one, and wait for
+/// A configuration of the scene's linkage is a state's numbers (`append_values`): a body that moves in SE2 is
+/// a linkage of two prismatic joints and a revolute one, see `free_body`. Threads may share one, and wait for
 /// each other. The scene's arrays are the caller's, who keeps them.
 class ExactMotionValidator : public ::ompl::base::MotionValidator {
  public:

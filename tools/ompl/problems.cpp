@@ -32,8 +32,10 @@ std::vector<Convex> walls() {
   std::vector<Convex> result{box({0, -kThick}, {kEnd, kThick}), box({-kThick, 0}, {kThick, kEnd})};
   for (int y = 0; y < kRooms; ++y)
     for (int x = 0; x < kRooms; ++x) {
-      if (!opens(kDoors[y][x], 'u') || y + 1 == kRooms) result.push_back(box({x + 0.0, y + 1 - kThick}, {x + 1.0, y + 1 + kThick}));
-      if (!opens(kDoors[y][x], 'r') || x + 1 == kRooms) result.push_back(box({x + 1 - kThick, y + 0.0}, {x + 1 + kThick, y + 1.0}));
+      if (!opens(kDoors[y][x], 'u') || y + 1 == kRooms)
+        result.push_back(box({x + 0.0, y + 1 - kThick}, {x + 1.0, y + 1 + kThick}));
+      if (!opens(kDoors[y][x], 'r') || x + 1 == kRooms)
+        result.push_back(box({x + 1 - kThick, y + 0.0}, {x + 1 + kThick, y + 1.0}));
     }
   return result;
 }

@@ -13,7 +13,7 @@ namespace throng::ompl {
 /// A robot among obstacles, and where it is to go. Stays where it is.
 struct Problem {
   std::string name;
-  bool in_se2;  ///< a body that moves freely; else joints, each within its limits
+  bool in_se2;       ///< a body that moves freely; else joints, each within its limits
   double low, high;  ///< m, where the body may be; rad, how far a joint may turn
   std::vector<double> start, goal;
 
