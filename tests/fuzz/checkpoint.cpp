@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// A checkpoint as its reader gets it, mostly with hashes that fit, as those of an attacker would: refused by
+// InputError, or a state that a run can go on from.
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <memory>
+
+#include "sim/input_error.h"
+#include "sim/recording/checkpoint.h"
+#include "sim/recording/frame_hash.h"
+#include "sim/simulation.h"
+#include "tests/fuzz/fuzz.h"
+#include "tests/fuzz/memory_file.h"
+#include "tests/sim/recording/scenes.h"
+
+namespace throng::fuzz {
+
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+// Where things stand in the header: see sim/recording/checkpoint.cpp.
+constexpr std::size_t kHeader = 120, kCounts = 56, kContentHash = 104, kHash = 112;  // bytes
+
+std::uint64_t number_at(const Bytes& bytes, std::size_t at) {
+  std::uint64_t number;
+  std::memcpy(&number, bytes.data() + at, sizeof number);
+  return number;
+}
+
+void put(Bytes& bytes, std::size_t at, std::uint64_t number) {
+  std::memcpy(bytes.data() + at, &number, sizeof number);
+}
+
+/// The hash of all behind the header, cut as its counts say; 0 where the file is too short for them.
+std::uint64_t content_hash(const Bytes& bytes) {
+  constexpr std::array<std::uint64_t, 5> body{4, 16, 8, 16, 8};
+  constexpr std::array<std::uint64_t, 4> contact{8, 4, 8, 8};
+  std::vector<std::uint64_t> sizes{number_at(bytes, kCounts)};
+  for (const std::uint64_t one : body) sizes.push_back(one * number_at(bytes, kCounts + 8));
+  for (const std::size_t kind : {16, 24})
+    for (const std::uint64_t one : contact) sizes.push_back(one * number_at(bytes, kCounts + kind));
+  std::uint64_t chain = recording::kEmptyChain;
+  std::size_t at = kHeader;
+  for (const std::uint64_t size : sizes) {
+    if (size > bytes.size() - at) return 0;
+    const auto part = std::as_bytes(std::span(bytes).subspan(at, size));
+    chain = recording::chain_hash(std::array{recording::hash_bytes(part)}, chain);
+    at += size;
+  }
+  return chain;
+}
+
+void mend(Bytes& bytes) {
+  if (bytes.size() < kHeader) return;
+  put(bytes, kContentHash, content_hash(bytes));
+  put(bytes, kHash, recording::hash_bytes(std::as_bytes(std::span(bytes)).first(kHash)));
+}
+
+void expect_sound(const State& state) {
+  const std::size_t n = state.id.size();
+  expect(state.step >= 0, "the step is not before the start");
+  expect(state.position.size() == n && state.angle.size() == n && state.velocity.size() == n &&
+             state.spin.size() == n,
+         "a row a body");
+  for (std::size_t row = 0; row < n; ++row)
+    expect(state.id[row] >= 1 && state.id[row] <= n && state.position[row].allFinite() &&
+               state.velocity[row].allFinite() && std::isfinite(state.angle[row] + state.spin[row]),
+           "bodies are numbered, their motion is finite");
+}
+
+/// Contacts of the file may be of bodies that do not touch, or do not exist.
+void go_on(const State& state) {
+  static const Scene scene = testing_recordings::mixed_scene(5);
+  if (state.id.size() != scene.bodies.size()) return;
+  const std::unique_ptr<Simulation> run = simulation(scene);
+  if (!run->restore(state)) return;
+  try {
+    run->step();
+    run->step();
+  } catch (const SimulationError&) {  // a body that runs away
+  }
+}
+
+}  // namespace
+
+}  // namespace throng::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace throng;
+  if (size == 0) return 0;
+  fuzz::Bytes bytes(data + 1, data + size);
+  if (data[0] % 4 != 0) fuzz::mend(bytes);
+  try {
+    const State state = recording::read_checkpoint(fuzz::memory_file(bytes)).state;
+    fuzz::expect_sound(state);
+    fuzz::go_on(state);
+  } catch (const InputError&) {
+  }
+  return 0;
+}
