@@ -7,8 +7,8 @@ namespace throng::tools {
 
 namespace {
 
-/// Bytes of the first key; 0 where its end is missing. Arrows and their like are ESC, [ or O, and what ends in
-/// a letter or ~ (ECMA-48, 5.4).
+/// Bytes of the first key; 0 where its end is missing. Arrows and their like are ESC, [ or O, and what ends
+/// in a letter or ~ (ECMA-48, 5.4).
 std::size_t length_of_first(std::string_view typed) {
   if (typed[0] != '\033') return 1;
   if (typed.size() == 1) return 0;

@@ -5,8 +5,8 @@
 
 namespace throng::tools {
 
-/// Where in a recording a player is. `now` is in s of any clock that goes on, times are in s of the recording,
-/// from its beginning to `end`.
+/// Where in a recording a player is. `now` is in s of any clock that goes on, times are in s of the
+/// recording, from its beginning to `end`.
 class Playhead {
  public:
   static constexpr double kSlowest = 1e-9, kFastest = 1e9;  ///< times as fast as it happened
