@@ -46,6 +46,7 @@ struct FirstContactProgress {
 class LinkageChecker {
  public:
   explicit LinkageChecker(const LinkageScene& scene) : scene_(scene) {}
+  const LinkageScene& scene() const { return scene_; }
 
   /// The first of the pairs that touch, if any does. About 200 ns a pair in the open.
   std::optional<LinkContact> contact(std::span<const double> values);
