@@ -38,38 +38,39 @@ void LinkageChecker::place(std::span<const double> values) {
 }
 
 std::optional<LinkContact> LinkageChecker::contact_of(const LinkPair& pair) const {
-  const auto [a, b] = shapes(scene_, pair);
+  const auto [of_a, of_b] = shapes(scene_, pair);
+  const PartsBvh &a = *of_a, &b = *of_b;
   const Pose pose_a = poses_[pair.a], pose_b = pose(pair.b);
   std::optional<LinkContact> found;
   const auto touches = [&](std::uint32_t i, std::uint32_t j) {
-    const Separation s = separation(a->parts[i], pose_a, b->parts[j], pose_b);
+    const Separation s = separation(a.parts[i], pose_a, b.parts[j], pose_b);
     if (s.distance <= 0.0) found = {pair, i, j, s};
     return found.has_value();
   };
-  const auto leaf = [&](const Branch& of_a, const Branch& of_b) {
-    return any_pair(*a, of_a, *b, of_b, touches);
+  const auto leaf = [&](const Branch& leaf_a, const Branch& leaf_b) {
+    return any_pair(a, leaf_a, b, leaf_b, touches);
   };
   NoCounters none;
-  visit_overlaps(a->tree, b->tree, frame(relative(pose_a, pose_b), a->tree.reach + b->tree.reach), leaf,
-                 none);
+  visit_overlaps(a.tree, b.tree, frame(relative(pose_a, pose_b), a.tree.reach + b.tree.reach), leaf, none);
   return found;
 }
 
 void LinkageChecker::find_nearer(const LinkPair& pair, std::optional<LinkContact>& best) const {
-  const auto [a, b] = shapes(scene_, pair);
+  const auto [of_a, of_b] = shapes(scene_, pair);
+  const PartsBvh &a = *of_a, &b = *of_b;
   const Pose pose_a = poses_[pair.a], pose_b = pose(pair.b);
   double upper = best ? best->separation.distance : std::numeric_limits<double>::infinity();
   const auto compare = [&](std::uint32_t i, std::uint32_t j) {
-    const Separation s = separation(a->parts[i], pose_a, b->parts[j], pose_b);
+    const Separation s = separation(a.parts[i], pose_a, b.parts[j], pose_b);
     if (!best || s.distance < best->separation.distance) best = {pair, i, j, s};
     return false;
   };
-  const auto leaf = [&](const Branch& of_a, const Branch& of_b, double) {
-    any_pair(*a, of_a, *b, of_b, compare);
+  const auto leaf = [&](const Branch& leaf_a, const Branch& leaf_b, double) {
+    any_pair(a, leaf_a, b, leaf_b, compare);
     return best->separation.distance;
   };
   NoCounters none;
-  minimise(a->tree, b->tree, frame(relative(pose_a, pose_b), a->tree.reach + b->tree.reach), 0.0,
+  minimise(a.tree, b.tree, frame(relative(pose_a, pose_b), a.tree.reach + b.tree.reach), 0.0,
            -std::numeric_limits<double>::infinity(), upper, leaf, none);
 }
 
