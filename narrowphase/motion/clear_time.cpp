@@ -57,7 +57,24 @@ ClearTime clear_time(const OpenGap& gap, const RelativeMotion& motion, const Cle
                                       motion, gap.margin, wanted);
   const ClearTime with_b = clear_time(gap.b, motion.spin_b, gap.a, motion.spin_a, -gap.normal,
                                       -motion.velocity, motion, gap.margin, wanted);
-  return {std::max(with_a.before, with_b.before), std::max(with_a.after, with_b.after)};
+  return longer(with_a, with_b);
+}
+
+ClearTime clear_time(const BallGap& gap, const RelativeMotion& motion) {
+  const double distance = std::sqrt(dot(gap.offset, gap.offset)), height = distance - gap.margin;
+  if (!(height > 0.0)) return {0.0, 0.0};
+  const double arm_a = std::sqrt(dot(gap.arm_a, gap.arm_a)), arm_b = std::sqrt(dot(gap.arm_b, gap.arm_b));
+  const double turn_a = std::abs(motion.spin_a), turn_b = std::abs(motion.spin_b);
+  const double bend =
+      (1.0 + 0x1p-40) * (motion.acceleration + turn_a * turn_a * arm_a + turn_b * turn_b * arm_b);
+  if (!(bend < std::numeric_limits<double>::infinity())) return {0.0, 0.0};
+  const double moving = dot(gap.offset, motion.velocity) + motion.spin_b * cross(gap.arm_b, gap.offset) -
+                        motion.spin_a * cross(gap.arm_a, gap.offset);
+  const double slope = moving / distance;
+  const double rounding = 0x1p-46 * (motion.speed + turn_a * arm_a + turn_b * arm_b);
+  constexpr double kRounding = 1.0 - 0x1p-46;
+  return {kRounding * root(height, -slope - rounding, bend),
+          kRounding * root(height, slope - rounding, bend)};
 }
 
 }  // namespace throng::narrowphase

@@ -31,7 +31,10 @@ SafeTime safe_time(const PartsBvh& a, const Pose& pose_a, const PartsBvh& b, con
     return false;
   };
   Shortest best{question};
-  counting(counters, [&](auto& c) { shorten(a.tree, b.tree, b_in_a, rate, best, leaf, c); });
+  RelativeMotion motion;
+  const OnTheirWay<BoxAndBall<2>> way{a.tree, b.tree, b_in_a, rate,
+                                      seen_from(pose_a, question.motion, motion)};
+  counting(counters, [&](auto& c) { shorten(way, best, leaf, c); });
   return best.time;
 }
 

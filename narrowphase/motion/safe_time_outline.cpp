@@ -58,22 +58,19 @@ SafeTime safe_time(const Outline<Volume>& a, const Pose& pose_a, const Outline<V
   const Pose b_in_a = relative(pose_a, pose_b);
   Frame<2> placed = frame(b_in_a, a.tree.reach + b.tree.reach);
   placed.slack += question.pose_error;
-  RelativeMotion seen_from_a;
+  RelativeMotion motion;
   SafeTimeQuestion asked = question;
-  if (question.motion != nullptr) {
-    seen_from_a = *question.motion;
-    seen_from_a.velocity = pose_a.unrotate(seen_from_a.velocity);
-    asked.motion = &seen_from_a;
-  }
+  asked.motion = seen_from(pose_a, question.motion, motion);
   Shortest best{asked};
   const EdgePairs<Volume> leaf(a, b, b_in_a, placed, rate);
-  counting(counters, [&](auto& c) { shorten(a.tree, b.tree, placed, rate, best, leaf, c); });
+  const OnTheirWay<Volume> way{a.tree, b.tree, placed, rate, asked.motion};
+  counting(counters, [&](auto& c) { shorten(way, best, leaf, c); });
   if (!best.time.hit && one_holds_the_other(a, b, b_in_a, placed))
     return {0.0, 0.0, true, best.time.part_a, best.time.part_b};
   return best.time;
 }
 
-#define THRONG_SAFE_TIME(VOLUME)                                                                            \
+#define THRONG_SAFE_TIME(VOLUME)                                                                        \
   template SafeTime safe_time(const Outline<VOLUME>&, const Pose&, const Outline<VOLUME>&, const Pose&, \
                               const GapRate&, const SafeTimeQuestion&, BvhCounters*);
 THRONG_SAFE_TIME(Ball<2>)

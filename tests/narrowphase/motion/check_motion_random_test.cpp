@@ -58,7 +58,8 @@ TEST(CheckMotionAtRandom, ProvesNothingThatIsFalse) {
   for (int trial = 0; trial < 3000; ++trial) {
     const Crossing crossing(random);
     std::vector<Neighbourhood> covering;
-    check_motion(crossing.tree_a, crossing.motion_a, crossing.tree_b, crossing.motion_b, 1.0, {0.0, &covering});
+    check_motion(crossing.tree_a, crossing.motion_a, crossing.tree_b, crossing.motion_b, 1.0,
+                 {0.0, &covering});
     for (const Neighbourhood& n : covering) {
       if (!n.proven) continue;
       for (const double t : {n.from, 0.5 * (n.from + n.time), 0.5 * (n.time + n.to), n.to})
@@ -79,8 +80,9 @@ TEST(CheckMotionAtRandom, SaysTheSameOfSwappedReversedAndMovedMotions) {
     const Crossing c(random);
     const Verdict verdict = c.answer().verdict;
     EXPECT_EQ(check_motion(c.tree_b, c.motion_b, c.tree_a, c.motion_a, 1.0).verdict, verdict) << trial;
-    EXPECT_EQ(check_motion(c.tree_a, reversed(c.motion_a, 1.0), c.tree_b, reversed(c.motion_b, 1.0), 1.0).verdict,
-              verdict)
+    EXPECT_EQ(
+        check_motion(c.tree_a, reversed(c.motion_a, 1.0), c.tree_b, reversed(c.motion_b, 1.0), 1.0).verdict,
+        verdict)
         << trial;
     const double angle = uniform(random, -4, 4);
     const Vec shift = random_vec(random, 100, 100);

@@ -24,14 +24,15 @@ inline Motion random_motion(Random& random) {
   const double speed = random() % 4 == 0 ? 0.0 : std::pow(10.0, uniform(random, -2, 0.6));
   const Vec velocity = random_vec(random, speed, speed);
   const double angle = uniform(random, -4, 4);
-  const double spin = random() % 3 == 0 ? 0.0 : std::pow(10.0, uniform(random, -2, 1)) * (random() % 2 ? 1 : -1);
+  const double spin =
+      random() % 3 == 0 ? 0.0 : std::pow(10.0, uniform(random, -2, 1)) * (random() % 2 ? 1 : -1);
   return {middle - 0.5 * velocity, angle, velocity, spin};
 }
 
 /// The same way from its end to its beginning, in `duration`.
 inline Motion reversed(const Motion& motion, double duration) {
-  return {motion.position + duration * motion.velocity, motion.angle + duration * motion.spin, -motion.velocity,
-          -motion.spin};
+  return {motion.position + duration * motion.velocity, motion.angle + duration * motion.spin,
+          -motion.velocity, -motion.spin};
 }
 
 /// The whole plane turned by `angle` and shifted.
