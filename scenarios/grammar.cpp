@@ -37,13 +37,39 @@ Type contact_table() {
                   "How bodies push each other; none: they pass through.", "\"impulse\""}}});
 }
 
+Type record_fields() {
+  return list(choice({"position", "angle", "velocity", "spin", "contacts"}), 0, "a list of fields", 16);
+}
+
+/// One or several of what `part` is.
+Type some(const Type& part, std::string called) {
+  return either({part, list(part, 1, std::move(called))});
+}
+
+Type recorded_bodies_table() {
+  return table(
+      {{{"shape", some(name_in("shapes"), "a list of names of shapes"), "Of these shapes."},
+        {"material", some(name_in("materials"), "a list of names of materials"), "Of these materials."},
+        {"kind", some(choice({"dynamic", "static", "kinematic"}), "a list of kinds"), "Of these kinds."},
+        {"ids", list(integer(1, kMostBodies), 1, "a list of ids"), "These alone."}}});
+}
+
 Type record_table() {
+  const Table also{{required({"every", integer(1, 1e9), "Steps from one to the next."}),
+                    required({"fields", record_fields(), "What is recorded at this rate."})}};
   return table(
       {{{"every", integer(1, 1e9), "Steps from one recorded frame to the next.", "1"},
-        {"fields", list(choice({"position", "angle", "velocity", "spin"}), 1, "a list of fields", 16),
-         "What a frame holds.", "[\"position\", \"angle\", \"velocity\"]"},
+        {"fields", record_fields(),
+         "What a frame holds; contacts: where bodies press on each other or on obstacles.",
+         "[\"position\", \"angle\", \"velocity\"]"},
+        {"also", tables(also), "Further fields, at rates of their own.", "[]"},
+        {"observables", integer(1, 1e9),
+         "Steps from one measurement to the next of energies, momentum, contacts, overlaps; absent: none."},
         {"precision", choice({"double", "single"}), "Width of recorded numbers.", "\"double\""},
-        later("quantize", "Store positions rounded to this many metres.")}});
+        {"quantize", number(1e-9, 1e3, "m"),
+         "Store positions rounded to whole multiples of this, m, and packed; absent: as they are."},
+        {"of", recorded_bodies_table(), "Which bodies are recorded: those that all of it fits; absent: all."},
+        {"within", box(), "Record bodies only while their centre is in this box, m."}}});
 }
 
 Type material_table() {

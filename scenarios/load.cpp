@@ -46,6 +46,7 @@ void read_scene(const toml::table& root, Scene& scene, Report& report) {
   if (report.errors() > 0) return;
   warn_of_idle_borders(root, scene, report);
   place_bodies(entries, draws, scene, report);
+  read_recorded_bodies(root, scene, report);
   if (report.errors() == 0) check_engine(root, scene, report);
 }
 

@@ -48,6 +48,12 @@ struct Entry {
 /// Name, description, seed, engine, gravity, sleep, time, domain, contact, record.
 void read_settings(const toml::table& root, Scene& scene, Report& report);
 
+/// Rates, fields and form of the recording; part of read_settings.
+void read_record(const toml::table& root, Scene& scene, Report& report);
+
+/// Which bodies are recorded. Expects all of them in the scene.
+void read_recorded_bodies(const toml::table& root, Scene& scene, Report& report);
+
 /// Row 0 is "default", which needs no entry; the others follow by name.
 void read_materials(const toml::table& root, Scene& scene, const Report& report);
 

@@ -46,24 +46,6 @@ void read_domain(const toml::table& root, Scene& scene, Report& report) {
                           : "must have its least x and y first, [[min x, min y], [max x, max y]]");
 }
 
-void read_record(const toml::table& root, Scene& scene, const Report& report) {
-  const toml::node* node = good(root, "record", report);
-  if (!node) return;
-  const toml::table& table = *node->as_table();
-  Record& record = scene.record;
-  record.every = static_cast<int>(number(table, "every", record.every));
-  record.single = text(table, "precision", "double") == "single";
-  if (!table.contains("fields")) return;
-  record.position = record.angle = record.velocity = record.spin = false;
-  for (const toml::node& entry : *table.get("fields")->as_array()) {
-    const std::string& field = entry.as_string()->get();
-    if (field == "position") record.position = true;
-    if (field == "angle") record.angle = true;
-    if (field == "velocity") record.velocity = true;
-    if (field == "spin") record.spin = true;
-  }
-}
-
 void read_contact(const toml::table& root, Scene& scene, const Report& report) {
   const toml::node* node = good(root, "contact", report);
   if (!node) return;

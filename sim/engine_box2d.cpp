@@ -108,9 +108,31 @@ class Box2dSimulation : public Simulation {
     return count;
   }
 
+  void list_contacts(std::vector<ContactRow>& rows) const override {
+    rows.clear();
+    for (const b2Contact* contact = world_.GetContactList(); contact; contact = contact->GetNext())
+      if (contact->IsTouching()) add_rows(*contact, rows);
+  }
+
   std::vector<std::pair<std::string, double>> stage_times() const override { return {{"box2d", solve_}}; }
 
  private:
+  /// The id of what moves; 0 of obstacles. Box2D's own way to it is not const.
+  std::uint32_t id_of(const b2Body& body) const {
+    if (body.GetType() == b2_staticBody) return 0;
+    return static_cast<std::uint32_t>(const_cast<b2Body&>(body).GetUserData().pointer);
+  }
+
+  void add_rows(const b2Contact& contact, std::vector<ContactRow>& rows) const {
+    std::uint32_t a = id_of(*contact.GetFixtureA()->GetBody()), b = id_of(*contact.GetFixtureB()->GetBody());
+    if (a == 0 || (b != 0 && b < a)) std::swap(a, b);
+    b2WorldManifold world;
+    contact.GetWorldManifold(&world);
+    const b2Manifold& manifold = *contact.GetManifold();
+    for (int p = 0; p < manifold.pointCount; ++p)
+      rows.push_back({a, b, manifold.points[p].normalImpulse, from_b2(world.points[p])});
+  }
+
   /// Box2D silently slows down what is faster than its limits.
   void check_speed(std::size_t row) const {
     const double way = state_.velocity[row].norm() * scene_.time.dt;
@@ -129,6 +151,7 @@ class Box2dSimulation : public Simulation {
     definition.angle = static_cast<float>(bodies.angle[row]);
     definition.linearVelocity = to_b2(bodies.velocity[row]);
     definition.angularVelocity = static_cast<float>(bodies.spin[row]);
+    definition.userData.pointer = row + 1;
     b2Body* body = world_.CreateBody(&definition);
     const Shape& shape = scene_.shapes[bodies.shape[row]];
     const Material& material = scene_.materials[bodies.material[row]];

@@ -75,6 +75,16 @@ Overlap overlap(const Scene& scene, const State& state) {
   return result;
 }
 
+Observables observe(const Scene& scene, const State& state, std::size_t contacts) {
+  const Overlap overlaps = overlap(scene, state);
+  return {kinetic_energy(scene, state),
+          potential_energy(scene, state),
+          momentum(scene, state),
+          static_cast<double>(contacts),
+          overlaps.max,
+          overlaps.mean};
+}
+
 double kinetic_energy(const Scene& scene, const State& state) {
   double sum = 0.0;
   for_dynamic(scene, [&](std::size_t row) {

@@ -17,6 +17,19 @@ struct Overlap {
 
 Overlap overlap(const Scene& scene, const State& state);
 
+/// What a recording measures of a state.
+struct Observables {
+  double kinetic_energy = 0.0, potential_energy = 0.0;  ///< J
+  Vec momentum{0.0, 0.0};                               ///< kg m/s
+  double contacts = 0.0;                                ///< points that press
+  double max_overlap = 0.0, mean_overlap = 0.0;         ///< m
+
+  friend bool operator==(const Observables&, const Observables&) = default;
+};
+
+/// Of all bodies. Dominated by `overlap`, which looks for its pairs anew: about what ten steps take.
+Observables observe(const Scene& scene, const State& state, std::size_t contacts);
+
 double kinetic_energy(const Scene& scene, const State& state);    ///< J, of dynamic bodies
 double potential_energy(const Scene& scene, const State& state);  ///< J, -m g . x, of dynamic bodies
 Vec momentum(const Scene& scene, const State& state);             ///< kg m/s, of dynamic bodies

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "narrowphase/convex.h"
+#include "sim/record.h"
 
 /// What is simulated: read once from a scenario, const ever after. What changes stands in `State`.
 namespace throng {
@@ -70,12 +71,6 @@ struct Time {
   int substeps = 4;     ///< >= 1
 
   std::int64_t steps() const;  ///< the fewest steps that reach `until`, up to rounding
-};
-
-struct Record {
-  int every = 1;  ///< steps from frame to frame
-  bool position = true, angle = true, velocity = true, spin = false;
-  bool single = false;  ///< all recorded fields as float32
 };
 
 struct Scene {

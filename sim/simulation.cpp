@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/simulation.h"
 
+#include "sim/contact/list_contacts.h"
 #include "sim/engine_box2d.h"
 #include "sim/step.h"
 
@@ -20,6 +21,9 @@ class Native : public Simulation {
     return true;
   }
   std::size_t contacts() const override { return state_.disc_contacts.size() + state_.point_contacts.size(); }
+  void list_contacts(std::vector<ContactRow>& rows) const override {
+    throng::list_contacts(scene_, work_.contacts, state_, work_.bodies, rows);
+  }
 
   std::vector<std::pair<std::string, double>> stage_times() const override {
     const StageTimes& times = work_.times;

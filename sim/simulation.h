@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/contact_row.h"
 #include "sim/plan.h"
 #include "sim/scene.h"
 #include "sim/simulation_error.h"
@@ -30,6 +31,9 @@ class Simulation {
 
   /// Points at which bodies pressed on each other or on obstacles in the last step.
   virtual std::size_t contacts() const = 0;
+
+  /// Replaces `rows` by them: contacts() of them, or none before the first step here.
+  virtual void list_contacts(std::vector<ContactRow>& rows) const = 0;
 
   /// Name and total time (s) of each stage that ran.
   virtual std::vector<std::pair<std::string, double>> stage_times() const = 0;

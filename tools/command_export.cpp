@@ -38,8 +38,16 @@ void check_output(const Options& options) {
 void check_contents(const Options& options, const Recording& recording) {
   if (recording.frames() == 0) throw InputError(options.file + " holds no frames to export");
   if (recording.bodies() == 0) throw InputError(options.file + " holds no bodies to export");
-  if (options.format != "csv" && !recording.geometry().record.position)
+  const Record& record = recording.geometry().record;
+  if (options.format != "csv" && !record.position)
     throw InputError(options.file + " holds no positions, which " + options.format + " can't do without");
+  if (record.within && (options.format == "xdmf" || options.format == "h5md3"))
+    throw InputError(options.file + " holds other bodies in each frame (record.within), which " +
+                     options.format + " can't say; csv and pedpy can");
+  if (record.quantum > 0.0 && options.format == "xdmf")
+    throw InputError(options.file +
+                     " holds quantized positions, which ParaView can't read in place; csv, pedpy and h5md3 "
+                     "unpack them");
 }
 
 std::string seconds(double time) {
@@ -84,7 +92,8 @@ void write_format(const Recording& recording, const Options& options, std::span<
 
 int export_recording(const Options& options) {
   check_output(options);
-  const Recording recording(options.file);
+  const Recording recording(options.file,
+                            options.format == "csv" ? FrameChoice::all : FrameChoice::with_position);
   say_where_incomplete(recording, options.file);
   check_contents(options, recording);
   const std::vector<std::size_t> frames = select(options, recording);

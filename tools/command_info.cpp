@@ -16,11 +16,23 @@ using Json = nlohmann::ordered_json;
 
 std::vector<std::string> fields(const Record& record) {
   std::vector<std::string> names;
-  if (record.position) names.push_back("position");
-  if (record.angle) names.push_back("angle");
-  if (record.velocity) names.push_back("velocity");
-  if (record.spin) names.push_back("spin");
+  for (int field = 0; field < kRecordFields; ++field)
+    if (is_recorded(record, static_cast<RecordField>(field))) names.push_back(kRecordFieldName[field]);
   return names;
+}
+
+/// Steps from one sample to the next, of each field.
+std::vector<int> steps_apart(const Record& record) {
+  std::vector<int> steps;
+  for (int field = 0; field < kRecordFields; ++field)
+    if (const int rate = every(record, static_cast<RecordField>(field))) steps.push_back(rate);
+  return steps;
+}
+
+Json region(const Record& record) {
+  if (!record.within) return nullptr;
+  const Vec &low = record.within->min(), &high = record.within->max();
+  return {{low.x(), low.y()}, {high.x(), high.y()}};
 }
 
 const char* status(const Recording& recording) {
@@ -47,6 +59,7 @@ Json describe(const Recording& recording) {
           {"status", status(recording)},
           {"engine", scene.engine == Engine::box2d ? "box2d" : "native"},
           {"bodies", recording.bodies()},
+          {"bodies_of_run", recording.bodies_of_run()},
           {"shapes", scene.shapes.size()},
           {"walls", scene.walls.size()},
           {"domain", domain(scene.domain)},
@@ -58,7 +71,11 @@ Json describe(const Recording& recording) {
           {"last_time", any ? Json(recording.times().back()) : Json(nullptr)},
           {"until", scene.time.until},
           {"fields", fields(scene.record)},
+          {"rates", steps_apart(scene.record)},
+          {"observables", scene.record.observables > 0 ? Json(scene.record.observables) : Json(nullptr)},
           {"precision", scene.record.single ? "single" : "double"},
+          {"quantum", scene.record.quantum > 0.0 ? Json(scene.record.quantum) : Json(nullptr)},
+          {"within", region(scene.record)},
           {"bytes", static_cast<std::int64_t>(recording.bytes())},
           {"seed", scene.seed},
           {"threads", origin.provenance.threads},

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/plan.h"
-#include "sim/recording/recorder.h"
+#include "sim/recording/expected_bytes.h"
 #include "tools/commands.h"
 #include "tools/printable.h"
 #include "tools/scenario.h"
@@ -18,14 +18,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Frames that a whole run records: step 0 and each `every`-th.
+/// Frames that a whole run records.
 std::int64_t frames(const Scene& scene) {
-  return scene.time.steps() / scene.record.every + 1;
-}
-
-/// What these frames take in the file.
-double output_bytes(const Scene& scene) {
-  return static_cast<double>(frames(scene)) * frame_bytes(scene);
+  return count_frames(scene.record, scene.time.steps());
 }
 
 std::size_t count(const Scene& scene, BodyKind kind) {
@@ -50,7 +45,7 @@ Json to_json(const Scene& scene, const Plan& plan) {
           {"substeps", scene.time.substeps},
           {"stages", stages},
           {"frames", frames(scene)},
-          {"output_bytes", std::llround(std::min(output_bytes(scene), 9e18))}};
+          {"output_bytes", std::llround(std::min(recording::expected_bytes(scene), 9e18))}};
 }
 
 std::string size_text(double bytes) {
@@ -77,7 +72,7 @@ void print(const Scene& scene, const Plan& plan) {
     std::printf("  %-7s %-14s %s\n", stage.runs ? "runs" : "skipped", stage.name.c_str(),
                 stage.reason.c_str());
   std::printf("\nrecorded in full: %lld frames, about %s\n", static_cast<long long>(frames(scene)),
-              size_text(output_bytes(scene)).c_str());
+              size_text(recording::expected_bytes(scene)).c_str());
 }
 
 struct Options {

@@ -71,8 +71,9 @@ void refuse_to_overwrite(const Options& options) {
 
 double mean_speed(const Frame& frame) {
   double sum = 0;
-  for (const Vec& v : frame.velocity) sum += v.norm();
-  return frame.velocity.empty() ? 0.0 : sum / static_cast<double>(frame.velocity.size());
+  for (std::size_t row = 0; row < frame.velocity.size(); ++row)
+    if (frame.has(row)) sum += frame.velocity[row].norm();
+  return frame.bodies() == 0 ? 0.0 : sum / static_cast<double>(frame.bodies());
 }
 
 /// Up to kLines frames, evenly spread, the first and the last among them; each is checked as it is read.
@@ -115,7 +116,8 @@ int play_frames(const Recording& recording, const Options& options) {
 int replay(const Options& options) {
   refuse_what_does_nothing(options);
   refuse_to_overwrite(options);
-  const Recording recording(options.file);
+  const bool draws = !options.png.empty() || !options.html.empty() || !options.video.empty() || options.speed;
+  const Recording recording(options.file, draws ? FrameChoice::with_position : FrameChoice::all);
   say_where_incomplete(recording, options.file);
   if (!options.png.empty()) draw(recording, options);
   if (!options.html.empty() && !write_replay_page(recording, options.file, options.html))
@@ -123,7 +125,7 @@ int replay(const Options& options) {
                  options.file.c_str(), options.html.c_str());
   if (!options.video.empty()) make_film(recording, options);
   if (options.speed && options.video.empty()) return play_frames(recording, options);
-  if (options.verify) return verify(recording, options.file, options.threads.value_or(1));
+  if (options.verify) return verify(Recording(options.file), options.file, options.threads.value_or(1));
   if (options.png.empty() && options.html.empty() && options.video.empty()) print_table(recording);
   return 0;
 }

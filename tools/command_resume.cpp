@@ -26,10 +26,10 @@ Loaded load_recorded(const Kept& kept, const std::string& until) {
   Loaded loaded =
       load_text_or_throw(kept.recording.origin().provenance.resolved, kept.source + ":scenario", overrides);
   if (loaded.scene.name.empty()) loaded.scene.name = kept.recording.geometry().name;
-  if (loaded.scene.bodies.size() != kept.recording.bodies())
+  if (loaded.scene.bodies.size() != kept.recording.bodies_of_run())
     throw InputError(kept.source + " is inconsistent: its scenario makes " +
                      std::to_string(loaded.scene.bodies.size()) + " bodies, its frames hold " +
-                     std::to_string(kept.recording.bodies()));
+                     std::to_string(kept.recording.bodies_of_run()));
   return loaded;
 }
 

@@ -41,14 +41,24 @@ Crowd crowd_of_scenario(const std::string& source, std::optional<double> at, Sce
   return crowd;
 }
 
+/// Those whom the frame does not hold go.
+void leave_present(Frame& frame) {
+  const auto keep = [&](auto& all) {
+    std::size_t row = 0;
+    std::erase_if(all, [&](const auto&) { return !frame.has(row++); });
+  };
+  keep(frame.position), keep(frame.velocity), keep(frame.angle), keep(frame.id);
+}
+
 /// The frame nearest to the time that is asked for, else the last one; says on stderr which.
 Crowd crowd_of_recording(const std::string& source, std::optional<double> wanted, Scene& scene) {
-  const Recording recording(source);
+  const Recording recording(source, FrameChoice::with_position);
   if (recording.frames() == 0) throw InputError(source + ": holds no frame yet");
   const std::size_t index = frame_at_or_throw(recording, source, wanted);
   Frame frame = recording.frame(index);
   if (frame.position.size() != frame.id.size())
     throw InputError(source + ": positions were not recorded (record.fields)");
+  leave_present(frame);
   scene = recording.geometry();
   std::fprintf(stderr, "throng: %s: frame %zu (of 0 to %zu), at %s s\n", source.c_str(), index,
                recording.frames() - 1, text_of(recording.times()[index]).c_str());

@@ -174,6 +174,7 @@ void draw_dots(Screen& screen, const Area& area, const Scene& scene, const View&
   draw_domain(dots, scene.domain);
   for (const Wall& wall : scene.walls) draw_wall(dots, wall);
   for (std::size_t row = 0; row < frame.position.size(); ++row) {
+    if (!frame.has(row)) continue;
     const Shape& shape = scene.shapes[scene.bodies.shape[row]];
     const double radius = scene.bodies.radius[row], angle = frame.angle.empty() ? 0.0 : frame.angle[row];
     narrowphase::Pose pose = narrowphase::pose(frame.position[row], angle);

@@ -41,20 +41,26 @@ class CheckpointClock {
 /// Adds frames to the recording, or holds them against those that it has.
 class FrameSink {
  public:
-  FrameSink(Recorder* recorder, const RecordedFrames& recorded, std::int64_t first)
-      : recorder_(recorder), recorded_(recorded) {
+  FrameSink(Recorder* recorder, const Record& record, const RecordedFrames& recorded, std::int64_t first)
+      : recorder_(recorder), record_(record), recorded_(recorded) {
     next_ = std::lower_bound(recorded.steps.begin(), recorded.steps.end(), first) - recorded.steps.begin();
   }
 
-  void take(const State& state) {
-    if (!recorder_) return;
-    if (next_ < recorded_.steps.size())
-      compare(state);
-    else
-      recorder_->record(state);
+  /// Takes the state that the simulation has, where a frame is due.
+  void take(const Simulation& simulation) {
+    const State& state = simulation.state();
+    if (!recorder_ || !is_frame(record_, state.step)) return;
+    if (next_ < recorded_.steps.size()) return compare(state);
+    contacts_.clear();
+    if (wants_contacts(state.step)) simulation.list_contacts(contacts_);
+    recorder_->record(state, contacts_);
   }
 
  private:
+  bool wants_contacts(std::int64_t step) const {
+    return is_due(every(record_, RecordField::contacts), step) || is_due(record_.observables, step);
+  }
+
   void compare(const State& state) {
     const std::uint64_t now = hash(state), then = recorded_.state_hashes[next_];
     if (state.step != recorded_.steps[next_] || now != then) fail(state, now, then);
@@ -73,6 +79,8 @@ class FrameSink {
   }
 
   Recorder* recorder_;
+  const Record& record_;
+  std::vector<ContactRow> contacts_;
   const RecordedFrames& recorded_;
   std::size_t next_ = 0;
 };
@@ -84,12 +92,12 @@ RunTimes advance(Simulation& simulation, const Scene& scene, const DriveOptions&
   CheckpointClock clock(options.checkpoint);
   const std::int64_t steps = scene.time.steps();
   const State& state = simulation.state();
-  if (state.step % scene.record.every == 0) frames.take(state);
+  frames.take(simulation);
   while (state.step < steps && !stop_signal) {
     times.begin_step();
     simulation.step();
     times.end_step();
-    if (state.step % scene.record.every == 0) frames.take(state);
+    frames.take(simulation);
     if (recorder && clock.is_due()) recorder->checkpoint(state);
     progress.update(state.step);
   }
@@ -136,7 +144,7 @@ bool stop_requested() {
 int drive(Simulation& simulation, const Scene& scene, const DriveOptions& options, Recorder* recorder,
           const RecordedFrames& recorded) {
   const State& state = simulation.state();
-  FrameSink frames(recorder, recorded, state.step);
+  FrameSink frames(recorder, scene.record, recorded, state.step);
   Progress progress(Progress::style(options.progress), scene.time.steps(), scene.time.dt, state.step);
   RunTimes times;
   try {

@@ -6,13 +6,33 @@ namespace throng::tools {
 
 namespace {
 
-void write_row(TextFile& out, const Frame& frame, std::size_t row) {
+/// What of a field, if the recording has it, a line shows: nothing between the commas where the frame lacks
+/// it.
+void write_vector(TextFile& out, bool recorded, const std::vector<Vec>& vectors, std::size_t row) {
+  if (!recorded) return;
+  if (vectors.empty())
+    out << ",,";
+  else
+    out << "," << vectors[row].x() << "," << vectors[row].y();
+}
+
+void write_scalar(TextFile& out, bool recorded, const std::vector<double>& scalars, std::size_t row) {
+  if (!recorded) return;
+  out << ",";
+  if (!scalars.empty()) out << scalars[row];
+}
+
+void write_row(TextFile& out, const Record& record, const Frame& frame, std::size_t row) {
   out << frame.step << "," << frame.time << "," << std::int64_t{frame.id[row]};
-  for (const std::vector<Vec>* vectors : {&frame.position, &frame.velocity})
-    if (!vectors->empty()) out << "," << (*vectors)[row].x() << "," << (*vectors)[row].y();
-  for (const std::vector<double>* scalars : {&frame.angle, &frame.spin})
-    if (!scalars->empty()) out << "," << (*scalars)[row];
+  write_vector(out, record.position, frame.position, row);
+  write_vector(out, record.velocity, frame.velocity, row);
+  write_scalar(out, record.angle, frame.angle, row);
+  write_scalar(out, record.spin, frame.spin, row);
   out << "\n";
+}
+
+bool has_fields(const Frame& frame) {
+  return !frame.position.empty() || !frame.velocity.empty() || !frame.angle.empty() || !frame.spin.empty();
 }
 
 }  // namespace
@@ -25,7 +45,8 @@ void export_csv(const Recording& recording, std::span<const std::size_t> frames,
   Frame frame;
   for (std::size_t i : frames) {
     recording.read(i, frame);
-    for (std::size_t row = 0; row < frame.id.size(); ++row) write_row(out, frame, row);
+    for (std::size_t row = 0; has_fields(frame) && row < frame.id.size(); ++row)
+      if (frame.has(row)) write_row(out, record, frame, row);
   }
   out.close();
 }

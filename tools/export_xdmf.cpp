@@ -63,6 +63,7 @@ struct Part {
   const char* field;
   int width;  ///< numbers that the field has a body: 1 or 2
   int first, columns;
+  RecordField recorded;
 };
 
 /// Writes elements that point into the recording.
@@ -70,16 +71,16 @@ class Pointers {
  public:
   Pointers(TextFile& out, const Recording& recording, const std::string& path)
       : out_(out),
+        recording_(recording),
         path_(xml(path)),
         bodies_(std::to_string(recording.bodies())),
-        frames_(std::to_string(recording.frames())),
         bytes_(recording.geometry().record.single ? "4" : "8") {}
 
   void write_points(std::size_t frame) const {
     out_ << "<Topology TopologyType=\"Polyvertex\" NumberOfElements=\"" << bodies_
          << "\" NodesPerElement=\"1\"/>\n"
          << "<Geometry GeometryType=\"XY\">";
-    write_slab(frame, {"position", 2, 0, 2});
+    write_slab(frame, {"position", 2, 0, 2, RecordField::position});
     out_ << "</Geometry>\n";
   }
 
@@ -104,27 +105,37 @@ class Pointers {
   /// A selection, start, stride and count of each dimension, and all of what it is taken from.
   void write_slab(std::size_t frame, const Part& part) const {
     const bool flat = part.width == 1;
+    const std::size_t sample = recording_.sample(part.recorded, frame).value();
     const std::string columns = " " + std::to_string(part.columns);
     out_ << "<DataItem ItemType=\"HyperSlab\" Dimensions=\"" << bodies_ << (part.columns == 1 ? "" : columns)
          << "\"><DataItem Format=\"XML\" Dimensions=\"3 " << (flat ? "2" : "3") << "\">"
-         << std::to_string(frame) << " 0" << (flat ? "" : " " + std::to_string(part.first))
+         << std::to_string(sample) << " 0" << (flat ? "" : " " + std::to_string(part.first))
          << (flat ? " 1 1" : " 1 1 1") << " 1 " << bodies_ << (flat ? "" : columns)
-         << "</DataItem><DataItem Format=\"HDF\" Dimensions=\"" << frames_ << " " << bodies_
+         << "</DataItem><DataItem Format=\"HDF\" Dimensions=\"" << samples(part.recorded) << " " << bodies_
          << (flat ? "" : " 2") << "\" NumberType=\"Float\" Precision=\"" << bytes_ << "\">" << path_
          << ":/particles/trajectory/" << part.field << "/value</DataItem></DataItem>";
   }
 
+  std::string samples(RecordField field) const {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < recording_.frames(); ++i) count += recording_.sample(field, i).has_value();
+    return std::to_string(count);
+  }
+
   TextFile& out_;
-  std::string path_, bodies_, frames_, bytes_;
+  const Recording& recording_;
+  std::string path_, bodies_, bytes_;
 };
 
-void write_attributes(const Pointers& to, const Record& record, std::size_t frame) {
+void write_attributes(const Pointers& to, const Recording& recording, std::size_t frame) {
   to.write_constant("id", "Int", "/particles/trajectory/id");
   to.write_constant("radius", "Float", "/throng/bodies/radius");
-  if (record.velocity) to.write_scalar("vx", frame, {"velocity", 2, 0, 1});
-  if (record.velocity) to.write_scalar("vy", frame, {"velocity", 2, 1, 1});
-  if (record.angle) to.write_scalar("angle", frame, {"angle", 1, 0, 1});
-  if (record.spin) to.write_scalar("spin", frame, {"spin", 1, 0, 1});
+  const std::pair<const char*, Part> scalars[] = {{"vx", {"velocity", 2, 0, 1, RecordField::velocity}},
+                                                  {"vy", {"velocity", 2, 1, 1, RecordField::velocity}},
+                                                  {"angle", {"angle", 1, 0, 1, RecordField::angle}},
+                                                  {"spin", {"spin", 1, 0, 1, RecordField::spin}}};
+  for (const auto& [name, part] : scalars)
+    if (recording.sample(part.recorded, frame)) to.write_scalar(name, frame, part);
 }
 
 }  // namespace
@@ -141,7 +152,7 @@ void export_xdmf(const Recording& recording, const std::string& file, std::span<
   for (std::size_t i : frames) {
     out << "<Grid Name=\"bodies\"><Time Value=\"" << recording.times()[i] << "\"/>\n";
     to.write_points(i);
-    write_attributes(to, recording.geometry().record, i);
+    write_attributes(to, recording, i);
     out << "</Grid>\n";
   }
   out << "</Grid>\n</Domain></Xdmf>\n";

@@ -18,9 +18,11 @@ void include(Extent& extent, const Vec& point, double radius = 0.0) {
 /// From the 1st to the 99th percentile in each direction, widened by its own size on all sides.
 Extent crowd(std::span<const Vec> positions, double radius) {
   Extent extent;
-  std::vector<double> values(positions.size());
+  std::vector<double> values;
   for (int axis = 0; axis < 2; ++axis) {
-    for (std::size_t i = 0; i < positions.size(); ++i) values[i] = positions[i][axis];
+    values.clear();
+    for (const Vec& position : positions)
+      if (!position.hasNaN()) values.push_back(position[axis]);
     std::sort(values.begin(), values.end());
     extent.min[axis] = values[values.size() / 100];
     extent.max[axis] = values[values.size() - 1 - values.size() / 100];
@@ -72,7 +74,8 @@ Extent of_walls(const Scene& scene) {
 Extent framing(const Scene& scene, std::span<const Vec> positions) {
   const bool bounded = scene.domain.kind != DomainKind::unbounded;
   const Extent domain{scene.domain.min, scene.domain.max};
-  if (positions.empty()) return with_margin(bounded ? domain : of_walls(scene));
+  if (std::ranges::all_of(positions, [](const Vec& p) { return p.hasNaN(); }))
+    return with_margin(bounded ? domain : of_walls(scene));
   Extent extent = tight(scene, positions);
   if (!bounded) return with_margin(extent);
   const bool spread = (extent.size().array() >= kSpread * domain.size().array()).all();

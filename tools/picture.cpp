@@ -65,7 +65,7 @@ void draw_title(cairo_t* cairo, const Page& page, const Scene& scene, const Fram
   set_colour(cairo, kFaint);
   char time[64];
   std::snprintf(time, sizeof time, "t = %.3f s", frame.time);
-  write(cairo, std::to_string(frame.position.size()) + " bodies   " + time, page.width - page.border,
+  write(cairo, std::to_string(frame.bodies()) + " bodies   " + time, page.width - page.border,
         2.0 * page.unit, Align::right);
 }
 

@@ -90,7 +90,7 @@ void draw_bodies(cairo_t* cairo, const Scene& scene, const Frame& frame, double 
     cairo_clip(cairo);
   }
   for (std::size_t row = 0; row < frame.position.size(); ++row)
-    draw_body(cairo, scene, frame, row, pixel, top);
+    if (frame.has(row)) draw_body(cairo, scene, frame, row, pixel, top);
   cairo_restore(cairo);
 }
 

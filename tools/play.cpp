@@ -47,7 +47,8 @@ std::string measures(const Scene& scene, const Frame& frame) {
   if (!frame.angle.empty()) state.angle = frame.angle;
   if (!frame.velocity.empty()) state.velocity = frame.velocity;
   if (!frame.spin.empty()) state.spin = frame.spin;
-  std::string line = counted_bodies(frame.position.size());
+  std::string line = counted_bodies(frame.bodies());
+  if (!frame.is_present.empty()) return line;
   if (!frame.velocity.empty())
     line +=
         text("   kinetic %.4g J%s", kinetic_energy(scene, state), frame.spin.empty() ? " without spin" : "");

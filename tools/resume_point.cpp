@@ -64,9 +64,9 @@ bool belongs(const Checkpoint& checkpoint, const std::string& file, const Kept& 
   if (const std::string difference = recording::scenario_difference(origin.scenario, scenario);
       !difference.empty())
     throw InputError(file + " is of another scenario than " + kept.source + ": " + difference);
-  if (checkpoint.state.id.size() != kept.recording.bodies())
+  if (checkpoint.state.id.size() != kept.recording.bodies_of_run())
     throw InputError(file + " has " + std::to_string(checkpoint.state.id.size()) + " bodies, " + kept.source +
-                     " has " + std::to_string(kept.recording.bodies()));
+                     " has " + std::to_string(kept.recording.bodies_of_run()));
   if (origin.frames > kept.frames) {
     std::fprintf(stderr, "throng: warning: %s follows %llu frames, %s has %zu: it can't be used\n",
                  file.c_str(), static_cast<unsigned long long>(origin.frames), kept.source.c_str(),

@@ -8,7 +8,10 @@
 
 #include "scenarios/load.h"
 #include "sim/input_error.h"
+#include "sim/observe.h"
 #include "sim/recording/build_info.h"
+#include "sim/recording/packed.h"
+#include "sim/recording/selection.h"
 #include "sim/simulation.h"
 
 namespace throng::tools {
@@ -22,38 +25,64 @@ struct Difference {
   double recorded, computed;
 };
 
-/// A number as the file can hold it.
-double stored(double x, bool single) {
-  return single ? static_cast<double>(static_cast<float>(x)) : x;
-}
-
 bool same_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a + 0.0) == std::bit_cast<std::uint64_t>(b + 0.0);
 }
 
-std::optional<Difference> first_difference(const Frame& frame, const State& state, bool single) {
-  for (std::size_t row = 0; row < state.id.size(); ++row) {
-    const std::uint32_t id = state.id[row];
+/// Holds frames against states: numbers as the file can hold them.
+class Comparison {
+ public:
+  explicit Comparison(const Scene& scene) : record_(scene.record), selection_(scene) {}
+
+  std::optional<Difference> first_difference(const Frame& frame, const State& state) const {
+    for (std::size_t body = 0; body < state.id.size(); ++body) {
+      const std::uint32_t row = selection_.row_of(state.id[body]);
+      if (row == recording::Selection::kNone) continue;
+      const bool present = selection_.is_within(state.position[body]);
+      if (present != frame.has(row))
+        return Difference{state.id[body], "presence", double(frame.has(row)), double(present)};
+      if (!present) continue;
+      if (const auto found = difference(frame, row, state, body)) return found;
+    }
+    return std::nullopt;
+  }
+
+  /// The same contacts in the same order.
+  bool same_contacts(const Frame& frame, std::vector<ContactRow>& computed) const {
+    if (!frame.contacts) return true;
+    std::erase_if(computed, [&](const ContactRow& row) { return !selection_.keeps(row, frame.is_present); });
+    return computed == *frame.contacts;
+  }
+
+ private:
+  std::optional<Difference> difference(const Frame& frame, std::size_t row, const State& state,
+                                       std::size_t body) const {
     std::optional<Difference> found;
     const auto compare = [&](const char* field, double recorded, double computed) {
-      if (!found && !same_bits(recorded, stored(computed, single)))
-        found = Difference{id, field, recorded, computed};
+      if (!found && !same_bits(recorded, computed))
+        found = Difference{state.id[body], field, recorded, computed};
     };
-    const std::size_t at = id - 1;
+    constexpr const char* positions[] = {"position x", "position y"};
+    constexpr const char* velocities[] = {"velocity x", "velocity y"};
     for (int axis = 0; axis < 2; ++axis) {
-      constexpr const char* positions[] = {"position x", "position y"};
-      constexpr const char* velocities[] = {"velocity x", "velocity y"};
       if (!frame.position.empty())
-        compare(positions[axis], frame.position[at][axis], state.position[row][axis]);
+        compare(positions[axis], frame.position[row][axis], place(state.position[body][axis]));
       if (!frame.velocity.empty())
-        compare(velocities[axis], frame.velocity[at][axis], state.velocity[row][axis]);
+        compare(velocities[axis], frame.velocity[row][axis], stored(state.velocity[body][axis]));
     }
-    if (!frame.angle.empty()) compare("angle", frame.angle[at], state.angle[row]);
-    if (!frame.spin.empty()) compare("spin", frame.spin[at], state.spin[row]);
-    if (found) return found;
+    if (!frame.angle.empty()) compare("angle", frame.angle[row], stored(state.angle[body]));
+    if (!frame.spin.empty()) compare("spin", frame.spin[row], stored(state.spin[body]));
+    return found;
   }
-  return std::nullopt;
-}
+
+  double stored(double x) const { return record_.single ? static_cast<double>(static_cast<float>(x)) : x; }
+  double place(double x) const {
+    return record_.quantum > 0.0 ? recording::quantized(x, record_.quantum) * record_.quantum : stored(x);
+  }
+
+  const Record& record_;
+  recording::Selection selection_;
+};
 
 Loaded load_embedded(const Recording& recording, const std::string& file) {
   const std::string name = file + ":scenario";
@@ -61,10 +90,10 @@ Loaded load_embedded(const Recording& recording, const std::string& file) {
   if (loaded.errors() > 0)
     throw InputError(file + " holds a scenario that this throng cannot run:\n" +
                      to_string(loaded.diagnostics, name));
-  if (loaded.scene.bodies.size() != recording.bodies())
+  if (loaded.scene.bodies.size() != recording.bodies_of_run())
     throw InputError(file + " is inconsistent: its scenario makes " +
                      std::to_string(loaded.scene.bodies.size()) + " bodies, its frames hold " +
-                     std::to_string(recording.bodies()));
+                     std::to_string(recording.bodies_of_run()));
   if (!same_bits(loaded.scene.time.dt, recording.geometry().time.dt))
     throw InputError(file + " is inconsistent: its scenario has other steps than its frames");
   const std::int64_t steps = loaded.scene.time.steps();
@@ -99,21 +128,37 @@ void report(const Frame& frame, const State& state, const std::optional<Differen
   std::printf("; state hash %016" PRIx64 ", now %016" PRIx64 "\n", frame.state_hash, hash(state));
 }
 
+/// What beside the bodies' own fields differs: "" where nothing does.
+std::string other_difference(const Comparison& comparison, const Frame& frame, const Scene& scene,
+                             const Simulation& run) {
+  if (!frame.contacts && !frame.observables) return "";
+  std::vector<ContactRow> contacts;
+  run.list_contacts(contacts);
+  if (frame.observables && *frame.observables != observe(scene, run.state(), contacts.size()))
+    return "the observables";
+  return comparison.same_contacts(frame, contacts) ? "" : "the contacts";
+}
+
 }  // namespace
 
 int verify(const Recording& recording, const std::string& file, int threads) {
   warn_of_other_version(recording.origin());
   const Loaded loaded = load_embedded(recording, file);
   const bool hashes = compares_hashes(recording.origin());
+  const Comparison comparison(loaded.scene);
   const auto run = simulation(loaded.scene, threads);
   Frame frame;
   for (std::size_t i = 0; i < recording.frames(); ++i) {
     recording.read(i, frame);
     while (run->state().step < frame.step) run->step();
-    const std::optional<Difference> difference =
-        first_difference(frame, run->state(), recording.geometry().record.single);
+    const std::optional<Difference> difference = comparison.first_difference(frame, run->state());
     if (difference || (hashes && hash(run->state()) != frame.state_hash)) {
       report(frame, run->state(), difference);
+      return 1;
+    }
+    if (const std::string what = other_difference(comparison, frame, loaded.scene, *run); !what.empty()) {
+      std::printf("diverged: at step %" PRId64 " (t = %.9g s): %s were recorded otherwise than they run to\n",
+                  frame.step, frame.time, what.c_str());
       return 1;
     }
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <numeric>
+#include <algorithm>
 
 #include "sim/input_error.h"
 #include "sim/recording/export.h"
@@ -26,6 +26,7 @@ class H5md3 {
 
  private:
   void create_all();
+  bool has_velocities() const;
   void write_head();
   void write_times(hid_t position);
   void write_box();
@@ -62,9 +63,15 @@ void H5md3::create_all() {
   const h5::Handle position = h5::create_group(trajectory_, "position");
   write_times(position);
   position_ = create_vectors(position);
-  if (scene_.record.velocity) velocity_ = create_vectors(create_sampled("velocity"));
+  if (has_velocities()) velocity_ = create_vectors(create_sampled("velocity"));
   write_box();
   write_bodies();
+}
+
+/// H5MD would take velocities at other steps than positions, MDAnalysis does not.
+bool H5md3::has_velocities() const {
+  return std::ranges::all_of(
+      frames_, [&](std::size_t i) { return recording_.sample(RecordField::velocity, i).has_value(); });
 }
 
 void H5md3::write_head() {
@@ -107,8 +114,7 @@ void H5md3::write_box() {
 }
 
 void H5md3::write_bodies() {
-  std::vector<std::int64_t> ids(recording_.bodies());
-  std::iota(ids.begin(), ids.end(), 1);
+  const std::vector<std::int64_t> ids(recording_.ids().begin(), recording_.ids().end());
   std::vector<double> masses;
   for (std::size_t row = 0; row < ids.size(); ++row) masses.push_back(mass(scene_, row));
   h5::write_array(trajectory_, "id", std::span<const std::int64_t>(ids));

@@ -90,8 +90,8 @@ h5::Handle row_type() {
 /// Frames a second. PedPy has one number for all of them.
 double frame_rate(const Recording& recording, Frames frames) {
   const auto steps = recording.steps();
-  const std::int64_t apart =
-      frames.size() > 1 ? steps[frames[1]] - steps[frames[0]] : recording.geometry().record.every;
+  const std::int64_t apart = frames.size() > 1 ? steps[frames[1]] - steps[frames[0]]
+                                               : every(recording.geometry().record, RecordField::position);
   for (std::size_t k = 1; k < frames.size(); ++k)
     if (steps[frames[k]] - steps[frames[k - 1]] != apart)
       throw InputError("the frames are not evenly spaced in time, which pedpy can't do without");
@@ -147,10 +147,22 @@ class Table {
   hsize_t written_ = 0;
 };
 
+/// Frames may hold some bodies only: how many rows there are shows when all are read.
+std::size_t count_rows(const Recording& recording, Frames frames, std::span<const std::size_t> moving) {
+  if (!recording.geometry().record.within) return frames.size() * moving.size();
+  std::size_t rows = 0;
+  Frame frame;
+  for (std::size_t i : frames) {
+    recording.read(i, frame);
+    for (std::size_t row : moving) rows += frame.has(row);
+  }
+  return rows;
+}
+
 void write_table(const Recording& recording, Frames frames, const std::string& output) {
   const Scene& scene = recording.geometry();
   const std::vector<std::size_t> moving = who_moves(scene);
-  Table table(output, frames.size() * moving.size(), frame_rate(recording, frames));
+  Table table(output, count_rows(recording, frames, moving), frame_rate(recording, frames));
   Area area(scene);
   Frame frame;
   std::vector<Row> rows;
@@ -158,11 +170,12 @@ void write_table(const Recording& recording, Frames frames, const std::string& o
     recording.read(frames[number], frame);
     rows.clear();
     for (std::size_t row : moving) {
+      if (!frame.has(row)) continue;
       const Vec& at = frame.position[row];
       area.include(at, scene.bodies.radius[row]);
       rows.push_back({frame.id[row], static_cast<std::int64_t>(number), at.x(), at.y()});
     }
-    table.append(rows);
+    if (!rows.empty()) table.append(rows);
   }
   table.close(recording, area);
 }

@@ -55,8 +55,8 @@ std::uint32_t fletcher32(std::span<const std::byte> bytes) {
     at += rows * 2 * kLanes;
   }
   for (; at < bytes.size(); at += 2) {
-    std::uint16_t word;
-    std::memcpy(&word, bytes.data() + at, 2);
+    std::uint16_t word = 0;  // a lone last byte is its low half
+    std::memcpy(&word, bytes.data() + at, std::min<std::size_t>(2, bytes.size() - at));
     add({word, word}, 1);
   }
   return folded(256 * sums.second) << 16 | folded(256 * sums.first);

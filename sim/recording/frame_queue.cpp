@@ -30,13 +30,14 @@ FrameQueue::FrameQueue(const State& first) : slots_(depth(first)) {
   for (QueueEntry& slot : slots_) copy_frame(first, slot.state);
 }
 
-void FrameQueue::push(const State& state, bool checkpoint) {
+void FrameQueue::push(const State& state, std::span<const ContactRow> contacts, bool checkpoint) {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [&] { return count_ < slots_.size() || error_; });
   if (error_) std::rethrow_exception(error_);
   QueueEntry& slot = slots_[(head_ + count_) % slots_.size()];
   lock.unlock();  // the slot is the producer's until it is counted
   slot.checkpoint = checkpoint;
+  slot.contacts.assign(contacts.begin(), contacts.end());
   if (checkpoint)
     slot.state = state;
   else
@@ -52,10 +53,15 @@ void FrameQueue::close() {
   changed_.notify_all();
 }
 
-const QueueEntry* FrameQueue::front() {
+const QueueEntry* FrameQueue::front(const std::function<void()>& idle) {
   std::unique_lock lock(mutex_);
-  while (count_ == 0 && !closed_)
+  while (count_ == 0 && !closed_) {
     changed_.wait_for(lock, kPatience, [&] { return count_ >= batch() || closed_; });
+    if (count_ > 0 || closed_ || !idle) continue;
+    lock.unlock();
+    idle();
+    lock.lock();
+  }
   return count_ > 0 ? &slots_[head_] : nullptr;
 }
 

@@ -4,9 +4,12 @@
 #include <condition_variable>
 #include <cstddef>
 #include <exception>
+#include <functional>
 #include <mutex>
+#include <span>
 #include <vector>
 
+#include "sim/contact_row.h"
 #include "sim/state.h"
 
 namespace throng::recording {
@@ -15,6 +18,7 @@ namespace throng::recording {
 struct QueueEntry {
   State state;
   bool checkpoint = false;  ///< all of the state, to go on from; else a frame: step, ids and motion alone
+  std::vector<ContactRow> contacts = {};  ///< of a frame, where it is to hold any
 };
 
 /// Frames and checkpoints on their way from the loop to the writer: a ring of buffers made in advance, one
@@ -27,16 +31,17 @@ class FrameQueue {
 
   /// Copies a frame in; waits while the queue is full. Allocates nothing while the number of bodies is that
   /// of `first`. Throws what the consumer failed with.
-  void push(const State& state) { push(state, false); }
+  void push(const State& state, std::span<const ContactRow> contacts = {}) { push(state, contacts, false); }
 
   /// The same for a checkpoint, whose contacts may take more memory.
-  void push_checkpoint(const State& state) { push(state, true); }
+  void push_checkpoint(const State& state) { push(state, {}, true); }
 
   /// Nothing more will come.
   void close();
 
-  /// The oldest entry, once there is one; nullptr after the last. It stays until `pop`.
-  const QueueEntry* front();
+  /// The oldest entry, once there is one; nullptr after the last. It stays until `pop`. Calls `idle`, if any,
+  /// about each 50 ms that nothing came.
+  const QueueEntry* front(const std::function<void()>& idle = {});
   void pop();
 
   /// The consumer gives up: every later push and check throws `error`.
@@ -46,7 +51,7 @@ class FrameQueue {
   std::size_t capacity() const { return slots_.size(); }
 
  private:
-  void push(const State& state, bool checkpoint);
+  void push(const State& state, std::span<const ContactRow> contacts, bool checkpoint);
   std::size_t batch() const { return slots_.size() / 2; }
 
   std::vector<QueueEntry> slots_;

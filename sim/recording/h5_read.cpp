@@ -6,6 +6,7 @@
 #include <limits>
 #include <string_view>
 
+#include "sim/recording/packed.h"
 #include "sim/recording/utf8.h"
 
 namespace throng::recording::h5 {
@@ -13,7 +14,9 @@ namespace throng::recording::h5 {
 namespace {
 
 constexpr std::size_t kMaxAttribute = 64 * 1024, kMaxChunkBytes = 16 << 20;  // bytes
-constexpr std::uint64_t kCutShort = 64'000'000;                              // bytes, of frames on their way
+constexpr std::uint64_t kDensest = 1032;                     // what deflate can make of a byte
+constexpr std::uint64_t kMostPacked = 2, kLeastPacked = 64;  // of what goes in, bytes
+constexpr std::uint64_t kCutShort = 64'000'000;              // bytes, of frames on their way
 
 [[noreturn]] void reject(const char* name, const char* why) {
   throw Error(std::string(name) + " " + why);
@@ -26,15 +29,22 @@ void expect_hard_link(hid_t at, const char* name) {
   if (info.type != H5L_TYPE_HARD) reject(name, "is a link to elsewhere");
 }
 
-bool filters_are_plain(hid_t plist) {
+/// The dataset's filters, in the order in which numbers went through them.
+std::vector<H5Z_filter_t> filters(hid_t plist) {
+  std::vector<H5Z_filter_t> found;
   const int count = check(H5Pget_nfilters(plist), "filters");
   for (int i = 0; i < count; ++i) {
     unsigned flags, config;
     std::size_t values = 0;
-    if (H5Pget_filter2(plist, i, &flags, &values, nullptr, 0, nullptr, &config) != H5Z_FILTER_FLETCHER32)
-      return false;
+    found.push_back(H5Pget_filter2(plist, i, &flags, &values, nullptr, 0, nullptr, &config));
   }
-  return true;
+  return found;
+}
+
+bool are_expected(const std::vector<H5Z_filter_t>& found, bool packed) {
+  if (packed)
+    return found == std::vector<H5Z_filter_t>{H5Z_FILTER_SHUFFLE, H5Z_FILTER_DEFLATE, H5Z_FILTER_FLETCHER32};
+  return std::ranges::all_of(found, [](H5Z_filter_t filter) { return filter == H5Z_FILTER_FLETCHER32; });
 }
 
 /// `a` times `b`, or the largest number.
@@ -44,25 +54,30 @@ std::uint64_t times(std::uint64_t a, std::uint64_t b) {
              : a * b;
 }
 
-void expect_bounded_chunks(hid_t plist, const char* name, std::size_t element) {
-  hsize_t chunk[H5S_MAX_RANK];
-  const int rank = check(H5Pget_chunk(plist, H5S_MAX_RANK, chunk), name);
+std::vector<hsize_t> bounded_chunk(hid_t plist, const char* name, std::size_t element) {
+  std::vector<hsize_t> chunk(H5S_MAX_RANK);
+  chunk.resize(static_cast<std::size_t>(check(H5Pget_chunk(plist, H5S_MAX_RANK, chunk.data()), name)));
   std::uint64_t bytes = element;
-  for (int i = 0; i < rank; ++i) bytes = times(bytes, chunk[i]);
+  for (hsize_t size : chunk) bytes = times(bytes, size);
   if (bytes > kMaxChunkBytes) reject(name, "has chunks that are too large");
+  return chunk;
 }
 
-void expect_plain_storage(const File& file, const Dataset& dataset, const char* name, std::size_t element) {
+void expect_own_storage(const File& file, Dataset& dataset, const char* name, std::size_t element,
+                        Storage storage) {
   const Handle plist(H5Dget_create_plist(dataset.set), H5Pclose, name);
   const H5D_layout_t layout = H5Pget_layout(plist);
   if (layout != H5D_CONTIGUOUS && layout != H5D_CHUNKED) reject(name, "is stored in an unknown way");
   if (check(H5Pget_external_count(plist), name) != 0) reject(name, "is stored in another file");
-  if (!filters_are_plain(plist)) reject(name, "has a filter that throng never uses");
-  if (layout == H5D_CHUNKED) expect_bounded_chunks(plist, name, element);
+  if (!are_expected(filters(plist), storage == Storage::packed))
+    reject(name, "has a filter that throng never uses there");
+  if (layout == H5D_CHUNKED) dataset.chunk = bounded_chunk(plist, name, element);
 
   std::uint64_t bytes = element;
   for (hsize_t dim : dataset.dims) bytes = times(bytes, dim);
-  if (bytes > file.room()) reject(name, "claims more than the file can hold");
+  if (storage == Storage::sparse && !dataset.dims.empty()) bytes /= std::max<hsize_t>(1, dataset.dims[0]);
+  if (bytes > times(file.room(), storage == Storage::packed ? kDensest : 1))
+    reject(name, "claims more than the file can hold");
 }
 
 void expect_dims(const Dataset& dataset, const char* name, const std::vector<std::optional<hsize_t>>& dims) {
@@ -71,9 +86,10 @@ void expect_dims(const Dataset& dataset, const char* name, const std::vector<std
     if (dims[i] && *dims[i] != dataset.dims[i]) reject(name, "has the wrong size");
 }
 
-Dataset open_any(const File& file, hid_t at, const char* name, hid_t type, bool text) {
+Dataset open_any(const File& file, hid_t at, const char* name, hid_t type, bool text,
+                 Storage storage = Storage::whole) {
   expect_hard_link(at, name);
-  Dataset result{{H5Dopen2(at, name, H5P_DEFAULT), H5Dclose, name}, {}};
+  Dataset result{{H5Dopen2(at, name, H5P_DEFAULT), H5Dclose, name}, {}, {}};
   const Handle found(H5Dget_type(result.set), H5Tclose, name),
       space(H5Dget_space(result.set), H5Sclose, name);
   const bool fits = text ? H5Tget_class(found) == H5T_STRING && H5Tis_variable_str(found) == 0
@@ -83,7 +99,7 @@ Dataset open_any(const File& file, hid_t at, const char* name, hid_t type, bool 
   if (kind != H5S_SIMPLE && kind != H5S_SCALAR) reject(name, "has no extent");
   result.dims.resize(check(H5Sget_simple_extent_ndims(space), name));
   check(H5Sget_simple_extent_dims(space, result.dims.data(), nullptr), name);
-  expect_plain_storage(file, result, name, H5Tget_size(found));
+  expect_own_storage(file, result, name, H5Tget_size(found), storage);
   return result;
 }
 
@@ -160,8 +176,8 @@ std::string read_attribute_text(hid_t at, const char* name) {
 
 template <class T>
 Dataset open_dataset(const File& file, hid_t at, const char* name,
-                     const std::vector<std::optional<hsize_t>>& dims) {
-  Dataset result = open_any(file, at, name, type<T>(), false);
+                     const std::vector<std::optional<hsize_t>>& dims, Storage storage) {
+  Dataset result = open_any(file, at, name, type<T>(), false, storage);
   expect_dims(result, name, dims);
   return result;
 }
@@ -191,6 +207,36 @@ void read_row(const Dataset& dataset, hsize_t row, void* out, std::size_t bytes)
   if (bytes > 0) read_block(dataset, type<T>(), start, dims, out);
 }
 
+template <class T>
+std::vector<T> read_rows(const Dataset& dataset, hsize_t first, hsize_t count) {
+  std::vector<hsize_t> dims = dataset.dims, start(dims.size(), 0);
+  start[0] = first;
+  dims[0] = count;
+  std::uint64_t numbers = 1;
+  for (hsize_t dim : dims) numbers *= dim;
+  std::vector<T> values(numbers);
+  if (numbers > 0) read_block(dataset, type<T>(), start, dims, values.data());
+  return values;
+}
+
+void read_packed_row(const Dataset& dataset, hsize_t row, std::span<std::uint32_t> out) {
+  const hsize_t columns = dataset.dims[2], bodies = dataset.chunk[1];
+  std::vector<std::uint32_t> numbers(bodies * columns);
+  std::vector<std::byte> bytes;
+  for (std::size_t at = 0; at < out.size(); at += numbers.size()) {
+    const hsize_t place[] = {row, at / columns, 0};
+    hsize_t size = 0;
+    check(H5Dget_chunk_storage_size(dataset.set, place, &size), "cannot read");
+    if (size == 0 || size > kMostPacked * (numbers.size() * sizeof(std::uint32_t) + kLeastPacked))
+      throw Error("a chunk has a size that throng never makes");
+    bytes.resize(size);
+    std::uint32_t skipped = 0;
+    check(H5Dread_chunk(dataset.set, H5P_DEFAULT, place, &skipped, bytes.data()), "cannot read");
+    if (skipped != 0 || !unpack(bytes, numbers)) throw Error("a chunk cannot be unpacked");
+    std::copy_n(numbers.begin(), std::min(numbers.size(), out.size() - at), out.begin() + at);
+  }
+}
+
 std::string read_text(const File& file, hid_t at, const char* name) {
   const Dataset dataset = open_any(file, at, name, -1, true);
   expect_dims(dataset, name, {});
@@ -213,12 +259,13 @@ std::vector<std::string> read_texts(const File& file, hid_t at, const char* name
   return texts;
 }
 
-#define THRONG_READABLE(T)                                                      \
-  template T read_attribute(hid_t, const char*);                                \
-  template std::vector<T> read_attribute(hid_t, const char*, std::size_t);      \
-  template Dataset open_dataset<T>(const File&, hid_t, const char*,             \
-                                   const std::vector<std::optional<hsize_t>>&); \
-  template std::vector<T> read_all(const Dataset&, std::optional<hsize_t>);     \
+#define THRONG_READABLE(T)                                                               \
+  template T read_attribute(hid_t, const char*);                                         \
+  template std::vector<T> read_attribute(hid_t, const char*, std::size_t);               \
+  template Dataset open_dataset<T>(const File&, hid_t, const char*,                      \
+                                   const std::vector<std::optional<hsize_t>>&, Storage); \
+  template std::vector<T> read_rows(const Dataset&, hsize_t, hsize_t);                   \
+  template std::vector<T> read_all(const Dataset&, std::optional<hsize_t>);              \
   template void read_row<T>(const Dataset&, hsize_t, void*, std::size_t);
 THRONG_READABLE(double)
 THRONG_READABLE(float)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,10 +23,14 @@ struct File {
   std::uint64_t room() const;
 };
 
+/// What a dataset may be. `whole`: all of it is in the file; `packed`: through shuffle and deflate, too;
+/// `sparse`: most of it was never written. The last two are never read at once.
+enum class Storage { whole, packed, sparse };
+
 /// A dataset that passed the checks above.
 struct Dataset {
   Handle set;
-  std::vector<hsize_t> dims;
+  std::vector<hsize_t> dims, chunk;  ///< chunk: empty where it is in one piece
 };
 
 bool exists(hid_t at, const char* name);
@@ -40,7 +45,16 @@ std::string read_attribute_text(hid_t at, const char* name);
 /// Opens a dataset of T's type and of these dimensions; where one is not given, any will do.
 template <class T>
 Dataset open_dataset(const File& file, hid_t at, const char* name,
-                     const std::vector<std::optional<hsize_t>>& dims);
+                     const std::vector<std::optional<hsize_t>>& dims, Storage storage = Storage::whole);
+
+/// Reads row `row` of a packed dataset [rows, bodies, 2], a row a chunk or several, to `out`, which has its
+/// size. HDF5's own inflate would take what memory a crafted chunk asks for. Throws where a chunk is not what
+/// throng makes.
+void read_packed_row(const Dataset& dataset, hsize_t row, std::span<std::uint32_t> out);
+
+/// Reads `count` rows of the first dimension from row `first` on. Expects them to be there.
+template <class T>
+std::vector<T> read_rows(const Dataset& dataset, hsize_t first, hsize_t count);
 
 /// Reads the first `rows` of a dataset, all where it isn't given.
 template <class T>

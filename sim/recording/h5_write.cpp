@@ -129,7 +129,7 @@ void write_array(hid_t at, const char* name, std::span<const T> values, hsize_t 
 }
 
 Handle create_growing(hid_t at, const char* name, hid_t type, std::vector<hsize_t> dims,
-                      std::vector<hsize_t> chunk, bool fletcher32) {
+                      std::vector<hsize_t> chunk, Filters filters) {
   std::vector<hsize_t> limit = dims;
   dims[0] = 0;
   limit[0] = H5S_UNLIMITED;
@@ -137,10 +137,14 @@ Handle create_growing(hid_t at, const char* name, hid_t type, std::vector<hsize_
   const Handle where(H5Screate_simple(rank, dims.data(), limit.data()), H5Sclose, "cannot make a dataspace");
   const Handle layout = plain_layout();
   check(H5Pset_chunk(layout, rank, chunk.data()), "cannot set chunks");
-  if (fletcher32) check(H5Pset_fletcher32(layout), "cannot set fletcher32");
+  if (filters == Filters::packed) {
+    check(H5Pset_shuffle(layout), "cannot set shuffle");
+    check(H5Pset_deflate(layout, 1), "cannot set deflate");
+  }
+  if (filters != Filters::none) check(H5Pset_fletcher32(layout), "cannot set fletcher32");
   // No chunk cache for frames: each is written whole and never again.
   const Handle access(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose, "cannot make a property list");
-  if (fletcher32) check(H5Pset_chunk_cache(access, 0, 0, 1.0), "cannot set the chunk cache");
+  if (filters != Filters::none) check(H5Pset_chunk_cache(access, 0, 0, 1.0), "cannot set the chunk cache");
   return {H5Dcreate2(at, name, type, where, H5P_DEFAULT, layout, access), H5Dclose, "cannot make a dataset"};
 }
 

@@ -34,9 +34,13 @@ void write_texts(hid_t at, const char* name, const std::vector<std::string>& tex
 template <class T>
 void write_array(hid_t at, const char* name, std::span<const T> values, hsize_t columns = 1);
 
-/// An empty dataset that grows in its first dimension; `dims` and `chunk` without it hold one row each.
+/// What the numbers of a chunk go through; `packed` is shuffle, deflate and fletcher32.
+enum class Filters { none, fletcher32, packed };
+
+/// An empty dataset that grows in its first dimension; `dims` and `chunk` without it hold one row each. What
+/// was never written reads as zeros. Expects chunks with filters to be written whole.
 Handle create_growing(hid_t at, const char* name, hid_t type, std::vector<hsize_t> dims,
-                      std::vector<hsize_t> chunk, bool fletcher32);
+                      std::vector<hsize_t> chunk, Filters filters);
 
 /// A dataset in one piece, whose rows are written later.
 Handle create_fixed(hid_t at, const char* name, hid_t type, const std::vector<hsize_t>& dims);

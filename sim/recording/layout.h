@@ -5,59 +5,91 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "sim/record.h"
+
 // clang-format off
 /// Where everything stands in a trajectory file: H5MD 1.1 (nongnu.org/h5md), throng's own data below /throng.
 ///
-/// F frames, N bodies; all types little-endian and of fixed size; texts of fixed length, UTF-8. Created whole
-/// before the first frame with `libver=latest`, then only appended to, in SWMR mode: readers may follow a run.
+/// F frames, N recorded bodies; all types little-endian and of fixed size; texts of fixed length, UTF-8. Created
+/// whole before the first frame with `libver=latest`, then only appended to, in SWMR mode: readers may follow a
+/// run. Since 1.2 is marked with (1.2).
 /// ```
 /// /h5md                   attribute version int32[2] = {1, 1}; author and creator as H5MD wants them
 /// /parameters             attributes dt, until, checkpoint (f64), substeps, every, threads (i64), seed (u64),
 ///                         engine, precision, version, compiler, flags; scenario_hash, resolved_hash and
-///                         command_line_hash (u64, hash_bytes of the texts)
+///                         command_line_hash (u64, hash_bytes of the texts); bodies i64 of the run (1.2)
 ///   scenario, resolved    texts: the scenario as given, and with every override applied
 ///   command_line          text
 /// /particles/trajectory
 ///   box                   attributes dimension = 2, boundary[2]; dataset edges f64[2] in a bounded domain
 ///   id                    i64[N], ascending; the row of a body is the same in every frame
-///   position, velocity    groups with value f64[F,N,2] (f32 with record.precision = "single"), step, time
+///   position, velocity    groups with value f64[F,N,2] (f32 with record.precision = "single"), step, time; attribute
+///                         every i64 (1.2)
 ///   angle, spin           the same with value [F,N]; only what the scenario records is there
+/// /observables            (1.2) attribute every; kinetic_energy, potential_energy, contacts, max_overlap,
+///                         mean_overlap with value f64[], momentum with value f64[,2]; each with step, time
 /// /throng                 attributes version int32[2] = {kMajor, kMinor}, name, description
 ///   finished              u64: 0 while the run goes on, then chain_hash of frames/frame_hash
-///   frames                step i64[F], time f64[F] = step * dt, state_hash u64[F], frame_hash u64[F];
-///                         every `step` and `time` above is a hard link to these two
+///   frames                step i64[F], time f64[F] = step * dt, state_hash u64[F], frame_hash u64[F]
+///   rates/R               (1.2) step and time of the frames whose step is a multiple of R, where not all are. Every
+///                         other `step` and `time` is a hard link to these or to those of `frames`
+///   quantized             (1.2) with record.quantize, instead of the positions of H5MD: position u32[F,N,2] through
+///                         shuffle and deflate, step, time; attributes every, quantum f64 (m), key_every i64, how
+///   contacts              (1.2) attribute every; a u32, b u32, impulse f64, point f64[,2], rows as ContactRow has
+///                         them; those of sample s are offset[s] to offset[s + 1], u64; step, time
 ///   domain                attributes kind, min f64[2], max f64[2]
 ///   materials             name, density, restitution, friction
 ///   shapes                name, kind u8 (0 disc, 1 polygon, 2 composite), centre, area, gyration2, radius;
 ///                         outline_offset u64[S+1] -> outline f64[,2]; part_offset u64[S+1] -> part_radius
 ///                         f64, vertex_offset u64[parts+1] -> vertices f64[,2]; since 1.1 hole_offset
 ///                         u64[S+1] -> ring_offset u64[holes+1] -> rings f64[,2]
-///   bodies                shape u32, material u32, kind u8 (0 dynamic, 1 static, 2 kinematic), radius, mass
+///   bodies                a row for each recorded body: shape u32, material u32, kind u8 (0 dynamic, 1 static,
+///                         2 kinematic), radius, mass; id i64[N] where frames hold some of them only (1.2)
 ///   walls                 offset u64[W+1] -> points f64[,2]; closed u8, material u32
 /// ```
+/// What has an attribute `every` is in the frames whose step is a multiple of it. With record.within (1.2), `id` is
+/// such a group, too, with attributes min and max f64[2], the region, and value u32[F,N]: a frame's bodies
+/// stand in front, ascending by id, and 0, the fill value, in the other places; fields have the same order.
+///
 /// `state_hash` is throng::hash of the whole state, so that a run can be checked against another (before 1.1 it
 /// was another function, and there was no attribute `checkpoint`). `frame_hash`
-/// covers step, time, state_hash and exactly the stored bytes of the frame; 0 never occurs. It is the commit
-/// record: a frame counts once its row stands there, whatever the extents of the other datasets say. Values
-/// carry fletcher32 and one chunk a frame (at most kMaxChunk bytes). The four rows of `frames` carry none: their
-/// last chunk is rewritten as it fills, and a reader or a crash in between would see a wrong checksum;
-/// `frame_hash` and `finished` cover them.
+/// covers step, time, state_hash and exactly what the frame stores: ids where they change, the numbers of each
+/// field (whole multiples of the quantum, i32, where they are quantized), a, b, impulse, point of the contacts, the
+/// observables; 0 never occurs. It is the commit
+/// record: a frame counts once its row stands there, whatever the extents of the other datasets say. Values of
+/// bodies carry fletcher32 and one chunk a frame (at most kMaxChunk bytes). Rows that grow a little at a time
+/// (`frames`, `rates`, contacts, observables) carry none: their last chunk is rewritten as it fills, and a
+/// reader or a crash in between would see a wrong checksum; `frame_hash` and `finished` cover them.
 // clang-format on
 namespace throng::recording {
 
 inline constexpr int kMajor = 1;  ///< a reader refuses a newer one
 /// A reader takes any. Since 1 polygons may have holes, which readers of 1.0 overlook, there is an attribute
 /// `checkpoint`, and `state_hash` is another function: to a throng of 1.0 such states differ from those that
-/// it computes.
-inline constexpr int kMinor = 1;
+/// it computes. Since 2 fields have rates, and there are quantized positions, contacts, observables and
+/// regions: readers of 1.1 take frames that have them for damaged.
+inline constexpr int kMinor = 2;
 
 inline constexpr std::size_t kMaxChunk = std::size_t{1} << 20;  ///< bytes
+inline constexpr std::size_t kRegionChunk = 256;                ///< bodies, where frames hold few of them
 inline constexpr std::size_t kRowChunk = 512;                   ///< rows: one page of 8-byte numbers
 
 /// What may be recorded of a body, in the order in which frame_hash covers it.
-enum FieldIndex { kPosition, kAngle, kVelocity, kSpin, kFields };
+enum FieldIndex { kPosition, kAngle, kVelocity, kSpin, kFields, kContacts = kFields };
 
 inline constexpr std::array<const char*, kFields> kFieldName{"position", "angle", "velocity", "spin"};
 inline constexpr std::array<int, kFields> kComponents{2, 1, 2, 1};
+
+inline bool is_quantized(const Record& record, FieldIndex field) {
+  return field == kPosition && record.quantum > 0.0;
+}
+
+/// What the file says of its quantized positions.
+inline constexpr const char* kHowQuantized =
+    "v = position[k] of sample k, d = (v >> 1) ^ -(v & 1) modulo 2^32; n[k] = d where k is a multiple of "
+    "key_every, "
+    "n[k - 1] + d in the sample after that, else 2 n[k - 1] - n[k - 2] + d, as int32; metres are n * "
+    "quantum. "
+    "throng_read.py reads them.";
 
 }  // namespace throng::recording

@@ -9,11 +9,13 @@
 #include <functional>
 #include <future>
 #include <new>
+#include <optional>
 #include <thread>
 
 #include "sim/input_error.h"
 #include "sim/recording/build_info.h"
 #include "sim/recording/checkpoint.h"
+#include "sim/recording/expected_bytes.h"
 #include "sim/recording/frame_queue.h"
 #include "sim/recording/output_file.h"
 #include "sim/recording/trajectory_writer.h"
@@ -30,12 +32,10 @@ constexpr double kSceneBytes = 64.0, kStateBytes = 150.0;  // a body, with three
 constexpr double kCheckpoints = 3.0;                       // this one, the one before, the next
 constexpr double kEnoughRoom = 4e6;  // bytes: below it, stop while the file can still be closed in order
 
-double expected_bytes(const Scene& scene, const Provenance& provenance) {
-  const double frames = static_cast<double>(scene.time.steps()) / scene.record.every + 1;
+double all_bytes(const Scene& scene, const Provenance& provenance) {
   const double texts = static_cast<double>(provenance.scenario.size() + provenance.resolved.size());
   const double bodies = static_cast<double>(scene.bodies.size());
-  return frames * frame_bytes(scene) + kSceneBytes * bodies + kCheckpoints * kStateBytes * bodies + texts +
-         1e5;
+  return expected_bytes(scene) + kSceneBytes * bodies + kCheckpoints * kStateBytes * bodies + texts + 1e5;
 }
 
 /// Signals are for the threads that know what to do; a limit on the file's size comes back as an error
@@ -56,14 +56,6 @@ void expect_memory() {
 
 }  // namespace
 
-double frame_bytes(const Scene& scene) {
-  const auto fields = recorded_fields(scene.record);
-  double numbers = 0;
-  for (int f = 0; f < kFields; ++f) numbers += fields[f] ? kComponents[f] : 0;
-  const double overhead = 4 * 8 + 4 * 64;  // the rows, and the index entries of the chunks
-  return numbers * (scene.record.single ? 4 : 8) * static_cast<double>(scene.bodies.size()) + overhead;
-}
-
 /// The frames of an earlier run to begin with.
 struct Kept {
   const Recording* recording = nullptr;
@@ -77,6 +69,7 @@ struct Recorder::Impl {
   void write_all(const Scene& scene, const Provenance& provenance, Kept kept, std::promise<void>& ready);
   std::unique_ptr<TrajectoryWriter> make_writer(const Scene& scene, const Provenance& provenance, Kept kept);
   void write_entries(TrajectoryWriter& writer);
+  std::optional<Observables> observables(const QueueEntry& entry) const;
   void write_checkpoint(TrajectoryWriter& writer, const State& state);
   void commit(TrajectoryWriter& writer);
   void commit_when_due(TrajectoryWriter& writer);
@@ -86,9 +79,8 @@ struct Recorder::Impl {
 
   using Clock = std::chrono::steady_clock;
   OutputFile output;
-  std::string scenario;  ///< resolved
-  double bytes_per_frame;
-  double uncommitted = 0;  ///< bytes
+  std::string scenario;           ///< resolved
+  std::optional<Scene> observed;  ///< what observables are measured on, where any are
   Clock::time_point last_commit = Clock::now(), last_sync = Clock::now();
   FrameQueue queue;
   bool complete = false;  ///< set before the queue closes: the file deserves its final name
@@ -100,11 +92,11 @@ Recorder::Impl::Impl(const std::string& path, const Scene& scene, const Provenan
                      Kept kept)
     : output(path, force),
       scenario(provenance.resolved),
-      bytes_per_frame(frame_bytes(scene)),
+      observed(scene.record.observables > 0 ? std::optional(scene) : std::nullopt),
       queue(initial_state(scene)),
       frames(kept.frames) {
   if (kept.recording && output.was_there()) output.keep();
-  expect_room(path, expected_bytes(scene, provenance));
+  expect_room(path, all_bytes(scene, provenance));
   expect_memory();
   std::promise<void> promise;
   std::future<void> ready = promise.get_future();
@@ -158,10 +150,7 @@ std::unique_ptr<TrajectoryWriter> Recorder::Impl::make_writer(const Scene& scene
     for (std::size_t i = 0; i < kept.frames; ++i) {
       kept.recording->read(i, frame);
       writer->append(frame);
-      uncommitted += bytes_per_frame;
-      if (uncommitted < kCommitBytes) continue;
-      writer->commit();
-      uncommitted = 0;
+      if (writer->uncommitted_bytes() >= kCommitBytes) writer->commit();
     }
     writer->commit();
     output.adopt(fresh);
@@ -192,16 +181,19 @@ void Recorder::Impl::guarded(TrajectoryWriter& writer, const std::function<void(
 }
 
 void Recorder::Impl::write_entries(TrajectoryWriter& writer) {
-  while (const QueueEntry* entry = queue.front()) {
-    if (entry->checkpoint) {
+  while (const QueueEntry* entry = queue.front([&] { commit_when_due(writer); })) {
+    if (entry->checkpoint)
       write_checkpoint(writer, entry->state);
-    } else {
-      writer.append(entry->state);
-      uncommitted += bytes_per_frame;
-    }
+    else
+      writer.append(entry->state, entry->contacts, observables(*entry));
     queue.pop();
     commit_when_due(writer);
   }
+}
+
+std::optional<Observables> Recorder::Impl::observables(const QueueEntry& entry) const {
+  if (!observed || !is_due(observed->record.observables, entry.state.step)) return std::nullopt;
+  return observe(*observed, entry.state, entry.contacts.size());
 }
 
 /// First the frames reach the disk, then what says that they are there.
@@ -226,7 +218,9 @@ void Recorder::Impl::commit(TrajectoryWriter& writer) {
 
 void Recorder::Impl::commit_when_due(TrajectoryWriter& writer) {
   const auto now = Clock::now();
+  const double uncommitted = writer.uncommitted_bytes();
   if (now - last_commit < kCommitEach && uncommitted < kCommitBytes) return;
+  if (!writer.has_uncommitted()) return;
   commit(writer);
   output.start_sync();
   if (now - last_sync >= kSyncEach) {
@@ -234,9 +228,7 @@ void Recorder::Impl::commit_when_due(TrajectoryWriter& writer) {
     last_sync = now;
   }
   const double room = free_bytes(output.path());
-  const double needed = uncommitted + kEnoughRoom;
-  uncommitted = 0;
-  if (room >= needed) return;
+  if (room >= uncommitted + kEnoughRoom) return;
   throw std::runtime_error("stopped writing " + output.part() + ": the disk is nearly full; " +
                            std::to_string(writer.committed()) + " frames in it are readable");
 }
@@ -264,11 +256,11 @@ Recorder::~Recorder() = default;
 void Recorder::expect_writable(const std::string& path, const Scene& scene, const Provenance& provenance,
                                bool force) {
   recording::expect_writable(path, force);
-  expect_room(path, expected_bytes(scene, provenance));
+  expect_room(path, all_bytes(scene, provenance));
 }
 
-void Recorder::record(const State& state) {
-  impl_->queue.push(state);
+void Recorder::record(const State& state, std::span<const ContactRow> contacts) {
+  impl_->queue.push(state, contacts);
   ++impl_->frames;
 }
 

@@ -3,16 +3,15 @@
 
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <string>
 
+#include "sim/contact_row.h"
 #include "sim/recording/provenance.h"
 #include "sim/recording/recording.h"
 #include "sim/state.h"
 
 namespace throng {
-
-/// What one frame of the scene takes in the file, in bytes.
-double frame_bytes(const Scene& scene);
 
 /// Writes a run's trajectory to HDF5 (recording/layout.h) without holding up the loop: `record` copies the
 /// state into a queue, and one thread of the recorder's own does the rest, all of HDF5 included.
@@ -48,10 +47,11 @@ class Recorder {
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  /// Adds a frame. Returns once it is copied; waits where the queue is full, so a slow disk slows the loop
-  /// rather than filling the memory. O(n); allocates nothing. Expects the scene's bodies, ids 1 to n in any
-  /// order, and steps that ascend. Throws std::runtime_error with path and reason where writing has failed.
-  void record(const State& state);
+  /// Adds a frame: what is due at the state's step. Returns once it is copied; waits where the queue is full,
+  /// so a slow disk slows the loop rather than filling the memory. O(n); allocates nothing. Expects the
+  /// scene's bodies, ids 1 to n in any order, steps that ascend, and the state's contacts where they or
+  /// observables are due. Throws std::runtime_error with path and reason where writing has failed.
+  void record(const State& state, std::span<const ContactRow> contacts = {});
 
   /// Makes a checkpoint beside the recording (recording/checkpoint.h): once it is written, which this doesn't
   /// wait for, a run can go on from `state`, and every frame recorded before is on the disk. The one before

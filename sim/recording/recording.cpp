@@ -6,9 +6,11 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 
 #include "sim/input_error.h"
 #include "sim/recording/frame_hash.h"
+#include "sim/recording/frame_reader.h"
 #include "sim/recording/h5_read.h"
 #include "sim/recording/layout.h"
 #include "sim/recording/output_file.h"
@@ -21,6 +23,7 @@ using namespace recording;
 namespace {
 
 constexpr std::nullopt_t kAny = std::nullopt;
+constexpr std::int64_t kMostBodies = 0xffffffff;
 
 /// What the first bytes tell before HDF5 sees the file: throng writes superblocks of version 3 only.
 struct Superblock {
@@ -61,7 +64,7 @@ h5::Handle open_file(const std::string& path, bool open_for_writing, bool runnin
 }  // namespace
 
 struct Recording::Impl {
-  explicit Impl(const std::string& name);
+  Impl(const std::string& name, FrameChoice choice);
 
   void open();
   void check_version();
@@ -69,8 +72,8 @@ struct Recording::Impl {
   void read_rows();
   void check_rows() const;
   void open_fields();
-  template <class T>
-  void read_fields(std::size_t i, Frame& frame) const;
+  void choose(FrameChoice choice);
+  std::size_t in_file(std::size_t i) const { return chosen.empty() ? i : chosen[i]; }
 
   std::string path;
   bool running = false, complete = false;
@@ -78,13 +81,15 @@ struct Recording::Impl {
   h5::File file;
   Scene scene;
   RecordingOrigin origin;
-  std::array<h5::Dataset, kFields> fields;
+  FrameReader reader;
+  std::size_t bodies_of_run = 0;
+  std::vector<std::size_t> chosen;  ///< frames of the file; empty: all
   std::vector<std::int64_t> steps;
   std::vector<double> times;
   std::vector<std::uint64_t> state_hashes, frame_hashes;
 };
 
-Recording::Impl::Impl(const std::string& name) : path(name) {
+Recording::Impl::Impl(const std::string& name, FrameChoice choice) : path(name) {
   const bool open_for_writing = check_superblock(path).open_for_writing;
   running = open_for_writing && is_being_written(path);
   try {
@@ -92,6 +97,7 @@ Recording::Impl::Impl(const std::string& name) : path(name) {
     file = {open_file(path, open_for_writing, running), path, open_for_writing};
     bytes = std::filesystem::file_size(path);
     open();
+    choose(choice);
   } catch (const h5::Error& error) {
     throw InputError(path + " is damaged: " + error.what());
   } catch (const std::filesystem::filesystem_error& error) {
@@ -149,7 +155,9 @@ void Recording::Impl::read_parameters() {
   scene.time.dt = h5::read_attribute<double>(group, "dt");
   scene.time.until = h5::read_attribute<double>(group, "until");
   scene.time.substeps = static_cast<int>(h5::read_attribute<std::int64_t>(group, "substeps"));
-  scene.record.every = static_cast<int>(h5::read_attribute<std::int64_t>(group, "every"));
+  const auto every = h5::read_attribute<std::int64_t>(group, "every");
+  if (every < 1 || every > std::numeric_limits<int>::max()) throw h5::Error("every is out of range");
+  scene.record.every = static_cast<int>(every);
   if (!(std::isfinite(scene.time.dt) && scene.time.dt > 0)) throw h5::Error("dt is not above 0");
 }
 
@@ -182,53 +190,31 @@ void Recording::Impl::check_rows() const {
 }
 
 void Recording::Impl::open_fields() {
-  const h5::Handle particles = h5::open_group(file.handle, "particles");
-  const h5::Handle group = h5::open_group(particles, "trajectory");
-  const std::size_t n = scene.bodies.size();
-  const std::vector<std::int64_t> ids = h5::read_array<std::int64_t>(file, group, "id", {n});
-  for (std::size_t row = 0; row < n; ++row)
-    if (ids[row] != static_cast<std::int64_t>(row) + 1) throw h5::Error("id is not in order");
-  bool* recorded[] = {&scene.record.position, &scene.record.angle, &scene.record.velocity,
-                      &scene.record.spin};
-  scene.record.single =
-      h5::read_attribute_text(h5::open_group(file.handle, "parameters"), "precision") == "single";
-  for (int f = 0; f < kFields; ++f) {
-    *recorded[f] = h5::exists(group, kFieldName[f]);
-    if (!*recorded[f]) continue;
-    const h5::Handle element = h5::open_group(group, kFieldName[f]);
-    std::vector<std::optional<hsize_t>> dims{kAny, n};
-    if (kComponents[f] == 2) dims.push_back(2);
-    fields[f] = scene.record.single ? h5::open_dataset<float>(file, element, "value", dims)
-                                    : h5::open_dataset<double>(file, element, "value", dims);
-    if (fields[f].dims[0] < steps.size()) throw h5::Error(std::string(kFieldName[f]) + " has too few frames");
-  }
+  const h5::Handle group = h5::open_group(file.handle, "parameters");
+  scene.record.single = h5::read_attribute_text(group, "precision") == "single";
+  const auto bodies = origin.minor >= 2 ? h5::read_attribute<std::int64_t>(group, "bodies")
+                                        : static_cast<std::int64_t>(scene.bodies.size());
+  if (bodies < static_cast<std::int64_t>(scene.bodies.size()) || bodies > kMostBodies)
+    throw h5::Error("bodies is out of range");
+  bodies_of_run = static_cast<std::size_t>(bodies);
+  reader = FrameReader(file, scene, steps, origin.minor, bodies_of_run, scene.record);
 }
 
-/// Reads the fields as stored (T), holds them against the frame's hash, and hands them out as doubles.
-template <class T>
-void Recording::Impl::read_fields(std::size_t i, Frame& frame) const {
-  FrameHash hash(frame.step, frame.time, frame.state_hash);
-  const std::size_t n = scene.bodies.size();
-  std::vector<double>* scalars[] = {nullptr, &frame.angle, nullptr, &frame.spin};
-  std::vector<Vec>* vectors[] = {&frame.position, nullptr, &frame.velocity, nullptr};
-  std::vector<T> stored;
-  for (int f = 0; f < kFields; ++f) {
-    if (scalars[f]) scalars[f]->clear();
-    if (vectors[f]) vectors[f]->clear();
-    if (fields[f].set < 0) continue;
-    stored.resize(n * kComponents[f]);
-    h5::read_row<T>(fields[f], i, stored.data(), stored.size() * sizeof(T));
-    hash.add(std::as_bytes(std::span(stored)));
-    if (!std::all_of(stored.begin(), stored.end(), [](T x) { return std::isfinite(x); }))
-      throw h5::Error(std::string(kFieldName[f]) + " is not finite");
-    if (scalars[f]) scalars[f]->assign(stored.begin(), stored.end());
-    for (std::size_t row = 0; vectors[f] && row < n; ++row)
-      vectors[f]->push_back({stored[2 * row], stored[2 * row + 1]});
-  }
-  if (hash.value() != frame.frame_hash) throw h5::Error("it does not match its hash");
+/// From now on frame i is the chosen[i]-th of the file.
+void Recording::Impl::choose(FrameChoice choice) {
+  const Schedule& positions = reader.schedule(RecordField::position);
+  if (choice == FrameChoice::all || positions.every() == 0 || positions.samples() == steps.size()) return;
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    if (positions.sample(i)) chosen.push_back(i);
+  const auto keep = [&](auto& all) {
+    for (std::size_t i = 0; i < chosen.size(); ++i) all[i] = all[chosen[i]];
+    all.resize(chosen.size());
+  };
+  keep(steps), keep(times), keep(state_hashes), keep(frame_hashes);
 }
 
-Recording::Recording(const std::string& path) : impl_(std::make_unique<Impl>(path)) {}
+Recording::Recording(const std::string& path, FrameChoice choice)
+    : impl_(std::make_unique<Impl>(path, choice)) {}
 Recording::~Recording() = default;
 Recording::Recording(Recording&&) noexcept = default;
 Recording& Recording::operator=(Recording&&) noexcept = default;
@@ -253,6 +239,15 @@ std::size_t Recording::frames() const {
 }
 std::size_t Recording::bodies() const {
   return impl_->scene.bodies.size();
+}
+std::size_t Recording::bodies_of_run() const {
+  return impl_->bodies_of_run;
+}
+std::span<const std::uint32_t> Recording::ids() const {
+  return impl_->reader.ids();
+}
+std::optional<std::size_t> Recording::sample(RecordField field, std::size_t i) const {
+  return impl_->reader.schedule(field).sample(impl_->in_file(i));
 }
 std::span<const std::int64_t> Recording::steps() const {
   return impl_->steps;
@@ -279,13 +274,13 @@ void Recording::read(std::size_t i, Frame& frame) const {
   frame.time = impl_->times[i];
   frame.state_hash = impl_->state_hashes[i];
   frame.frame_hash = impl_->frame_hashes[i];
-  frame.id.resize(bodies());
-  for (std::size_t row = 0; row < frame.id.size(); ++row) frame.id[row] = static_cast<std::uint32_t>(row + 1);
+  frame.id = impl_->reader.ids();
   try {
     h5::prepare();
-    impl_->scene.record.single ? impl_->read_fields<float>(i, frame) : impl_->read_fields<double>(i, frame);
+    impl_->reader.read(impl_->in_file(i), frame);
   } catch (const h5::Error& error) {
-    throw InputError(impl_->path + " is damaged: frame " + std::to_string(i) + ": " + error.what());
+    throw InputError(impl_->path + " is damaged: frame " + std::to_string(impl_->in_file(i)) + ": " +
+                     error.what());
   }
 }
 

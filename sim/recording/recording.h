@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "sim/contact_row.h"
+#include "sim/observe.h"
 #include "sim/recording/provenance.h"
 #include "sim/scene.h"
 
 namespace throng {
 
-/// One recorded frame; a row per body in order of id. An array is empty where the scenario did not record it.
+/// One recorded frame; a row per recorded body in order of id. An array is empty where the frame does not
+/// hold it.
 struct Frame {
   std::int64_t step = 0;
   double time = 0.0;             ///< s
@@ -23,7 +28,20 @@ struct Frame {
   std::vector<double> angle;  ///< rad
   std::vector<Vec> velocity;  ///< m/s
   std::vector<double> spin;   ///< rad/s
+  /// 1 where the body was within record.within; empty where all are there. The others have NaN in all arrays.
+  std::vector<std::uint8_t> is_present;
+  std::optional<std::vector<ContactRow>> contacts;
+  std::optional<Observables> observables;
+
+  std::size_t bodies() const {
+    return is_present.empty() ? id.size()
+                              : static_cast<std::size_t>(std::count(is_present.begin(), is_present.end(), 1));
+  }
+  bool has(std::size_t row) const { return is_present.empty() || is_present[row] != 0; }
 };
+
+/// Which frames of a recording are looked at: fields may have rates of their own.
+enum class FrameChoice { all, with_position };
 
 /// What made the file.
 struct RecordingOrigin {
@@ -41,8 +59,9 @@ struct RecordingOrigin {
 /// time.
 class Recording {
  public:
-  /// Opens and checks everything but the frames' values. O(frames + bodies).
-  explicit Recording(const std::string& path);
+  /// Opens and checks everything but the frames' values. O(frames + bodies). Of the frames that are not
+  /// chosen nothing is seen; where no positions were recorded, all are chosen.
+  explicit Recording(const std::string& path, FrameChoice choice = FrameChoice::all);
   ~Recording();
   Recording(Recording&&) noexcept;
   Recording& operator=(Recording&&) noexcept;
@@ -51,13 +70,15 @@ class Recording {
   bool running() const;   ///< a run was writing to it when it was opened
   double bytes() const;   ///< of the file when it was opened
 
-  /// Names, domain, shapes, materials, bodies (their motion is zero: ask a frame), walls, time, seed, engine
-  /// and the recorded fields. Gravity and whatever else drawing doesn't need has its default.
+  /// Names, domain, shapes, materials, recorded bodies (their motion is zero: ask a frame), walls, time,
+  /// seed, engine and what is recorded. Gravity and whatever else drawing doesn't need has its default.
   const Scene& geometry() const;
   const RecordingOrigin& origin() const;
 
   std::size_t frames() const;
-  std::size_t bodies() const;
+  std::size_t bodies() const;                           ///< that are recorded
+  std::size_t bodies_of_run() const;                    ///< that the scenario makes
+  std::span<const std::uint32_t> ids() const;           ///< of the recorded bodies, ascending
   std::span<const std::int64_t> steps() const;          ///< ascending
   std::span<const double> times() const;                ///< s, ascending
   std::span<const std::uint64_t> state_hashes() const;  ///< checked against the values when a frame is read
@@ -67,6 +88,9 @@ class Recording {
   Frame frame(std::size_t i) const;
   /// The same into a frame whose memory is used again.
   void read(std::size_t i, Frame& frame) const;
+
+  /// In which sample of a field's own, where it is stored, frame i stands; nothing where it does not.
+  std::optional<std::size_t> sample(RecordField field, std::size_t i) const;
 
   /// The frame nearest in time; the earlier of two. Expects frames() > 0. O(log frames).
   std::size_t index_at(double time) const;

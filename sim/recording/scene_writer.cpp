@@ -90,17 +90,21 @@ void write_shapes(hid_t throng, const std::vector<Shape>& shapes) {
   write_outlines(group, shapes);
 }
 
-void write_bodies(hid_t throng, const Scene& scene) {
+/// A row for each id, which is one more than the row of the scene.
+void write_bodies(hid_t throng, const Scene& scene, std::span<const std::uint32_t> ids) {
   const h5::Handle group = h5::create_group(throng, "bodies");
   const Bodies& bodies = scene.bodies;
-  std::vector<double> masses;
-  for (std::size_t row = 0; row < bodies.size(); ++row) masses.push_back(mass(scene, row));
-  write_array(group, "shape", flat(bodies.shape));
-  write_array(group, "material", flat(bodies.material));
+  const auto chosen = [&](auto value) {
+    std::vector<decltype(value(0))> result;
+    for (std::uint32_t id : ids) result.push_back(value(id - 1));
+    return result;
+  };
+  write_array(group, "shape", flat(chosen([&](std::size_t row) { return bodies.shape[row]; })));
+  write_array(group, "material", flat(chosen([&](std::size_t row) { return bodies.material[row]; })));
   write_array(group, "kind",
-              flat(column(bodies.kind, [](BodyKind k) { return static_cast<std::uint8_t>(k); })));
-  write_array(group, "radius", flat(bodies.radius));
-  write_array(group, "mass", flat(masses));
+              flat(chosen([&](std::size_t row) { return static_cast<std::uint8_t>(bodies.kind[row]); })));
+  write_array(group, "radius", flat(chosen([&](std::size_t row) { return bodies.radius[row]; })));
+  write_array(group, "mass", flat(chosen([&](std::size_t row) { return mass(scene, row); })));
 }
 
 void write_walls(hid_t throng, const std::vector<Wall>& walls) {
@@ -115,13 +119,13 @@ void write_walls(hid_t throng, const std::vector<Wall>& walls) {
 
 }  // namespace
 
-void write_scene(hid_t throng, const Scene& scene) {
+void write_scene(hid_t throng, const Scene& scene, std::span<const std::uint32_t> ids) {
   h5::write_attribute(throng, "name", std::string_view(scene.name));
   h5::write_attribute(throng, "description", std::string_view(scene.description));
   write_domain(throng, scene.domain);
   write_materials(throng, scene.materials);
   write_shapes(throng, scene.shapes);
-  write_bodies(throng, scene);
+  write_bodies(throng, scene, ids);
   write_walls(throng, scene.walls);
 }
 

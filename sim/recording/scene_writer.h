@@ -3,12 +3,14 @@
 
 #include <hdf5.h>
 
+#include <span>
+
 #include "sim/scene.h"
 
 namespace throng::recording {
 
 /// Writes what of the scene never changes below the group `throng` (layout.h): domain, materials, shapes,
-/// bodies, walls. Throws h5::Error.
-void write_scene(hid_t throng, const Scene& scene);
+/// walls, and the bodies of these `ids`. Throws h5::Error.
+void write_scene(hid_t throng, const Scene& scene, std::span<const std::uint32_t> ids);
 
 }  // namespace throng::recording

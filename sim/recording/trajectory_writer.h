@@ -2,19 +2,19 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "sim/recording/field_writer.h"
 #include "sim/recording/h5.h"
 #include "sim/recording/layout.h"
 #include "sim/recording/provenance.h"
 #include "sim/recording/recording.h"
+#include "sim/recording/sampled_writer.h"
 #include "sim/state.h"
 
 namespace throng::recording {
-
-/// Which fields the scene records, in the order of layout.h.
-std::array<bool, kFields> recorded_fields(const Record& record);
 
 /// Writes one trajectory file, from one thread. All functions throw h5::Error; after that, `abandon` is the
 /// only call allowed, and the frames committed before stay readable.
@@ -24,10 +24,11 @@ class TrajectoryWriter {
   /// follow.
   TrajectoryWriter(const std::string& path, const Scene& scene, const Provenance& provenance);
 
-  /// Adds a frame, its bodies in order of id. It is there for readers after the next `commit`. Throws
-  /// std::runtime_error for a number that is not finite; the frame is then not written and the file stays
-  /// sound.
-  void append(const State& state);
+  /// Adds what is due of a state, its bodies in order of id. It is there for readers after the next `commit`.
+  /// `contacts`: of the state; `observables`: likewise, where they are due. Throws std::runtime_error for a
+  /// number that is not finite; the frame is then not written and the file stays sound.
+  void append(const State& state, std::span<const ContactRow> contacts = {},
+              const std::optional<Observables>& observables = std::nullopt);
 
   /// Adds a frame that was read from a recording of the same scene. Throws h5::Error where it wouldn't be
   /// stored as it was.
@@ -48,42 +49,53 @@ class TrajectoryWriter {
 
   std::size_t committed() const { return committed_; }  ///< frames
   std::uint64_t digest() const { return digest_; }      ///< chain_hash of their hashes
+  bool has_uncommitted() const { return frames_ > committed_; }
+  double uncommitted_bytes() const { return uncommitted_bytes_; }
 
  private:
-  struct Field {
-    h5::Handle set;
-    int components;
-    std::size_t chunk_bytes;
-    std::vector<double> values;  ///< by row of the file
-    std::vector<float> singles;  ///< the same as stored, with record.precision = "single"
-  };
   enum Row { kStep, kTime, kStateHash, kFrameHash, kRows };
-  struct Rows {
-    h5::Handle set;
-    std::vector<std::uint64_t> pending;  ///< the bits of 8-byte numbers
+  struct Rate {
+    int every;
+    RateRows rows;
   };
 
   void create_all(const Scene& scene, const Provenance& provenance);
-  void create_parameters(const Scene& scene, const Provenance& provenance);
-  void create_trajectory(const Scene& scene);
   void create_throng(const Scene& scene);
-  void create_field(hid_t group, int index);
+  void create_finished(hid_t throng);
+  void create_rates(hid_t throng);
+  void create_trajectory(const Scene& scene);
+  void create_ids(hid_t group);
+  void create_field(hid_t group, FieldIndex field);
+  void create_sampled();
+  void link_times(hid_t element, int every);
+  bool is_due(int field, std::int64_t step) const;
   void gather(const State& state);
   void gather(const Frame& frame);
-  std::uint64_t append_gathered(std::int64_t step, std::uint64_t state_hash);
-  std::uint64_t write_fields(std::int64_t step, std::uint64_t state_hash);
-  void write_field(Field& field, std::span<const std::byte> bytes);
-  void write_rows(Rows& rows);
+  void keep_present(std::int64_t step);
+  std::uint64_t append_gathered(std::int64_t step, std::uint64_t state_hash,
+                                std::span<const ContactRow> contacts,
+                                const std::optional<Observables>& observables);
+  std::size_t write_fields(std::int64_t step, FrameHash& hash);
+  std::span<const ContactRow> chosen(std::span<const ContactRow> contacts);
+  template <class F>
+  void for_each_log(F f);
 
   double dt_;
-  std::size_t bodies_;
-  bool single_;
+  Record record_;
+  Selection selection_;
   std::size_t frames_ = 0, committed_ = 0;
   std::uint64_t digest_;
+  double uncommitted_bytes_ = 0.0;
   h5::Handle file_, finished_;
-  std::array<Rows, kRows> rows_;
-  std::array<Field, kFields> fields_;
-  std::vector<std::byte> chunk_;  ///< the one being written, with its checksum
+  std::array<RowLog, kRows> rows_;
+  std::vector<Rate> rates_;  ///< that are not those of all frames
+  FrameBlocks ids_;          ///< where the recorded bodies change
+  std::array<FieldWriter, kFields> fields_;
+  ContactWriter contacts_;
+  ObservableWriter observables_;
+  std::vector<std::uint8_t> is_present_;  ///< by row of the selection, where that changes
+  std::vector<std::uint32_t> present_;    ///< the ids of those that are, ascending
+  std::vector<ContactRow> chosen_;
 };
 
 }  // namespace throng::recording

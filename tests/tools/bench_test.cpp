@@ -103,10 +103,12 @@ TEST_F(BenchCommand, RecordsRunsAndRawFrames) {
   std::set<std::string> seen;
   for (const auto& row : nlohmann::json::parse(read(path("rows.json"))))
     seen.insert(std::string(row["case"]) + ", " + std::string(row["engine"]));
-  EXPECT_EQ(seen, (std::set<std::string>{"pile n=10000 every step, position and angle, unrecorded",
-                                         "pile n=10000 every step, position and angle, recorded",
-                                         "write n=10000, plain", "write n=10000, throng",
-                                         "read n=10000, plain", "read n=10000, throng"}));
+  EXPECT_EQ(seen, (std::set<std::string>{
+                      "pile n=10000 every step, position and angle, unrecorded",
+                      "pile n=10000 every step, position and angle, recorded", "write n=10000, plain",
+                      "write n=10000, throng", "read n=10000, plain", "read n=10000, throng",
+                      "crowd n=1000 quantize=0.001, float32", "crowd n=1000 quantize=0.001, quantized",
+                      "crowd n=1000 quantize=0.001, read quantized"}));
 }
 
 TEST_F(BenchCommand, FindsTheSameInEveryHierarchyAndWithout) {

@@ -53,6 +53,31 @@ test("single precision and a few fields are read, too", () => {
   assert.deepEqual([description.fields, description.domain.kind, description.steps[1]], [["position"], "periodic", 7]);
 });
 
+test("quantized positions come back within half a quantum, from any frame", () => {
+  record("quantized", MIXED, ["--set", "record.quantize=0.01"]);
+  const quantized = open(library, "quantized.h5");
+  for (const i of [100, 3, 20, 17, 16, 15, 0, 99]) {
+    const { position, angle } = quantized.frame(i, FIELDS), truth = whole.frame(i, FIELDS);
+    assert.ok(position.every((x, k) => Math.abs(x - truth.position[k]) <= 0.005 * (1 + 1e-9)), `frame ${i}`);
+    assert.deepEqual(angle, truth.angle);
+  }
+});
+
+test("frames with positions are shown, with what they have of the rest", () => {
+  record("rates", MIXED.replace(/record = .*/, 'record = { every = 2, fields = ["position"], also = [{ every = 3, fields = ["velocity"] }] }'));
+  const recording = open(library, "rates.h5"), { steps, times } = recording.description;
+  assert.deepEqual([steps.length, steps[3], times[50]], [51, 6, 1]);
+  assert.deepEqual(recording.frame(3, FIELDS), { position: whole.frame(6, FIELDS).position, velocity: whole.frame(6, FIELDS).velocity });
+  assert.deepEqual(recording.frame(4, FIELDS), { position: whole.frame(8, FIELDS).position });
+});
+
+test("some bodies are shown by their ids, a region is refused with a sentence", () => {
+  record("some", MIXED, ["--set", "record.of.ids=[3, 90]"]);
+  assert.deepEqual([...open(library, "some.h5").description.bodies.id], [3, 90]);
+  record("region", MIXED, ["--set", "record.within=[[0, 0], [4, 4]]"]);
+  assert.match(refusal("region.h5"), /record\.within/);
+});
+
 test("the holes of polygons are read, and none from files that know of none", () => {
   const holes = "[[[0.1, 0.1], [0.2, 0.1], [0.1, 0.2]], [[0.3, 0.1], [0.4, 0.1], [0.4, 0.2], [0.3, 0.2]]]";
   record("frame", MIXED.replace("[0.5, 0.3], [0, 0.3]]", `[0.5, 0.3], [0, 0.3]], holes = ${holes}`).replace("until = 1.0", "until = 0.1"));

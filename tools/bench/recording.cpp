@@ -13,6 +13,7 @@
 #include "sim/recording/recording.h"
 #include "sim/simulation.h"
 #include "tools/bench/benchmarks.h"
+#include "tools/bench/crowd_motion.h"
 #include "tools/bench/interleave.h"
 #include "tools/bench/scenes.h"
 
@@ -141,6 +142,49 @@ std::vector<Row> bench_frames(const std::string& name, const Options& options, c
   return rows_of(name, contestants, frames, static_cast<double>(bytes) / frames);
 }
 
+void write_states(const std::string& file, const Scene& scene, const std::vector<State>& states) {
+  Recorder recorder(file, scene, {}, true);
+  for (const State& state : states) recorder.record(state);
+  recorder.finish();
+}
+
+/// m, of any coordinate in any frame.
+double farthest_off(const std::string& file, const std::vector<State>& states) {
+  const Recording recording(file);
+  Frame frame;
+  double most = 0.0;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    recording.read(i, frame);
+    for (std::size_t row = 0; row < frame.position.size(); ++row)
+      most = std::max(most, (frame.position[row] - states[i].position[row]).cwiseAbs().maxCoeff());
+  }
+  return most;
+}
+
+/// Positions of a crowd as float32 and quantized: bytes a body and frame, MB/s of float32, error (m).
+std::vector<Row> bench_quantized(const std::string& name, const Options& options, const std::string& file) {
+  const std::size_t people = options.quick ? 1000 : 20'000, frames = options.quick ? 20 : 250;
+  Scene scene = crowd_scene(people);
+  const std::vector<State> states = crowd_motion(scene, frames);
+  Record& record = scene.record;
+  record.angle = record.velocity = false, record.single = true;
+  Scene quantized = scene;
+  quantized.record.quantum = 1e-3;
+  const std::string files[] = {file + ".single", file + ".quantized"};
+  std::vector<Contestant> contestants = {{"float32", [&] { write_states(files[0], scene, states); }},
+                                         {"quantized", [&] { write_states(files[1], quantized, states); }},
+                                         {"read quantized", [&] { read_frames(files[1]); }}};
+  interleave(contestants, options.blocks, static_cast<int>(frames));
+  std::vector<Row> rows =
+      rows_of(name, contestants, static_cast<double>(frames), 8.0 * static_cast<double>(people));
+  for (std::size_t i = 0; i < 2; ++i) {
+    rows[i].error["bytes_a_body"] =
+        static_cast<double>(std::filesystem::file_size(files[i])) / static_cast<double>(people * frames);
+    rows[i].error["farthest_off"] = farthest_off(files[i], states);
+  }
+  return rows;
+}
+
 }  // namespace
 
 std::vector<Row> bench_recording(const Options& options) {
@@ -154,6 +198,8 @@ std::vector<Row> bench_recording(const Options& options) {
   add("pile n=10000 every step, position and angle",
       [&](const std::string& name) { return bench_run(name, options, file); });
   add("write " + size, [&](const std::string& name) { return bench_frames(name, options, file, false); });
+  add(options.quick ? "crowd n=1000 quantize=0.001" : "crowd n=20000 quantize=0.001",
+      [&](const std::string& name) { return bench_quantized(name, options, file); });
   add("read " + size, [&](const std::string& name) { return bench_frames(name, options, file, true); });
   return rows;
 }

@@ -9,6 +9,10 @@
         then = recording.position[recording.index_at(2.5)]   # the frame nearest to 2.5 s
         second = recording.position[recording.between(1, 2), :10]
 
+A field that has a rate of its own is not in every frame: recording.velocity.frames are the frames that have it,
+and indices count these: recording.time[recording.velocity.frames] are its times. With record.within, bodies that
+were outside have NaN. recording.contacts(i) gives where bodies pressed, recording.observables the measurements.
+
 Nothing is read before it is asked for. Only frames that the run committed are there. Every value carries a
 checksum: a damaged chunk raises OSError when it is read. Where a file is no recording, `open` raises
 NotARecording with one sentence. The layout is that of sim/recording/layout.h, which says what each name means.
@@ -23,7 +27,8 @@ MAJOR = 1  # of the layouts that this file reads
 SIGNATURE = b"\x89HDF\r\n\x1a\n"
 SLACK = 1 << 20  # bytes by which the file of a killed run may fall short of what it declares
 
-Frame = namedtuple("Frame", "step time hash position angle velocity spin")  # None where it wasn't recorded
+Frame = namedtuple("Frame", "step time hash position angle velocity spin")  # None where the frame has none
+Contacts = namedtuple("Contacts", "a b impulse point")  # ids, 0 for obstacles; N s; (x, y) in m
 Shape = namedtuple("Shape", "name kind radius area centre outline parts holes")  # parts: (vertices, radius)
 Bodies = namedtuple("Bodies", "shape material kind radius mass")  # rows of shapes and materials; m, kg
 Material = namedtuple("Material", "name density restitution friction")
@@ -44,7 +49,8 @@ class Field:
 
     def __init__(self, values, frames):
         self._values = values
-        self.shape = (frames,) + values.shape[1:]
+        self.frames = frames  # of the recording, in which it is
+        self.shape = (len(frames),) + values.shape[1:]
         self.dtype = values.dtype
 
     def __len__(self):
@@ -66,11 +72,67 @@ class Field:
             self._values.read_direct(result, np.s_[int(frame)], np.s_[row])
         return result[(slice(None), *rest)]
 
+    def in_frame(self, frame):
+        """Its row in a frame of the recording; None where that has none."""
+        sample = int(np.searchsorted(self.frames, frame))
+        return self[sample] if sample < len(self) and self.frames[sample] == frame else None
+
     def __iter__(self):
         return (self[i] for i in range(len(self)))
 
     def __array__(self, dtype=None):
         return self[:].astype(dtype or self.dtype, copy=False)
+
+
+class Quantized:
+    """Positions that are stored as whole multiples of a quantum, packed (sim/recording/packed.h), in metres."""
+
+    def __init__(self, group):
+        self._stored = group["position"]
+        self._quantum, self._key_every = float(group.attrs["quantum"]), int(group.attrs["key_every"])
+        if not self._quantum > 0 or not 0 < self._key_every <= 1024:
+            raise ValueError("throng/quantized has attributes out of range")
+        self.shape, self.dtype = self._stored.shape, np.dtype("f8")
+        self._at, self._now, self._before = None, None, None
+
+    def _next(self, i):
+        v = self._stored[i]
+        grown = (v >> 1) ^ (np.uint32(0) - (v & np.uint32(1)))
+        order = min(i % self._key_every, 2)
+        if order == 1:
+            grown = grown + self._now
+        elif order == 2:
+            grown = grown + 2 * self._now - self._before
+        self._before, self._now, self._at = self._now, grown, i
+
+    def __getitem__(self, i):
+        key = i - i % self._key_every
+        with np.errstate(over="ignore"):
+            follows = self._at is not None and key <= self._at <= i
+            for k in range(self._at + 1 if follows else key, i + 1):
+                self._next(k)
+        return self._now.view(np.int32) * self._quantum
+
+    def read_direct(self, result, sample, row):
+        result[row] = self[sample]
+
+
+class Region:
+    """A field of bodies that come and go, a row for each that ever may: NaN while it is away."""
+
+    def __init__(self, values, present, frames, ids):
+        self._values, self._present, self._frames, self._ids = values, present, frames, ids
+        self.shape, self.dtype = values.shape, values.dtype
+
+    def __getitem__(self, sample):
+        found = self._present[int(self._frames[sample])]
+        found = found[:np.count_nonzero(found)]
+        result = np.full(self.shape[1:], np.nan, self.dtype)
+        result[np.searchsorted(self._ids, found)] = self._values[sample][:len(found)]
+        return result
+
+    def read_direct(self, result, sample, row):
+        result[row] = self[sample]
 
 
 class Recording:
@@ -102,9 +164,13 @@ class Recording:
         self.command_line = _text(self._get("parameters/command_line")[()])
         self._read_frames()
         self._read_scene()
-        self.ids = self._all("particles/trajectory/id")
+        changes = "throng/bodies/id" in self._file  # bodies come into a region, and leave it
+        self.ids = self._all("throng/bodies/id" if changes else "particles/trajectory/id")
+        self._present = self._get("particles/trajectory/id/value") if changes else None
         for field in ("position", "angle", "velocity", "spin"):
             setattr(self, field, self._field(f"particles/trajectory/{field}"))
+        if "throng/quantized" in self._file:
+            self.position = self._quantized("throng/quantized")
 
     def _read_frames(self):
         """The frames that count: those whose hash row stands (sim/recording/layout.h)."""
@@ -157,23 +223,54 @@ class Recording:
     def _columns(self, group, names):
         return zip(*(self._all(f"{group}/{name}") for name in names))
 
+    def _frames_of(self, path):
+        """The frames that hold what has this attribute `every`; before 1.2 there was none, and all did."""
+        every = self._file[path].attrs.get("every")
+        if every is None:
+            return np.arange(len(self))
+        if every < 1:
+            raise ValueError(f"{path} has a rate out of range")
+        return np.flatnonzero(self.step % every == 0)
+
     def _field(self, path):
         if path not in self._file:
             return None
-        values = self._get(path + "/value")
-        if values.dtype.kind != "f" or values.shape[0] < len(self) or values.shape[1] != len(self.ids):
+        frames, values = self._frames_of(path), self._get(path + "/value")
+        if values.dtype.kind != "f" or values.shape[0] < len(frames) or values.shape[1] != len(self.ids):
             raise ValueError(f"{path} has another form")
-        return Field(values, len(self))
+        if self._present is not None:
+            if self._present.shape[0] < len(self) or self._present.shape[1:] != (len(self.ids),):
+                raise ValueError("particles/trajectory/id has another form")
+            values = Region(values, self._present, frames, self.ids)
+        return Field(values, frames)
+
+    def _quantized(self, path):
+        frames, stored = self._frames_of(path), self._get(path + "/position")
+        if stored.dtype != np.dtype("u4") or stored.shape[0] < len(frames) or stored.shape[1:] != (len(self.ids), 2):
+            raise ValueError(f"{path} has another form")
+        return Field(Quantized(self._file[path]), frames)
+
+    def contacts(self, i):
+        """Where bodies pressed on each other or on obstacles in frame i; None where it holds no contacts."""
+        group = "throng/contacts"
+        frames = self._frames_of(group) if group in self._file else ()
+        sample = np.searchsorted(frames, range(len(self))[i])
+        if sample == len(frames) or frames[sample] != range(len(self))[i]:
+            return None
+        begin, end = (int(k) for k in self._get(group + "/offset")[sample:sample + 2])
+        return Contacts(*(self._get(f"{group}/{name}")[begin:end] for name in Contacts._fields))
 
     @property
     def observables(self):
-        """What H5MD calls observables, read whole: {name: (value, time in s)}, groups as "group/name"."""
-        found = {}
+        """What H5MD calls observables, as far as frames go, read whole: {name: (value, time in s)}, groups as
+        "group/name"."""
+        found, end = {}, self.time[-1] if len(self) else -1
 
         def take(name, item):
             if isinstance(item, h5py.Group) and "value" in item and "time" in item:
-                path = "observables/" + name
-                found[name] = self._get(path + "/value")[:], self._get(path + "/time")[:]
+                value, time = (self._get(f"observables/{name}/{part}")[:] for part in ("value", "time"))
+                rows = np.searchsorted(time, end, "right")
+                found[name] = value[:rows], time[:rows]
 
         if "observables" in self._file:
             self._file["observables"].visititems(take)
@@ -203,7 +300,7 @@ class Recording:
         i = range(len(self))[i]
         fields = (self.position, self.angle, self.velocity, self.spin)
         return Frame(int(self.step[i]), float(self.time[i]), int(self.hash[i]),
-                     *(field[i] if field is not None else None for field in fields))
+                     *(field.in_frame(i) if field is not None else None for field in fields))
 
     __getitem__ = frame
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A recording: its scene, and its frames one by one, that of a run still going or killed included.
 import { attribute, BadFile, damaged, dataset, numbers } from "./h5.js";
+import { everyOf, Quantized, row } from "./quantized.js";
 import { readScene } from "./scene.js";
 
 /**
@@ -23,7 +24,10 @@ export const HEAD = 12;
 export const modeFor = head => head[11] ? "Sr" : "r";
 
 export class Recording {
-  #data = /** @type {Map<Field, any>} */ (new Map());
+  #data = /** @type {Map<Field, {frame: (sample: number) => Float32Array | Float64Array, extent: number, every: number}>} */ (new Map());
+  #steps = new Float64Array(0);  // of all frames
+  #samples = /** @type {Map<number, Int32Array>} */ (new Map());  // by rate: as which sample a frame has what is due
+  #chosen = /** @type {number[]} */ ([]);  // the frames of the file that hold positions, which alone are shown
   /** @type {Description} */
   description;
 
@@ -62,12 +66,24 @@ export class Recording {
   #readFields() {
     const { bodies, fields } = this.description;
     for (const [field, components] of FIELDS) {
-      const path = `particles/trajectory/${field}/value`;
-      if (!this.file.get(`particles/trajectory/${field}`)) continue;
-      this.#data.set(field, dataset(this.file, path, "float", components === 2 ? [-1, bodies.count, 2] : [-1, bodies.count]));
+      const group = this.file.get(`particles/trajectory/${field}`);
+      if (!group) continue;
+      const data = dataset(this.file, `particles/trajectory/${field}/value`, "float", components === 2 ? [-1, bodies.count, 2] : [-1, bodies.count]);
+      const read = (/** @type {number} */ sample) => bodies.count === 0 ? new Float64Array(0) : row(data, sample);
+      this.#data.set(field, { frame: read, extent: data.metadata.shape[0], every: everyOf(group) });
       fields.push(field);
     }
+    this.#readQuantized();
     if (!fields.includes("position")) throw new BadFile("holds no positions: there is nothing to show");
+    if (bodies.region) throw new BadFile("holds other bodies in each frame (record.within), which this page can't show; throng replay --png and --video can");
+  }
+
+  #readQuantized() {
+    const group = this.file.get("throng/quantized"), { bodies, fields } = this.description;
+    if (!group) return;
+    const quantized = new Quantized(this.file, bodies.count);
+    this.#data.set("position", { frame: sample => quantized.frame(sample), extent: quantized.extent, every: everyOf(group) });
+    fields.unshift("position");
   }
 
   /** A frame counts once its hash stands, whatever the extents of the other datasets say. */
@@ -76,12 +92,24 @@ export class Recording {
     let frames = hashes.findIndex((/** @type {bigint} */ hash) => hash === 0n);
     if (frames < 0) frames = hashes.length;
     const steps = numbers(this.file, "throng/frames/step", "int", [-1]), times = numbers(this.file, "throng/frames/time", "float", [-1]);
-    const extents = [steps.length, times.length, ...[...this.#data.values()].map(data => data.metadata.shape[0])];
-    if (extents.some(extent => extent < frames)) throw damaged("frames are missing that it says it holds");
+    const samples = (/** @type {number} */ every) => steps.subarray(0, frames).filter(step => step % every === 0).length;
+    if (steps.length < frames || times.length < frames || [...this.#data.values()].some(data => data.extent < samples(data.every))) throw damaged("frames are missing that it says it holds");
     if (frames === 0) throw new BadFile("holds no frames: there is nothing to show");
     this.description.steps = steps.slice(0, frames);
     this.description.times = times.slice(0, frames);
     this.#expectTimes();
+    this.#choose();
+  }
+
+  /** Fields may have rates of their own: what is shown are the frames that hold positions. */
+  #choose() {
+    const { steps, times } = this.description;
+    this.#steps = steps.slice();
+    const every = this.#data.get("position")?.every ?? 1;
+    this.#chosen = [...steps.keys()].filter(i => steps[i] % every === 0);
+    if (this.#chosen.length === steps.length) return;
+    this.description.steps = Float64Array.from(this.#chosen, i => steps[i]);
+    this.description.times = Float64Array.from(this.#chosen, i => times[i]);
   }
 
   /** The rows carry no checksum: times are steps times dt, to the bit, and steps ascend. */
@@ -92,29 +120,40 @@ export class Recording {
   }
 
   /**
-   * Frame i, of the fields asked for those that were recorded. Throws BadFile where it is damaged. O(bodies).
+   * Frame i, of the fields asked for those that it holds. Throws BadFile where it is damaged. O(bodies).
    * @param {number} i @param {Field[]} fields
    * @returns {Frame}
    */
   frame(i, fields) {
     /** @type {Frame} */
     const frame = {};
-    for (const field of fields) if (this.#data.has(field)) frame[field] = this.#read(i, field);
+    for (const field of fields) {
+      const values = this.#read(i, field);
+      if (values) frame[field] = values;
+    }
     return frame;
+  }
+
+  /** @param {number} i @param {number} every */
+  #sample(i, every) {
+    let samples = this.#samples.get(every), next = 0;
+    if (!samples) this.#samples.set(every, samples = Int32Array.from(this.#steps, step => step % every === 0 ? next++ : -1));
+    return samples[this.#chosen[i]];
   }
 
   /** @param {number} i @param {Field} field */
   #read(i, field) {
-    const data = this.#data.get(field), rest = data.metadata.shape.slice(1).map(() => []);
+    const data = this.#data.get(field), step = this.description.steps[i];
+    if (!data || step % data.every !== 0) return undefined;
     let values;
     try {
-      values = this.description.bodies.count === 0 ? new Float64Array(0) : data.slice([[i, i + 1], ...rest]);
+      values = data.frame(this.#sample(i, data.every));
     } catch {
-      throw damaged(`${field} of frame ${i} can't be read`);
+      throw damaged(`${field} of frame ${this.#chosen[i]} can't be read`);
     }
     let sum = 0;
     for (let k = 0; k < values.length; ++k) sum += values[k] * 0;  // 0 unless one is not finite
-    if (sum !== 0) throw damaged(`${field} of frame ${i} holds what is no number`);
+    if (sum !== 0) throw damaged(`${field} of frame ${this.#chosen[i]} holds what is no number`);
     return values;
   }
 }

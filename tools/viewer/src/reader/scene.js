@@ -7,8 +7,8 @@ import { attribute, BadFile, damaged, numbers, texts } from "./h5.js";
  * @typedef {{name: string, kind: number, radius: number, gyration2: number, outline: Float64Array, holes: Float64Array[],
  *   parts: Part[]}} Shape
  *   kind: 0 disc, 1 polygon, 2 composite; points are x, y, x, y about the centre of mass
- * @typedef {{count: number, id: Float64Array, shape: Float64Array, material: Float64Array, kind: Float64Array,
- *   radius: Float64Array, mass: Float64Array}} Bodies  kind: 0 dynamic, 1 static, 2 kinematic
+ * @typedef {{count: number, region: boolean, id: Float64Array, shape: Float64Array, material: Float64Array, kind: Float64Array,
+ *   radius: Float64Array, mass: Float64Array}} Bodies  kind: 0 dynamic, 1 static, 2 kinematic; region: frames hold some of them
  * @typedef {{points: Float64Array, closed: boolean}} Wall
  * @typedef {{kind: "unbounded" | "box" | "periodic", min: number[], max: number[]}} Domain
  * @typedef {{name: string, description: string, version: string, domain: Domain, gravity: number[] | null, shapes: Shape[],
@@ -81,7 +81,8 @@ function readBodies(file, shapes, materials) {
   expectRange(radius, at + "radius", 0, Infinity);
   return {
     count, radius,
-    id: numbers(file, "particles/trajectory/id", "int", [count]),
+    region: Boolean(file.get(at + "id")),
+    id: numbers(file, file.get(at + "id") ? at + "id" : "particles/trajectory/id", "int", [count]),
     shape: expectRange(numbers(file, at + "shape", "int", [count]), at + "shape", 0, shapes),
     material: expectRange(numbers(file, at + "material", "int", [count]), at + "material", 0, materials),
     kind: expectRange(numbers(file, at + "kind", "int", [count]), at + "kind", 0, 3),

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "scenarios/limits.h"
+#include "scenarios/read.h"
+
+namespace throng::scenarios {
+
+namespace {
+
+std::size_t field_of(const toml::node& entry) {
+  const auto found = std::ranges::find(kRecordFieldName, entry.as_string()->get());
+  return static_cast<std::size_t>(found - kRecordFieldName.begin());
+}
+
+/// The flag of a field.
+bool& flag(Record& record, std::size_t field) {
+  bool* const flags[] = {&record.position, &record.angle, &record.velocity, &record.spin, &record.contacts};
+  return *flags[field];
+}
+
+void read_fields(const toml::table& table, Record& record) {
+  if (!table.contains("fields")) return;
+  for (std::size_t field = 0; field < kRecordFieldName.size(); ++field) flag(record, field) = false;
+  for (const toml::node& entry : *table.get("fields")->as_array()) flag(record, field_of(entry)) = true;
+}
+
+/// A field has one rate.
+void read_also(const toml::table& table, Record& record, Report& report) {
+  if (!table.contains("also")) return;
+  std::size_t index = 0;
+  for (const toml::node& stream : *table.get("also")->as_array()) {
+    const toml::table& entry = *stream.as_table();
+    for (const toml::node& name : *entry.get("fields")->as_array()) {
+      const std::size_t field = field_of(name);
+      if (flag(record, field))
+        report.error(name, "record.also[" + std::to_string(index) + "].fields",
+                     in_quotes(kRecordFieldName[field]) + " is recorded already, each " +
+                         std::to_string(every(record, static_cast<RecordField>(field))) +
+                         " steps; must stand in one list of fields only");
+      flag(record, field) = true;
+      record.own_every[field] = static_cast<int>(number(*entry.get("every")));
+    }
+    ++index;
+  }
+}
+
+void read_region(const toml::table& table, Record& record, Report& report) {
+  const toml::node* node = table.get("within");
+  if (!node) return;
+  record.within = box(*node);
+  if (!((record.within->max() - record.within->min()).minCoeff() >= kShortestEdge))
+    report.error(*node, "record.within", "must have its least x and y first, [[min x, min y], [max x, max y]]");
+}
+
+void read_quantum(const toml::table& table, Record& record, Report& report) {
+  const toml::node* node = table.get("quantize");
+  if (!node) return;
+  record.quantum = number(*node);
+  if (!record.position) report.error(*node, "record.quantize", "rounds positions, which are not in fields");
+  if (record.within)
+    report.error(*node, "record.quantize",
+                 "stores how the same bodies move on from frame to frame; must not stand beside within");
+}
+
+/// Whether `value` is what `key` says, or one of its list; true without the key.
+template <class Same>
+bool fits(const toml::table& of, const char* key, Same same) {
+  const toml::node* node = of.get(key);
+  if (!node) return true;
+  if (const toml::array* list = node->as_array())
+    return std::any_of(list->begin(), list->end(), [&](const toml::node& one) { return same(one); });
+  return same(*node);
+}
+
+bool is_chosen(const toml::table& of, const Scene& scene, std::size_t row) {
+  constexpr const char* kinds[] = {"dynamic", "static", "kinematic"};
+  const Bodies& bodies = scene.bodies;
+  const auto is = [](const std::string& name) {
+    return [&name](const toml::node& one) { return one.as_string()->get() == name; };
+  };
+  return fits(of, "shape", is(scene.shapes[bodies.shape[row]].name)) &&
+         fits(of, "material", is(scene.materials[bodies.material[row]].name)) &&
+         fits(of, "kind", is(kinds[static_cast<int>(bodies.kind[row])]));
+}
+
+/// Ids in the order of the rows; all rows without any.
+std::vector<std::uint32_t> candidates(const toml::table& of, const Scene& scene, Report& report) {
+  std::vector<std::uint32_t> ids;
+  const toml::node* node = of.get("ids");
+  for (std::uint32_t id = 1; !node && id <= scene.bodies.size(); ++id) ids.push_back(id);
+  if (!node) return ids;
+  for (const toml::node& entry : *node->as_array()) {
+    ids.push_back(static_cast<std::uint32_t>(number(entry)));
+    if (ids.back() <= scene.bodies.size()) continue;
+    report.error(entry, "record.of.ids", "there is no body " + std::to_string(ids.back()) + "; ids go from 1 to " +
+                                             std::to_string(scene.bodies.size()));
+    return {};
+  }
+  std::ranges::sort(ids);
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  return ids;
+}
+
+}  // namespace
+
+void read_record(const toml::table& root, Scene& scene, Report& report) {
+  const toml::node* node = good(root, "record", report);
+  if (!node) return;
+  const toml::table& table = *node->as_table();
+  Record& record = scene.record;
+  record.every = static_cast<int>(number(table, "every", record.every));
+  record.observables = static_cast<int>(number(table, "observables", 0.0));
+  record.single = text(table, "precision", "double") == "single";
+  read_fields(table, record);
+  read_also(table, record, report);
+  read_region(table, record, report);
+  read_quantum(table, record, report);
+}
+
+void read_recorded_bodies(const toml::table& root, Scene& scene, Report& report) {
+  const toml::node* node = good(root, "record", report);
+  const toml::node* of = node ? node->as_table()->get("of") : nullptr;
+  if (!of || report.errors() > 0) return;
+  std::vector<std::uint32_t>& ids = scene.record.ids;
+  for (std::uint32_t id : candidates(*of->as_table(), scene, report))
+    if (is_chosen(*of->as_table(), scene, id - 1)) ids.push_back(id);
+  if (ids.empty() && report.errors() == 0) report.error(*of, "record.of", "fits no body");
+  if (ids.size() == scene.bodies.size()) ids.clear();
+}
+
+}  // namespace throng::scenarios

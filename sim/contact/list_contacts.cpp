@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include "sim/contact/list_contacts.h"
+
+#include "sim/periodic.h"
+
+namespace throng {
+
+namespace {
+
+Vec arm(const DiscContact& contact) {
+  return contact.radius_a * contact.normal;
+}
+Vec arm(const PointContact& contact) {
+  return contact.arm_a;
+}
+
+}  // namespace
+
+void list_contacts(const Scene& scene, const Contacts& contacts, const State& state,
+                   std::span<const SolverBody> bodies, std::vector<ContactRow>& rows) {
+  rows.clear();
+  const auto add = [&](const auto& contact) {
+    if (!(contact.normal_impulse > 0.0)) return;
+    const Vec point = bodies[contact.a].position + arm(contact);
+    rows.push_back({state.id[contact.a], contact.b < state.id.size() ? state.id[contact.b] : 0,
+                    contact.normal_impulse,
+                    scene.domain.kind == DomainKind::periodic ? wrapped(point, scene.domain) : point});
+  };
+  for (const DiscContact& contact : contacts.discs) add(contact);
+  for (const PointContact& contact : contacts.points) add(contact);
+}
+
+}  // namespace throng

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "sim/recording/frame_blocks.h"
+#include "sim/recording/frame_hash.h"
+#include "sim/recording/layout.h"
+#include "sim/recording/selection.h"
+
+namespace throng::recording {
+
+/// Writes one field of the bodies, in the form that the scene asks for. All functions throw h5::Error.
+class FieldWriter {
+ public:
+  FieldWriter() = default;
+
+  /// Makes the field's dataset, where layout.h wants it.
+  FieldWriter(hid_t element, FieldIndex field, const Record& record, const Selection& selection);
+
+  /// The numbers of a frame in the making: those of a body one after the other, by row of the selection.
+  std::vector<double>& values() { return values_; }
+
+  /// Adds the frame: the first `bodies` of the values. Returns the bytes that it took. Throws
+  /// std::runtime_error where a position is beyond what can be quantized.
+  std::size_t append(std::size_t bodies, FrameHash& hash);
+
+  void flush() { blocks_.flush(); }
+  void close() { blocks_.close(); }
+  void abandon() { blocks_.abandon(); }
+  explicit operator bool() const { return static_cast<bool>(blocks_); }
+
+ private:
+  std::size_t append_numbers(std::size_t bodies, FrameHash& hash);
+  std::size_t append_quantized(FrameHash& hash);
+
+  FrameBlocks blocks_;
+  std::size_t components_ = 0;
+  bool single_ = false;
+  double quantum_ = 0.0;  // m; 0: numbers as they are
+  std::vector<double> values_;
+  std::vector<float> singles_;
+  std::vector<std::int32_t> now_, before_, earlier_;
+  std::vector<std::uint32_t> stored_;
+};
+
+}  // namespace throng::recording

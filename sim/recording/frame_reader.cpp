@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "sim/recording/frame_reader.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/recording/frame_hash.h"
+#include "sim/recording/observables.h"
+
+namespace throng::recording {
+
+namespace {
+
+/// Where a frame keeps a field's numbers; one of the two.
+struct Place {
+  std::vector<Vec>* vectors;
+  std::vector<double>* scalars;
+};
+
+Place place(int field, Frame& frame) {
+  const Place places[kFields] = {
+      {&frame.position, nullptr}, {nullptr, &frame.angle}, {&frame.velocity, nullptr}, {nullptr, &frame.spin}};
+  return places[field];
+}
+
+void clear(Frame& frame) {
+  frame.is_present.clear();
+  frame.position.clear(), frame.angle.clear(), frame.velocity.clear(), frame.spin.clear();
+  frame.contacts.reset(), frame.observables.reset();
+}
+
+template <class T>
+bool all_finite(std::span<const T> numbers) {
+  return std::ranges::all_of(numbers, [](T x) { return std::isfinite(x); });
+}
+
+}  // namespace
+
+void FrameReader::read(std::size_t i, Frame& frame) const {
+  clear(frame);
+  FrameHash hash(frame.step, frame.time, frame.state_hash);
+  const std::size_t present = read_present(i, frame, hash);
+  for (int f = 0; f < kFields; ++f) read_field(f, i, present, frame, hash);
+  read_contacts(i, frame, hash);
+  read_observables(i, frame, hash);
+  if (hash.value() != frame.frame_hash) throw h5::Error("it does not match its hash");
+}
+
+/// Returns how many bodies are in the frame: their ids stand in front, ascending.
+std::size_t FrameReader::read_present(std::size_t i, Frame& frame, FrameHash& hash) const {
+  if (!changes_) return ids_.size();
+  std::vector<std::uint32_t> found(ids_.size());
+  h5::read_row<std::uint32_t>(present_, i, found.data(), found.size() * sizeof(std::uint32_t));
+  found.resize(static_cast<std::size_t>(std::ranges::find(found, 0u) - found.begin()));
+  hash.add(std::as_bytes(std::span(found)));
+  frame.is_present.assign(ids_.size(), 0);
+  rows_.clear();
+  for (std::uint32_t id : found) {
+    const auto row = static_cast<std::uint32_t>(std::ranges::lower_bound(ids_, id) - ids_.begin());
+    if (row == ids_.size() || ids_[row] != id || (!rows_.empty() && row <= rows_.back()))
+      throw h5::Error("id is not in order");
+    rows_.push_back(row);
+    frame.is_present[row] = 1;
+  }
+  return found.size();
+}
+
+/// Reads numbers as stored (T), and hands them out as doubles.
+template <class T>
+void FrameReader::read_numbers(int field, std::size_t sample, std::size_t present, FrameHash& hash) const {
+  const auto components = static_cast<std::size_t>(kComponents[static_cast<std::size_t>(field)]);
+  std::vector<T>* stored;
+  if constexpr (std::is_same_v<T, double>)
+    stored = &numbers_;
+  else
+    stored = &singles_;
+  stored->resize(ids_.size() * components);
+  h5::read_row<T>(fields_[static_cast<std::size_t>(field)].set, sample, stored->data(),
+                  stored->size() * sizeof(T));
+  stored->resize(present * components);
+  hash.add(std::as_bytes(std::span(*stored)));
+  if (!all_finite<T>(*stored)) throw h5::Error(std::string(kFieldName[static_cast<std::size_t>(field)]) + " is not finite");
+  if constexpr (!std::is_same_v<T, double>) numbers_.assign(stored->begin(), stored->end());
+}
+
+void FrameReader::read_field(int field, std::size_t i, std::size_t present, Frame& frame,
+                             FrameHash& hash) const {
+  const Stored& stored = fields_[static_cast<std::size_t>(field)];
+  const std::optional<std::size_t> sample = stored.when.sample(i);
+  if (!sample) return;
+  if (field == kPosition && quantized_.quantum() > 0.0)
+    quantized_.read(*sample, numbers_, hash);
+  else if (single_)
+    read_numbers<float>(field, *sample, present, hash);
+  else
+    read_numbers<double>(field, *sample, present, hash);
+  hand_out(field, frame);
+}
+
+/// Bodies that are not in the frame have no numbers.
+void FrameReader::hand_out(int field, Frame& frame) const {
+  constexpr double kAbsent = std::numeric_limits<double>::quiet_NaN();
+  const auto [vectors, scalars] = place(field, frame);
+  const auto row = [&](std::size_t k) { return changes_ ? rows_[k] : k; };
+  if (vectors) {
+    vectors->assign(ids_.size(), Vec(kAbsent, kAbsent));
+    for (std::size_t k = 0; k < numbers_.size() / 2; ++k)
+      (*vectors)[row(k)] = {numbers_[2 * k], numbers_[2 * k + 1]};
+  } else {
+    scalars->assign(ids_.size(), kAbsent);
+    for (std::size_t k = 0; k < numbers_.size(); ++k) (*scalars)[row(k)] = numbers_[k];
+  }
+}
+
+void FrameReader::read_contacts(std::size_t i, Frame& frame, FrameHash& hash) const {
+  const std::optional<std::size_t> sample = schedule(RecordField::contacts).sample(i);
+  if (!sample) return;
+  const std::uint64_t first = contacts_.offset[*sample], count = contacts_.offset[*sample + 1] - first;
+  const auto a = h5::read_rows<std::uint32_t>(contacts_.a, first, count),
+             b = h5::read_rows<std::uint32_t>(contacts_.b, first, count);
+  const auto impulse = h5::read_rows<double>(contacts_.impulse, first, count),
+             point = h5::read_rows<double>(contacts_.point, first, count);
+  hash.add(std::as_bytes(std::span(a)));
+  hash.add(std::as_bytes(std::span(b)));
+  hash.add(std::as_bytes(std::span(impulse)));
+  hash.add(std::as_bytes(std::span(point)));
+  if (!all_finite<double>(impulse) || !all_finite<double>(point)) throw h5::Error("contacts are not finite");
+  frame.contacts.emplace();
+  for (std::size_t k = 0; k < count; ++k)
+    frame.contacts->push_back({a[k], b[k], impulse[k], {point[2 * k], point[2 * k + 1]}});
+}
+
+void FrameReader::read_observables(std::size_t i, Frame& frame, FrameHash& hash) const {
+  const std::optional<std::size_t> sample = observables_.when.sample(i);
+  if (!sample) return;
+  Observables found;
+  for (std::size_t k = 0; k < kObservables.size(); ++k) {
+    const std::size_t n = kObservables[k].components;
+    const auto numbers = std::span(observables_.values[k]).subspan(*sample * n, n);
+    if (!all_finite<double>(numbers)) throw h5::Error(std::string(kObservables[k].name) + " is not finite");
+    std::ranges::copy(numbers, kObservables[k].at(found));
+    hash.add(std::as_bytes(numbers));
+  }
+  frame.observables = found;
+}
+
+}  // namespace throng::recording

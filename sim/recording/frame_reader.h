@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+
+#include "sim/recording/h5_read.h"
+#include "sim/recording/layout.h"
+#include "sim/recording/quantized_reader.h"
+#include "sim/recording/recording.h"
+#include "sim/recording/schedule.h"
+
+namespace throng::recording {
+
+/// Reads what the frames of a file hold, whatever of layout.h that is. All functions throw h5::Error.
+class FrameReader {
+ public:
+  FrameReader() = default;
+
+  /// Opens and checks all but the values. `steps`: of the frames; `minor`: of the layout. Completes `record`,
+  /// whose `every` and `single` are known. Expects the scene's bodies to be the recorded ones, `bodies` to be
+  /// all of the run.
+  FrameReader(const h5::File& file, const Scene& scene, std::span<const std::int64_t> steps, int minor,
+              std::size_t bodies, Record& record);
+
+  /// Ids of the recorded bodies, ascending.
+  const std::vector<std::uint32_t>& ids() const { return ids_; }
+
+  /// Which frames hold the field.
+  const Schedule& schedule(RecordField field) const { return fields_[static_cast<int>(field)].when; }
+
+  /// Fills all but ids of a frame whose step, time and hashes are there, and holds it against its hash.
+  void read(std::size_t i, Frame& frame) const;
+
+ private:
+  struct Stored {
+    Schedule when;
+    h5::Dataset set;
+  };
+  struct StoredContacts {
+    std::vector<std::uint64_t> offset;
+    h5::Dataset a, b, impulse, point;
+  };
+  struct StoredObservables {
+    Schedule when;
+    std::vector<std::vector<double>> values;  // of all frames, by observable
+  };
+
+  Schedule open_schedule(hid_t element, std::span<const std::int64_t> steps);
+  void open_ids(hid_t throng, hid_t trajectory, std::size_t bodies, Record& record);
+  void open_region(hid_t trajectory, Record& record);
+  void open_field(hid_t trajectory, FieldIndex field, std::span<const std::int64_t> steps);
+  void open_quantized(hid_t throng, std::span<const std::int64_t> steps, Record& record);
+  void open_contacts(hid_t throng, std::span<const std::int64_t> steps);
+  void open_observables(std::span<const std::int64_t> steps);
+  void complete(Record& record) const;
+
+  std::size_t read_present(std::size_t i, Frame& frame, FrameHash& hash) const;
+  template <class T>
+  void read_numbers(int field, std::size_t sample, std::size_t present, FrameHash& hash) const;
+  void read_field(int field, std::size_t i, std::size_t present, Frame& frame, FrameHash& hash) const;
+  void hand_out(int field, Frame& frame) const;
+  void read_contacts(std::size_t i, Frame& frame, FrameHash& hash) const;
+  void read_observables(std::size_t i, Frame& frame, FrameHash& hash) const;
+
+  const h5::File* file_ = nullptr;
+  int minor_ = 0, every_ = 1;
+  bool single_ = false, changes_ = false;
+  std::vector<std::uint32_t> ids_;
+  h5::Dataset present_;  // u32 [frame, body], where frames hold some bodies only
+  std::array<Stored, kRecordFields> fields_;
+  mutable QuantizedReader quantized_;  // remembers where it is
+  StoredContacts contacts_;
+  StoredObservables observables_;
+  mutable std::vector<std::uint32_t> rows_;  // of the bodies in a frame, where these change
+  mutable std::vector<double> numbers_;      // of a field, of the bodies in a frame
+  mutable std::vector<float> singles_;
+};
+
+}  // namespace throng::recording

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// What FrameReader looks at before it reads a frame.
+#include <algorithm>
+#include <cmath>
+
+#include "sim/recording/frame_reader.h"
+#include "sim/recording/observables.h"
+
+namespace throng::recording {
+
+namespace {
+
+constexpr std::nullopt_t kAny = std::nullopt;
+constexpr std::int64_t kRarest = 1'000'000'000;  // steps
+
+int read_every(hid_t element) {
+  const auto every = h5::read_attribute<std::int64_t>(element, "every");
+  if (every < 1 || every > kRarest) throw h5::Error("every is out of range");
+  return static_cast<int>(every);
+}
+
+void expect_samples(std::size_t found, std::size_t samples, const char* name) {
+  if (found < samples) throw h5::Error(std::string(name) + " has too few frames");
+}
+
+}  // namespace
+
+FrameReader::FrameReader(const h5::File& file, const Scene& scene, std::span<const std::int64_t> steps,
+                         int minor, std::size_t bodies, Record& record)
+    : file_(&file), minor_(minor), every_(record.every), single_(record.single), ids_(scene.bodies.size()) {
+  const h5::Handle throng = h5::open_group(file.handle, "throng");
+  const h5::Handle trajectory = h5::open_group(h5::open_group(file.handle, "particles"), "trajectory");
+  open_ids(throng, trajectory, bodies, record);
+  for (FieldIndex field : {kPosition, kAngle, kVelocity, kSpin})
+    if (h5::exists(trajectory, kFieldName[field])) open_field(trajectory, field, steps);
+  if (h5::exists(throng, "quantized")) open_quantized(throng, steps, record);
+  if (h5::exists(throng, "contacts")) open_contacts(throng, steps);
+  if (h5::exists(file.handle, "observables")) open_observables(steps);
+  complete(record);
+}
+
+/// Before 1.2 all fields had the rate of all frames.
+Schedule FrameReader::open_schedule(hid_t element, std::span<const std::int64_t> steps) {
+  return minor_ >= 2 ? Schedule(read_every(element), steps) : Schedule(1, steps);
+}
+
+void FrameReader::open_ids(hid_t throng, hid_t trajectory, std::size_t bodies, Record& record) {
+  const h5::Handle table = h5::open_group(throng, "bodies");
+  changes_ = h5::exists(table, "id");
+  const auto ids = changes_ ? h5::read_array<std::int64_t>(*file_, table, "id", {ids_.size()})
+                            : h5::read_array<std::int64_t>(*file_, trajectory, "id", {ids_.size()});
+  for (std::size_t row = 0; row < ids.size(); ++row) {
+    const bool ascends = ids[row] > (row == 0 ? 0 : ids[row - 1]);
+    if (!ascends || ids[row] > static_cast<std::int64_t>(bodies)) throw h5::Error("id is not in order");
+    ids_[row] = static_cast<std::uint32_t>(ids[row]);
+  }
+  if (ids_.size() < bodies) record.ids = ids_;
+  if (changes_) open_region(trajectory, record);
+}
+
+void FrameReader::open_region(hid_t trajectory, Record& record) {
+  const h5::Handle element = h5::open_group(trajectory, "id");
+  const auto low = h5::read_attribute<double>(element, "min", 2),
+             high = h5::read_attribute<double>(element, "max", 2);
+  record.within = Eigen::AlignedBox2d(Vec(low[0], low[1]), Vec(high[0], high[1]));
+  if (!(low[0] < high[0] && low[1] < high[1] && std::isfinite(high[0] - low[0] + high[1] - low[1])))
+    throw h5::Error("the region is turned round");
+  present_ = h5::open_dataset<std::uint32_t>(*file_, element, "value", {kAny, ids_.size()}, h5::Storage::sparse);
+}
+
+void FrameReader::open_field(hid_t trajectory, FieldIndex field, std::span<const std::int64_t> steps) {
+  const h5::Handle element = h5::open_group(trajectory, kFieldName[field]);
+  std::vector<std::optional<hsize_t>> dims{kAny, ids_.size()};
+  if (kComponents[field] == 2) dims.push_back(2);
+  const h5::Storage storage = changes_ ? h5::Storage::sparse : h5::Storage::whole;
+  Stored& stored = fields_[field];
+  stored.when = open_schedule(element, steps);
+  stored.set = single_ ? h5::open_dataset<float>(*file_, element, "value", dims, storage)
+                       : h5::open_dataset<double>(*file_, element, "value", dims, storage);
+  expect_samples(stored.set.dims[0], stored.when.samples(), kFieldName[field]);
+}
+
+void FrameReader::open_quantized(hid_t throng, std::span<const std::int64_t> steps, Record& record) {
+  if (fields_[kPosition].when.every() > 0 || changes_) throw h5::Error("positions are stored in two ways");
+  const h5::Handle group = h5::open_group(throng, "quantized");
+  quantized_ = QuantizedReader(*file_, group, ids_.size());
+  record.quantum = quantized_.quantum();
+  fields_[kPosition].when = open_schedule(group, steps);
+  expect_samples(quantized_.samples(), fields_[kPosition].when.samples(), "quantized");
+}
+
+void FrameReader::open_contacts(hid_t throng, std::span<const std::int64_t> steps) {
+  const h5::Handle group = h5::open_group(throng, "contacts");
+  Schedule& when = fields_[kContacts].when;
+  when = open_schedule(group, steps);
+  const h5::Dataset offset = h5::open_dataset<std::uint64_t>(*file_, group, "offset", {kAny});
+  if (when.samples() > 0) expect_samples(offset.dims[0], when.samples() + 1, "contacts");
+  contacts_ = {h5::read_all<std::uint64_t>(offset, when.samples() + 1),
+               h5::open_dataset<std::uint32_t>(*file_, group, "a", {kAny}),
+               h5::open_dataset<std::uint32_t>(*file_, group, "b", {kAny}),
+               h5::open_dataset<double>(*file_, group, "impulse", {kAny}),
+               h5::open_dataset<double>(*file_, group, "point", {kAny, 2})};
+  if (contacts_.offset.empty()) return;
+  for (const h5::Dataset* column : {&contacts_.a, &contacts_.b, &contacts_.impulse, &contacts_.point})
+    if (column->dims[0] < contacts_.offset.back()) throw h5::Error("contacts are missing");
+  if (!std::ranges::is_sorted(contacts_.offset)) throw h5::Error("the offsets of contacts run backwards");
+}
+
+void FrameReader::open_observables(std::span<const std::int64_t> steps) {
+  const h5::Handle group = h5::open_group(file_->handle, "observables");
+  observables_.when = open_schedule(group, steps);
+  for (const Observable& observable : kObservables) {
+    const h5::Handle element = h5::open_group(group, observable.name);
+    std::vector<std::optional<hsize_t>> dims{kAny};
+    if (observable.components > 1) dims.push_back(observable.components);
+    const h5::Dataset set = h5::open_dataset<double>(*file_, element, "value", dims);
+    expect_samples(set.dims[0], observables_.when.samples(), observable.name);
+    observables_.values.push_back(h5::read_all<double>(set, observables_.when.samples()));
+  }
+}
+
+/// As the scenario had it: rates of their own where they are not `every`.
+void FrameReader::complete(Record& record) const {
+  bool* const flags[] = {&record.position, &record.angle, &record.velocity, &record.spin, &record.contacts};
+  for (std::size_t f = 0; f < kRecordFields; ++f) {
+    const int rate = fields_[f].when.every();
+    *flags[f] = rate > 0;
+    record.own_every[f] = minor_ >= 2 && rate != every_ ? rate : 0;
+  }
+  record.observables = observables_.when.every();
+}
+
+}  // namespace throng::recording

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#include "sim/recording/selection.h"
+
+#include <numeric>
+
+#include "sim/periodic.h"
+
+namespace throng::recording {
+
+Selection::Selection(const Scene& scene)
+    : ids_(scene.record.ids), domain_(scene.domain), within_(scene.record.within) {
+  if (ids_.empty()) {
+    ids_.resize(scene.bodies.size());
+    std::iota(ids_.begin(), ids_.end(), 1);
+    return;
+  }
+  row_of_.assign(scene.bodies.size() + 1, kNone);
+  for (std::uint32_t row = 0; row < ids_.size(); ++row) row_of_[ids_[row]] = row;
+}
+
+bool Selection::is_within(const Vec& position) const {
+  if (!within_) return true;
+  return within_->contains(domain_.kind == DomainKind::periodic ? wrapped(position, domain_) : position);
+}
+
+}  // namespace throng::recording

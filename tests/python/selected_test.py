@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: MIT
+"""What record asks for beside all of each frame, as the program, its exports and throng_read.py know it."""
+import csv
+import json
+import subprocess
+import unittest
+
+import h5py
+import numpy as np
+
+from program import PROGRAM, Program
+import throng_read
+
+
+class Selected(Program):
+    def whole(self):
+        """The same run with all of it in each frame."""
+        return throng_read.open(self.record("whole.h5"))
+
+    def selected(self, *record):
+        path = self.record("selected.h5", *(word for part in record for word in ("--set", "record." + part)))
+        code, said = self.throng("replay", "selected.h5", "--verify")
+        self.assertEqual((code, said), (0, ""))
+        return throng_read.open(path)
+
+    def test_quantized_positions_are_within_half_a_quantum(self):
+        with self.whole() as whole, self.selected("quantize=0.01") as recording:
+            self.assertLessEqual(np.abs(recording.position[:] - whole.position[:]).max(), 0.005 * (1 + 1e-9))
+            self.assertGreater(np.abs(recording.position[:] - whole.position[:]).max(), 0.002)
+            for i in (17, 3, 20, 16, 15, 0, 18, 19):  # each from its key frame
+                np.testing.assert_array_equal(recording.frame(i).position, recording.position[:][i])
+            np.testing.assert_array_equal(recording.velocity[:], whole.velocity[:])
+            with h5py.File(self.path("selected.h5")) as file:
+                self.assertNotIn("position", file["particles/trajectory"])
+                self.assertIn("key_every", file["throng/quantized"].attrs["how"].decode())
+
+    def test_fields_have_rates_of_their_own(self):
+        with self.whole() as whole, self.selected(
+                "every=2", "fields=['position']", "also=[{ every = 3, fields = ['velocity', 'angle'] }]") as recording:
+            np.testing.assert_array_equal(recording.step, sorted({*range(0, 21, 2), *range(0, 21, 3)}))
+            np.testing.assert_array_equal(recording.step[recording.velocity.frames], range(0, 21, 3))
+            np.testing.assert_array_equal(recording.velocity[:], whole.velocity[:][::3])
+            np.testing.assert_array_equal(recording.position[:], whole.position[:][::2])
+            self.assertIsNone(recording.frame(2).position)
+            np.testing.assert_array_equal(recording.frame(2).angle, whole.angle[3])
+            with h5py.File(self.path("selected.h5")) as file:
+                for field, every in (("position", 2), ("velocity", 3), ("angle", 3)):
+                    element = file["particles/trajectory"][field]
+                    np.testing.assert_array_equal(element["step"][:], range(0, 21, every))
+                    np.testing.assert_array_equal(element["time"][:], 0.01 * np.arange(0, 21, every))
+                    self.assertEqual(len(element["value"]), len(element["step"]))
+
+    def test_some_bodies_are_recorded(self):
+        with self.whole() as whole, self.selected("of.kind='dynamic'") as recording:
+            np.testing.assert_array_equal(recording.ids, [2, 3, 4])
+            np.testing.assert_array_equal(recording.position[:], whole.position[:, 1:])
+            self.assertEqual(list(recording.bodies.kind), 3 * ["dynamic"])
+
+    def test_bodies_outside_the_region_are_not_numbers(self):
+        with self.whole() as whole, self.selected("within=[[0.75, 0], [1.8, 3]]") as recording:
+            every = whole.position[:]
+            inside = (every[..., 0] >= 0.75) & (every[..., 0] <= 1.8)
+            self.assertTrue(0 < inside.sum() < inside.size and (inside[0] != inside[-1]).any(), "some come or go")
+            np.testing.assert_array_equal(recording.position[:], np.where(inside[..., None], every, np.nan))
+            np.testing.assert_array_equal(recording.spin[20], np.where(inside[20], whole.spin[20], np.nan))
+            with h5py.File(self.path("selected.h5")) as file:  # as H5MD has a number of bodies that changes
+                ids = file["particles/trajectory/id/value"]
+                self.assertEqual(ids.fillvalue, 0)
+                for row, some in zip(ids[:], inside):
+                    np.testing.assert_array_equal(row[row != ids.fillvalue], np.flatnonzero(some) + 1)
+
+    def test_contacts_and_observables_are_read(self):
+        with self.whole() as whole, self.selected(
+                "fields=['position', 'contacts']", "observables=4") as recording:
+            touching = [i for i in range(21) if len(recording.contacts(i).a)]
+            self.assertGreater(len(touching), 0)
+            first = recording.contacts(touching[0])
+            self.assertTrue((first.impulse > 0).all() and (first.b == 0).all(), "the balls meet the floor first")
+            np.testing.assert_allclose(first.point[:, 1], 0, atol=0.02)
+            kinetic, when = recording.observables["kinetic_energy"]
+            np.testing.assert_array_equal(when, 0.01 * np.arange(0, 21, 4))
+            m, moving = whole.bodies.mass[1:], whole.velocity[::4, 1:]
+            turning = 0.25 * m * 0.3 ** 2 * whole.spin[::4, 1:] ** 2
+            np.testing.assert_allclose(kinetic, (0.5 * m * (moving ** 2).sum(2) + turning).sum(1))
+            self.assertEqual(recording.observables["momentum"][0].shape, (6, 2))
+            self.assertEqual([len(recording.contacts(4 * k).a) for k in range(6)],
+                             list(recording.observables["contacts"][0]))
+
+    def test_info_tells_of_it(self):
+        self.selected("every=2", "fields=['position']", "also=[{ every = 3, fields = ['contacts'] }]",
+                      "observables=5", "quantize=0.001", "of.ids=[2, 4]").close()
+        info = json.loads(subprocess.run([PROGRAM, "info", self.path("selected.h5"), "--json"],
+                                         capture_output=True, check=True).stdout)
+        self.assertEqual([info[key] for key in ("bodies", "bodies_of_run", "fields", "rates", "observables",
+                                                "quantum", "within")],
+                         [2, 4, ["position", "contacts"], [2, 3], 5, 0.001, None])
+
+    def test_csv_leaves_empty_what_a_frame_lacks(self):
+        self.selected("every=2", "fields=['position']", "also=[{ every = 3, fields = ['spin'] }]",
+                      "within=[[0.75, 0], [1.8, 3]]").close()
+        self.assertEqual(self.throng("export", "selected.h5", "--format", "csv", "-o", "a.csv"), (0, ""))
+        with open(self.path("a.csv"), encoding="utf8") as file:
+            rows = list(csv.DictReader(file))
+        self.assertTrue(rows)
+        for row in rows:
+            self.assertEqual((row["x"] == "", row["spin"] == ""),
+                             (int(row["step"]) % 2 != 0, int(row["step"]) % 3 != 0))
+
+    def test_exports_know_it_or_say_why_not(self):
+        self.selected("within=[[0.75, 0], [1.8, 3]]").close()
+        for form in ("xdmf", "h5md3"):
+            code, said = self.throng("export", "selected.h5", "--format", form, "-o", "a." + form)
+            self.assertEqual(code, 2)
+            self.assertIn("record.within", said)
+        self.assertEqual(self.throng("export", "selected.h5", "--format", "pedpy", "-o", "a.ped.h5"), (0, ""))
+        with throng_read.open(self.path("selected.h5")) as recording, h5py.File(self.path("a.ped.h5")) as file:
+            self.assertEqual(len(file["trajectory"]), np.isfinite(recording.position[:, 1:, 0]).sum())
+        self.record("quantized.h5", "--set", "record.quantize=0.001", "--set", "record.of.ids=[3]")
+        code, said = self.throng("export", "quantized.h5", "--format", "xdmf", "-o", "b.xdmf")
+        self.assertEqual(code, 2)
+        self.assertIn("quantized", said)
+        self.assertEqual(self.throng("export", "quantized.h5", "--format", "h5md3", "-o", "b.h5"), (0, ""))
+        with h5py.File(self.path("b.h5")) as file, throng_read.open(self.path("quantized.h5")) as recording:
+            np.testing.assert_array_equal(file["particles/trajectory/position/value"][..., :2], recording.position[:])
+            np.testing.assert_array_equal(file["particles/trajectory/id"][:], [3])
+
+    def test_pictures_and_queries_take_what_there_is(self):
+        self.selected("every=2", "fields=['position']", "also=[{ every = 3, fields = ['velocity'] }]",
+                      "within=[[0.75, 0], [1.8, 3]]").close()
+        self.assertEqual(self.throng("replay", "selected.h5", "--png", "a.png", "--at", "0.03")[0], 0)
+        code, said = self.throng("query", "selected.h5", "--all", "--radius", "9", "--at", "0.09")
+        self.assertEqual(code, 0, said)
+        self.assertIn("0.08", said)
+
+
+if __name__ == "__main__":
+    unittest.main()

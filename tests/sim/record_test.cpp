@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "sim/record.h"
+
+#include <gtest/gtest.h>
+
+namespace throng {
+namespace {
+
+TEST(Record, MakesAFrameWhereAnythingIsDue) {
+  Record record;
+  record.every = 4;
+  record.own_every[static_cast<int>(RecordField::velocity)] = 6;
+  record.observables = 10;
+  std::vector<int> frames;
+  for (int step = 0; step <= 24; ++step)
+    if (is_frame(record, step)) frames.push_back(step);
+  EXPECT_EQ(frames, (std::vector<int>{0, 4, 6, 8, 10, 12, 16, 18, 20, 24}));
+}
+
+TEST(Record, GivesARateOfItsOwnOnlyToWhatIsRecorded) {
+  Record record;
+  record.every = 3;
+  record.own_every[static_cast<int>(RecordField::spin)] = 7;
+  EXPECT_EQ(every(record, RecordField::position), 3);
+  EXPECT_EQ(every(record, RecordField::spin), 0);
+  record.spin = true;
+  EXPECT_EQ(every(record, RecordField::spin), 7);
+  EXPECT_EQ(rates(record), (std::vector<int>{3, 7}));
+}
+
+TEST(Record, CountsTheFramesThatItMakes) {
+  Record record;
+  record.every = 4;
+  record.spin = record.contacts = true;
+  record.own_every = {0, 6, 9, 10, 15};
+  record.observables = 7;
+  for (std::int64_t steps : {0, 1, 59, 60, 1259, 1260, 1261}) {
+    std::int64_t count = 0;
+    for (std::int64_t step = 0; step <= steps; ++step) count += is_frame(record, step);
+    EXPECT_EQ(count_frames(record, steps), count) << steps;
+  }
+  EXPECT_EQ(count_frames(record, 1'000'000'000'000), 523'809'523'809) << "by the rates' common period";
+}
+
+}  // namespace
+}  // namespace throng

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+// What record asks for beside all fields of all bodies in each frame.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/input_error.h"
+#include "sim/recording/recording.h"
+#include "tests/sim/recording/scenes.h"
+
+namespace throng {
+namespace {
+
+using namespace testing_recordings;
+using testing::HasSubstr;
+
+int& own_every(Scene& scene, RecordField field) {
+  return scene.record.own_every[static_cast<std::size_t>(field)];
+}
+
+std::vector<ContactRow> contacts_at(std::int64_t step) {
+  std::vector<ContactRow> rows;
+  for (std::int64_t k = 0; k < step % 4; ++k)
+    rows.push_back({static_cast<std::uint32_t>(1 + k), k == 0 ? 0 : static_cast<std::uint32_t>(2 + k),
+                    0.5 * static_cast<double>(step + k), {0.25 * static_cast<double>(k), 1.0}});
+  return rows;
+}
+
+/// Records each step up to `last` at which a frame is due.
+void record_run(const std::string& path, const Scene& scene, std::int64_t last) {
+  Recorder recorder(path, scene, provenance());
+  for (std::int64_t step = 0; step <= last; ++step)
+    if (is_frame(scene.record, step)) recorder.record(state_at(scene, step), contacts_at(step));
+  recorder.finish();
+}
+
+TEST(Selected, FieldsAreInTheFramesOfTheirOwnRate) {
+  const Folder folder;
+  Scene scene = mixed_scene(20);
+  scene.record.every = 4;
+  own_every(scene, RecordField::velocity) = 6;
+  own_every(scene, RecordField::spin) = 12;
+  record_run(folder / "a.h5", scene, 30);
+  const Recording recording(folder / "a.h5");
+  EXPECT_EQ(every(recording.geometry().record, RecordField::velocity), 6);
+  ASSERT_EQ(recording.frames(), 11u);
+  for (std::size_t i = recording.frames(); i-- > 0;) {
+    const Frame frame = recording.frame(i);
+    const State state = state_at(scene, frame.step);
+    EXPECT_EQ(frame.position, frame.step % 4 ? std::vector<Vec>{} : state.position) << frame.step;
+    EXPECT_EQ(frame.angle, frame.step % 4 ? std::vector<double>{} : state.angle) << frame.step;
+    EXPECT_EQ(frame.velocity, frame.step % 6 ? std::vector<Vec>{} : state.velocity) << frame.step;
+    EXPECT_EQ(frame.spin, frame.step % 12 ? std::vector<double>{} : state.spin) << frame.step;
+  }
+}
+
+TEST(Selected, FramesWithPositionsCanBeLookedAtAlone) {
+  const Folder folder;
+  Scene scene = mixed_scene(5);
+  scene.record.every = 3;
+  own_every(scene, RecordField::velocity) = 2;
+  record_run(folder / "a.h5", scene, 12);
+  const Recording recording(folder / "a.h5", FrameChoice::with_position);
+  EXPECT_THAT(std::vector(recording.steps().begin(), recording.steps().end()),
+              testing::ElementsAre(0, 3, 6, 9, 12));
+  EXPECT_EQ(recording.frame(3).position, state_at(scene, 9).position);
+  EXPECT_EQ(recording.sample(RecordField::velocity, 4), 6u);
+  EXPECT_EQ(recording.sample(RecordField::velocity, 3), std::nullopt);
+}
+
+TEST(Selected, SomeBodiesKeepTheirIdsAndShapes) {
+  const Folder folder;
+  Scene scene = mixed_scene(20);
+  scene.record.ids = {2, 3, 11, 20};
+  record_run(folder / "a.h5", scene, 3);
+  const Recording recording(folder / "a.h5");
+  EXPECT_EQ(recording.bodies(), 4u);
+  EXPECT_EQ(recording.bodies_of_run(), 20u);
+  const Frame frame = recording.frame(2);
+  const State state = state_at(scene, 2);
+  EXPECT_EQ(frame.id, scene.record.ids);
+  EXPECT_EQ(frame.state_hash, hash(state)) << "of all bodies";
+  for (std::size_t row = 0; row < 4; ++row) {
+    const std::size_t body = frame.id[row] - 1;
+    EXPECT_EQ(frame.position[row], state.position[body]);
+    EXPECT_EQ(frame.spin[row], state.spin[body]);
+    EXPECT_EQ(recording.geometry().bodies.shape[row], scene.bodies.shape[body]);
+    EXPECT_EQ(recording.geometry().bodies.radius[row], scene.bodies.radius[body]);
+  }
+}
+
+/// 700 bodies take three chunks; those of the drift enter and leave the region.
+TEST(Selected, RegionsHoldWhoIsInThem) {
+  const Folder folder;
+  Scene scene = mixed_scene(700);
+  scene.time.dt = 0.5;
+  scene.record.within = Eigen::AlignedBox2d(Vec(3, -30), Vec(12.5, 20));
+  own_every(scene, RecordField::angle) = 2;
+  record_run(folder / "a.h5", scene, 6);
+  const Recording recording(folder / "a.h5");
+  std::size_t least = 700, most = 0;
+  for (std::size_t i = recording.frames(); i-- > 0;) {
+    const Frame frame = recording.frame(i);
+    const State state = state_at(scene, static_cast<std::int64_t>(i));
+    least = std::min(least, frame.bodies()), most = std::max(most, frame.bodies());
+    for (std::size_t row = 0; row < 700; ++row) {
+      ASSERT_EQ(frame.has(row), scene.record.within->contains(state.position[row]));
+      if (frame.has(row)) {
+        EXPECT_EQ(frame.position[row], state.position[row]);
+        EXPECT_EQ(frame.angle.empty() ? state.angle[row] : frame.angle[row], state.angle[row]);
+        EXPECT_EQ(frame.angle.empty(), i % 2 != 0);
+      } else {
+        EXPECT_TRUE(frame.position[row].hasNaN());
+      }
+    }
+  }
+  EXPECT_GT(least, 100u) << "some are in";
+  EXPECT_LT(most, 600u) << "some are out";
+  EXPECT_LT(least, most) << "some come or go";
+}
+
+TEST(Selected, EmptyRegionsAreFramesToo) {
+  const Folder folder;
+  Scene scene = mixed_scene(5);
+  scene.record.within = Eigen::AlignedBox2d(Vec(100, 100), Vec(101, 101));
+  record_run(folder / "a.h5", scene, 2);
+  EXPECT_EQ(Recording(folder / "a.h5").frame(2).bodies(), 0u);
+}
+
+TEST(Selected, QuantizedPositionsComeBackWithinHalfAQuantumFromAnywhere) {
+  const Folder folder;
+  Scene scene = mixed_scene(300);
+  scene.time.dt = 0.04;
+  scene.record.quantum = 1e-3;
+  record_run(folder / "a.h5", scene, 50);
+  const Recording recording(folder / "a.h5");
+  EXPECT_EQ(recording.geometry().record.quantum, 1e-3);
+  for (std::size_t i : {0, 1, 2, 3, 15, 16, 17, 18, 50, 33, 32, 31, 47, 5, 5, 49}) {
+    const Frame frame = recording.frame(i);
+    const State state = state_at(scene, static_cast<std::int64_t>(i));
+    EXPECT_EQ(frame.velocity, state.velocity);
+    for (std::size_t row = 0; row < 300; ++row)
+      ASSERT_LE((frame.position[row] - state.position[row]).cwiseAbs().maxCoeff(), 0.5e-3 * (1 + 1e-9)) << i;
+  }
+}
+
+TEST(Selected, PositionsTooFarForTheirQuantumEndTheRecordingWithASentence) {
+  const Folder folder;
+  Scene scene = mixed_scene(3);
+  scene.record.quantum = 1e-9;
+  Recorder recorder(folder / "a.h5", scene, provenance());
+  State state = state_at(scene, 0);
+  for (Vec& position : state.position) position = {1.0, 1.0};
+  recorder.record(state);
+  state.step = 1, state.position[2].x() = 3.0;
+  recorder.record(state);
+  try {
+    recorder.finish();
+    FAIL() << "finished";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("record.quantize"));
+  }
+  EXPECT_EQ(Recording(folder / "a.h5.part").frames(), 1u);
+}
+
+TEST(Selected, ContactsAreRowsOfTheirFrame) {
+  const Folder folder;
+  Scene scene = mixed_scene(9);
+  scene.record.contacts = true;
+  own_every(scene, RecordField::contacts) = 3;
+  record_run(folder / "a.h5", scene, 30);
+  const Recording recording(folder / "a.h5");
+  std::size_t rows = 0;
+  for (std::size_t i = recording.frames(); i-- > 0;) {
+    const Frame frame = recording.frame(i);
+    ASSERT_EQ(frame.contacts.has_value(), i % 3 == 0);
+    if (!frame.contacts) continue;
+    EXPECT_EQ(*frame.contacts, contacts_at(static_cast<std::int64_t>(i)));
+    rows += frame.contacts->size();
+  }
+  EXPECT_GT(rows, 10u);
+}
+
+TEST(Selected, ContactsAreThoseOfTheRecordedBodies) {
+  const Folder folder;
+  Scene scene = mixed_scene(9);
+  scene.record.contacts = true;
+  scene.record.ids = {3, 9};
+  record_run(folder / "a.h5", scene, 3);
+  const std::vector<ContactRow> all = contacts_at(3);  // 1 with a wall, 2 with 3, 3 with 4
+  EXPECT_EQ(Recording(folder / "a.h5").frame(3).contacts, (std::vector<ContactRow>{all[1], all[2]}));
+}
+
+TEST(Selected, ObservablesAreThoseOfTheState) {
+  const Folder folder;
+  Scene scene = mixed_scene(40);
+  scene.gravity = {0.5, -9.81};
+  scene.record.every = 5;
+  scene.record.observables = 2;
+  record_run(folder / "a.h5", scene, 10);
+  const Recording recording(folder / "a.h5");
+  EXPECT_EQ(recording.geometry().record.observables, 2);
+  for (std::size_t i = recording.frames(); i-- > 0;) {
+    const Frame frame = recording.frame(i);
+    ASSERT_EQ(frame.observables.has_value(), frame.step % 2 == 0) << frame.step;
+    if (!frame.observables) continue;
+    EXPECT_EQ(*frame.observables,
+              observe(scene, state_at(scene, frame.step), contacts_at(frame.step).size()));
+  }
+  EXPECT_GT(recording.frame(1).observables.value().kinetic_energy, 0.0);
+}
+
+/// Everything at once, cut at each frame and gone on with.
+TEST(Selected, GoesOnFromAnyFrameAsIfNeverStopped) {
+  const Folder folder;
+  Scene scene = mixed_scene(60);
+  scene.record.every = 2;
+  scene.record.contacts = true;
+  scene.record.observables = 3;
+  own_every(scene, RecordField::velocity) = 5;
+  for (bool region : {false, true}) {
+    scene.record.quantum = region ? 0.0 : 1e-3;
+    if (region) scene.record.within = Eigen::AlignedBox2d(Vec(0, 0), Vec(9.2, 3));
+    const std::string name = folder / (region ? "region.h5" : "quantized.h5");
+    record_run(name, scene, 40);
+    const Recording whole(name);
+    for (std::size_t kept : {0u, 1u, 9u, 20u}) {
+      const std::string path = folder / "again.h5";
+      std::filesystem::copy_file(name, path + ".part", std::filesystem::copy_options::overwrite_existing);
+      {
+        const Recording before(path + ".part");
+        Recorder recorder(path, scene, provenance(), before, kept);
+        for (std::int64_t step = kept == 0 ? 0 : whole.steps()[kept - 1] + 1; step <= 40; ++step)
+          if (is_frame(scene.record, step)) recorder.record(state_at(scene, step), contacts_at(step));
+        recorder.finish();
+      }
+      const Recording again(path);
+      EXPECT_TRUE(std::ranges::equal(again.frame_hashes(), whole.frame_hashes())) << kept;
+      for (std::size_t i = 0; i < again.frames(); ++i) EXPECT_NO_THROW(again.frame(i));
+    }
+  }
+}
+
+/// What nobody asked for is not in the file.
+TEST(Selected, LeavesOutWhatIsNotAskedFor) {
+  const Folder folder;
+  record_drift(folder / "a.h5", mixed_scene(5), 3);
+  const Frame frame = Recording(folder / "a.h5").frame(1);
+  EXPECT_FALSE(frame.contacts);
+  EXPECT_FALSE(frame.observables);
+  EXPECT_TRUE(frame.is_present.empty());
+}
+
+}  // namespace
+}  // namespace throng
