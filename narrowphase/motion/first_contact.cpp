@@ -14,7 +14,8 @@ namespace {
 /// A walk through time, which only goes on where nothing can touch.
 class Advance {
  public:
-  Advance(const MovingPair& pair, const TimeSpan& span, double duration, const ContactQuestion& question)
+  Advance(const MovingConvexPair& pair, const TimeSpan& span, double duration,
+          const ContactQuestion& question)
       : pair_(pair), span_(span), duration_(duration), question_(question), time_(span.from) {
     const double farthest = std::max(length(pair.offset_at(span.from)), length(pair.offset_at(span.until)));
     bend_a_ = bend(pair, pair.spin_a, farthest), bend_b_ = bend(pair, pair.spin_b, farthest);
@@ -125,7 +126,7 @@ class Advance {
     return {verdict, t_lo, t_hi, evaluations_};
   }
 
-  const MovingPair& pair_;
+  const MovingConvexPair& pair_;
   TimeSpan span_;
   double duration_;
   const ContactQuestion& question_;
@@ -140,8 +141,9 @@ class Advance {
 
 FirstContact first_contact(const Convex& a, const Motion& motion_a, const Convex& b, const Motion& motion_b,
                            double duration, const ContactQuestion& question) {
-  const MovingPair pair(a, motion_a, b, motion_b, duration);
-  const TimeSpan span = near(pair, duration);
+  const MovingConvexPair pair(a, motion_a, b, motion_b, duration);
+  TimeSpan span = near(pair, duration);
+  span.from = std::max(span.from, question.from);
   if (span.until < span.from) return {Verdict::free, duration, duration, 0};
   return Advance(pair, span, duration, question).first_contact();
 }

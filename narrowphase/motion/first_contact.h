@@ -10,6 +10,7 @@ namespace throng::narrowphase {
 struct ContactQuestion {
   double width = 1e-12;                 ///< of the shapes' size: how far the two may go from t_lo to t_hi
   int evaluations = 10000;              ///< most distances; above them the answer is `undecided`
+  double from = 0.0;                    ///< s, up to where it is known that nothing touches
   ClosestFeatures* features = nullptr;  ///< as `track`: read and written, worth keeping from step to step
 };
 

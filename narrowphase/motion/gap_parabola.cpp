@@ -54,7 +54,8 @@ struct Lowest {
   }
 };
 
-Lowest lowest(const MovingPair& pair, const PlacedPair& placed, const TurningAxis& axis, double margin) {
+Lowest lowest(const MovingConvexPair& pair, const PlacedPair& placed, const TurningAxis& axis,
+              double margin) {
   const Vec &n = axis.normal, &offset = placed.b.position;
   return {side(pair.a, placed.a, pair.spin_a, axis), side(pair.b, placed.b, pair.spin_b, axis),
           dot(n, offset) - pair.radius - margin, dot(n, pair.velocity) + axis.spin * cross(n, offset),
@@ -63,13 +64,13 @@ Lowest lowest(const MovingPair& pair, const PlacedPair& placed, const TurningAxi
 
 }  // namespace
 
-double bend(const MovingPair& pair, double spin, double farthest) {
+double bend(const MovingConvexPair& pair, double spin, double farthest) {
   const double of_a = pair.spin_a - spin, of_b = pair.spin_b - spin;
   return std::abs(spin) * (2.0 * pair.speed + std::abs(spin) * farthest) + of_a * of_a * pair.reach_a +
          of_b * of_b * pair.reach_b;
 }
 
-GapParabola gap_parabola(const MovingPair& pair, const PlacedPair& placed, const TurningAxis& axis,
+GapParabola gap_parabola(const MovingConvexPair& pair, const PlacedPair& placed, const TurningAxis& axis,
                          double margin, double most) {
   const Lowest all = lowest(pair, placed, axis, margin);
   const Parabola now = all.at(0.0);

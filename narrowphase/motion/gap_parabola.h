@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "narrowphase/motion/moving_pair.h"
+#include "narrowphase/motion/moving_convex_pair.h"
 
 /// By when two moving shapes are surely still apart.
 namespace throng::narrowphase {
@@ -26,11 +26,11 @@ struct GapParabola {
 
 /// The bend of every gap along an axis of that spin: all accelerations in the axis' frame, while b's origin
 /// is no farther from a's than `farthest`.
-double bend(const MovingPair& pair, double spin, double farthest);
+double bend(const MovingConvexPair& pair, double spin, double farthest);
 
 /// The gap along the axis is at least the least over all pairs of vertices of gap + rate t - bend t² / 2,
 /// less `margin`. O(n + m), O(log n + log m) for many vertices.
-GapParabola gap_parabola(const MovingPair& pair, const PlacedPair& placed, const TurningAxis& axis,
+GapParabola gap_parabola(const MovingConvexPair& pair, const PlacedPair& placed, const TurningAxis& axis,
                          double margin, double most);
 
 }  // namespace throng::narrowphase
