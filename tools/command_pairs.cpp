@@ -22,14 +22,16 @@ constexpr const char* kFooter = R"(A line is {"a": SHAPE, "b": SHAPE}, and may h
   "id"        a string or a number, which the answer has too
   "epsilon"   accepted relative error of the distance, 0 unless given: of many-cornered shapes that are apart,
               a rough distance takes less time
+  "until"     the time, 0 or later, up to which the two move: then the answer says whether and when they touch first.
+              Needed where one of them moves
 SHAPE is one of
   {"disc": {"at": [x, y], "radius": r}}   {"discs": [[x, y, r], ...]}
   {"polygon": [[x, y], ...]}              {"segment": [[x, y], [x, y]]}
 A polygon is solid, convex or not, "holes": [[[x, y], ...], ...] taken out; what stands free in a hole is as
 far away as the hole's rim.
 A polygon or a segment may be rounded by a "radius": it grows, and its holes shrink. Every shape may have a pose: "angle" (rad) turns it about
-(0, 0), then "at": [x, y] moves it. Lengths are in any one unit. Shapes that move are not supported yet: a
-"velocity", a "spin" and a line's "until" are 0 where they are given.
+(0, 0), then "at": [x, y] moves it. Lengths are in any one unit. From there, at time 0, it may move on: its (0, 0)
+straight at "velocity": [vx, vy], turning about it at "spin" (rad per unit of time), both the same all the way.
 
 An answer is one line of
   "distance"  of the two shapes; where they overlap it is below 0: minus their depth, where not both are convex
@@ -45,12 +47,23 @@ An answer is one line of
               the points that are nearest, or deepest: point_b = point_a + distance * normal; with an "epsilon"
               they are as far apart as "upper" says
   "manifold"  of convex shapes that touch or overlap: one or two contact points, each with its "separation"
+  "motion"    with "until": "hit" where the two touch at the start or on the way, "free" where they surely don't,
+              "undecided" where their gap is 0 within rounding. What stands above is of the start
+  "time_of_impact"
+              of a hit: the first contact, 0 where they touch at the start
+  "time_bracket"
+              [t, u], of a hit: nothing touches before t, that is certain, the two overlap at u, the time of impact;
+              what moves goes 1e-12 of its size between them, or what rounding takes where that is more.
+              Undecided: nothing touches before t, the gap is 0 within rounding until u, what comes then is not known
+  "impact_point", "impact_normal"
+              of a hit: where the two touch, midway between them, and the unit normal from a to b
   "repairs"   what was mended in a polygon; only where something was
   "work"      with --work, what the distance took: pairs of bounding volumes ("nodes") and of leaves ("leaves")
-              compared, microseconds ("us")
+              compared, microseconds ("us"); with "until" how many distances the motion took ("looks")
 A faulty line is answered by its "id", "line" (counted from 1) and "error"; the exit code is then 2.
 Example:
-  echo '{"a": {"disc": {"radius": 1}}, "b": {"polygon": [[2,-1],[3,0],[2,1]]}}' | throng pairs -)";
+  echo '{"a": {"disc": {"radius": 1}}, "b": {"polygon": [[2,-1],[3,0],[2,1]]}}' | throng pairs -
+  echo '{"until": 9, "a": {"disc": {"radius": 1}, "velocity": [1, 0]}, "b": {"segment": [[4,-1],[4,1]]}}' | throng pairs -)";
 
 void print(const Json& line) {
   std::puts(line.dump(-1, ' ', false, Json::error_handler_t::replace).c_str());

@@ -9,6 +9,7 @@
 #include "narrowphase/bvh_fit.h"
 #include "narrowphase/bvh_parts.h"
 #include "narrowphase/manifold.h"
+#include "narrowphase/motion/first_contact_parts.h"
 #include "sim/input_error.h"
 
 namespace throng::tools {
@@ -37,7 +38,7 @@ Solid hull_if_equally_rounded(const Solid& solid) {
     points.insert(points.end(), part.vertices.begin(), part.vertices.end());
   }
   narrowphase::reduce_to_hull<2>(points);
-  return {{narrowphase::convex(std::move(points), radius)}, solid.pose};
+  return {{narrowphase::convex(std::move(points), radius)}, solid.pose, solid.motion};
 }
 
 /// Where b can move, along a unit vector, and how far it must to be surely apart from a.
@@ -94,6 +95,36 @@ void add_way_out(const PairQuery& q, const narrowphase::Separation& s, Json& res
   result["way_out"] = json(Vec(length * out.along));
 }
 
+/// As `distance` says of the start.
+narrowphase::FirstPartsContact first_contact(const PairQuery& q, const narrowphase::Separation& start) {
+  if (start.distance <= 0.0) return {{narrowphase::Verdict::hit, 0.0, 0.0, 0}, 0, 0};
+  return first_contact(parts_bvh(q.a.parts), q.a.motion, parts_bvh(q.b.parts), q.b.motion, *q.until);
+}
+
+/// Where the two parts touch, midway between what is nearest when the last moment without contact begins.
+void add_impact(const PairQuery& q, const narrowphase::FirstPartsContact& found,
+                const narrowphase::Separation& start, Json& result) {
+  const double time = found.contact.t_lo;
+  const narrowphase::Separation s = start.distance <= 0.0
+                                        ? start
+                                        : separation(q.a.parts[found.part_a], pose_at(q.a.motion, time),
+                                                     q.b.parts[found.part_b], pose_at(q.b.motion, time));
+  result["time_of_impact"] = found.contact.t_hi;
+  result["impact_point"] = json(Vec(0.5 * (s.point_a + s.point_b)));
+  result["impact_normal"] = json(s.normal);
+}
+
+/// Returns how many distances it took.
+int add_motion(const PairQuery& q, const narrowphase::Separation& start, Json& result) {
+  using narrowphase::Verdict;
+  const narrowphase::FirstPartsContact found = first_contact(q, start);
+  const Verdict verdict = found.contact.verdict;
+  result["motion"] = verdict == Verdict::free ? "free" : verdict == Verdict::hit ? "hit" : "undecided";
+  if (verdict == Verdict::hit) add_impact(q, found, start, result);
+  if (verdict != Verdict::free) result["time_bracket"] = {found.contact.t_lo, found.contact.t_hi};
+  return found.contact.evaluations;
+}
+
 }  // namespace
 
 Json answer(const PairQuery& q, bool work) {
@@ -114,8 +145,10 @@ Json answer(const PairQuery& q, bool work) {
   if (convex && s.distance <= 0.0)
     result["manifold"] = json(manifold(q.a.parts[0], q.a.pose, q.b.parts[0], q.b.pose, 0.0));
   if (!convex && s.distance < 0.0) add_way_out(q, s, result);
+  const int looks = q.until ? add_motion(q, s, result) : 0;
   if (!q.repairs.empty()) result["repairs"] = q.repairs;
   if (work) result["work"] = {{"nodes", counters.nodes}, {"leaves", counters.leaves}, {"us", spent.count()}};
+  if (work && q.until) result["work"]["looks"] = looks;
   return checked(std::move(result));
 }
 

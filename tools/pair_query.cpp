@@ -104,6 +104,14 @@ Vec optional_point(const Json& object, const std::string& path, const char* key)
   return object.contains(key) ? point(object[key], path + "." + key) : Vec{0.0, 0.0};
 }
 
+/// Unlike a point it may be as small as it likes.
+Vec velocity(const Json& solid, const std::string& path) {
+  if (!solid.contains("velocity")) return {0.0, 0.0};
+  const std::string here = path + ".velocity";
+  const Json& value = array(solid["velocity"], here, 2);
+  return {number(value[0], at(here, 0)), number(value[1], at(here, 1))};
+}
+
 double rounding(const Json& solid, const std::string& path) {
   return solid.contains("radius") ? length(solid["radius"], path + ".radius") : 0.0;
 }
@@ -190,21 +198,24 @@ std::vector<Convex> read_parts(const Json& solid, const std::string& path,
   return read_discs(solid["discs"], path + ".discs");
 }
 
-/// What can't move yet says so, rather than being taken for what stands still.
-[[noreturn]] void refuse_motion(const std::string& path) {
-  fail(path, "not supported yet: shapes that move");
-}
-
 Solid read_solid(const Json& line, const char* name, std::vector<std::string>& repairs) {
   if (!line.contains(name)) fail(name, "is missing");
   const Json& solid = line[name];
   const std::string path = name;
   check_keys(solid, path,
              {"polygon", "holes", "disc", "segment", "discs", "radius", "at", "angle", "velocity", "spin"});
-  if (optional_point(solid, path, "velocity") != Vec{0.0, 0.0}) refuse_motion(path + ".velocity");
-  if (optional_number(solid, path, "spin") != 0.0) refuse_motion(path + ".spin");
-  return {read_parts(solid, path, repairs),
-          narrowphase::pose(optional_point(solid, path, "at"), optional_number(solid, path, "angle"))};
+  const narrowphase::Motion motion{optional_point(solid, path, "at"), optional_number(solid, path, "angle"),
+                                   velocity(solid, path), optional_number(solid, path, "spin")};
+  return {read_parts(solid, path, repairs), narrowphase::pose(motion.position, motion.angle), motion};
+}
+
+/// Without an end a path has no first contact, and none may be as far away as one likes.
+std::optional<double> read_until(const Json& line, const PairQuery& query) {
+  if (line.contains("until")) return length(line["until"], "until");
+  for (const Solid* solid : {&query.a, &query.b})
+    if (solid->motion.velocity != Vec{0.0, 0.0} || solid->motion.spin != 0.0)
+      fail("until", std::string("is missing, but ") + (solid == &query.a ? "a" : "b") + " moves");
+  return {};
 }
 
 }  // namespace
@@ -233,11 +244,11 @@ Json read_id(const Json& line) {
 
 PairQuery read_pair(const Json& line) {
   check_keys(line, "line", {"id", "a", "b", "epsilon", "until"});
-  if (line.contains("until") && number(line["until"], "until") != 0.0) refuse_motion("until");
   PairQuery query;
   if (line.contains("epsilon")) query.epsilon = length(line["epsilon"], "epsilon");
   query.a = read_solid(line, "a", query.repairs);
   query.b = read_solid(line, "b", query.repairs);
+  query.until = read_until(line, query);
   return query;
 }
 

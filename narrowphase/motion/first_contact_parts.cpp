@@ -40,9 +40,14 @@ class Race {
       const Waiting first = queue_.back();
       queue_.pop_back();
       if (comes_too_late(first.time)) break;
+      if (nodes_ + evaluations_ >= question_.looks) {
+        merge({{Verdict::undecided, first.time, best_.contact.t_hi, 0}, 0, 0});
+        break;
+      }
       look(first);
     }
     best_.contact.evaluations = evaluations_;
+    if (question_.counters) question_.counters->nodes += static_cast<std::size_t>(nodes_);
     return best_;
   }
 
@@ -58,7 +63,7 @@ class Race {
 
   /// The two nodes where they stand then: to wait on, to be opened, or two parts at last.
   void look(const Waiting& now) {
-    if (question_.counters) ++question_.counters->nodes;
+    ++nodes_;
     const auto &node_a = a_.tree.nodes[now.pair.a], &node_b = b_.tree.nodes[now.pair.b];
     const double gap = bound(node_a.volume, node_b.volume, frame_at(now.time));
     const double mu = rate_.of(node_a.far, node_b.far);
@@ -118,7 +123,7 @@ class Race {
   GapRate rate_;
   FirstPartsContact best_;
   std::vector<Waiting> queue_;
-  int evaluations_ = 0;
+  int nodes_ = 0, evaluations_ = 0;
 };
 
 }  // namespace

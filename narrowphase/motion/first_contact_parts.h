@@ -7,8 +7,9 @@
 namespace throng::narrowphase {
 
 struct PartsQuestion {
-  double width = 1e-12;     ///< of the size of the two parts that touch, as ContactQuestion says
-  int evaluations = 10000;  ///< most distances for two parts
+  double width = 1e-12;    ///< of the size of the two parts that touch, as ContactQuestion says
+  int evaluations = 1000;  ///< most distances for two parts, as ContactQuestion says
+  int looks = 100000;      ///< most distances and comparisons of nodes in all; then `undecided`
   BvhCounters* counters = nullptr;
 };
 

@@ -40,6 +40,19 @@ void check_way_out(PairQuery query, const Vec& way_out, double size) {
   expect(answer(query)["distance"].get<double>() >= -1e-14 * size, "the way out parts the two");
 }
 
+/// Hits and doubts have a time on the way; what collides at the start hits there.
+void check_motion(const PairQuery& query, const Json& answer) {
+  expect(answer.contains("motion") == query.until.has_value(), "a path is answered");
+  if (!query.until) return;
+  const bool free = answer["motion"] == "free", hit = answer["motion"] == "hit";
+  expect(answer.contains("time_bracket") == !free && answer.contains("time_of_impact") == hit,
+         "with its time");
+  if (answer["collide"].get<bool>()) expect(hit && answer["time_of_impact"] == 0.0, "collides at once");
+  if (free) return;
+  const double from = answer["time_bracket"][0], to = answer["time_bracket"][1];
+  expect(0.0 <= from && from <= to && to <= *query.until, "the bracket lies on the way");
+}
+
 /// Returns the answer.
 Json checked_answer(const PairQuery& query, double size) {
   const Json answer = tools::answer(query);
@@ -57,6 +70,7 @@ Json checked_answer(const PairQuery& query, double size) {
     expect(std::abs(way_out.norm() + lower) <= 1e-14 * size, "the way out is as long as it says");
     check_way_out(query, way_out, size);
   }
+  check_motion(query, answer);
   const Vec off = vec(answer["point_a"]) + distance * normal - vec(answer["point_b"]);
   expect(off.cwiseAbs().maxCoeff() <= 1e-14 * size, "the points are the distance apart");
   return answer;

@@ -289,9 +289,10 @@ TEST_F(Pairs, RefusesABadLineAndSaysWhy) {
       {R"({"a":)" + kDisc + R"(,"b":{"segment":[[1,1],[1,1]]}})", "differ"},
       {R"({"a":)" + kDisc + R"(,"b":{"discs":[]}})", "b.discs"},
       {R"({"a":)" + kDisc + R"(,"b":{"disc":{"radius":1},"velocity":[1,0]}})",
-       "b.velocity: not supported yet"},
-      {R"({"a":)" + kDisc + R"(,"b":)" + kDisc + R"(,"until":1})", "until: not supported yet"},
-      {R"({"a":)" + kDisc + R"(,"b":{"disc":{"radius":1},"spin":-1}})", "b.spin: not supported yet"},
+       "until: is missing, but b moves"},
+      {R"({"b":)" + kDisc + R"(,"a":{"disc":{"radius":1},"spin":-1}})", "until: is missing, but a moves"},
+      {R"({"a":)" + kDisc + R"(,"b":)" + kDisc + R"(,"until":-1})", "until: must not be negative"},
+      {R"({"a":)" + kDisc + R"(,"b":)" + kDisc + R"(,"until":1e101})", "until: a number up to 1e100"},
       {R"({"a":{"disc":{"radius":1},"velocity":0},"b":)" + kDisc + "}", "a.velocity: a list of 2"},
       {R"({"a":)" + kDisc + R"(,"b":)" + kDisc + R"(,"until":"0"})", "until: a number"},
       {R"({"a":)" + kDisc + R"(,"b":{"disc":{"radius":1},"radius":1}})", "b.radius: only"},
@@ -314,10 +315,11 @@ TEST_F(Pairs, RefusesABadLineAndSaysWhy) {
   }
 }
 
-TEST_F(Pairs, AnswersWhatMovesByNothing) {
+TEST_F(Pairs, NeedsNoEndOfWhatMovesByNothing) {
   const std::string still = R"({"disc":{"radius":1},"velocity":[0,-0.0],"spin":0.0})";
-  const json answer = ask_one(R"({"id":1,"a":)" + still + R"(,"b":)" + still + R"(,"until":0})");
+  const json answer = ask_one(R"({"id":1,"a":)" + still + R"(,"b":)" + still + "}");
   EXPECT_EQ(answer.value("distance", 0.0), -2.0) << answer;
+  EXPECT_FALSE(answer.contains("motion"));
 }
 
 TEST_F(Pairs, SurvivesATowerOfBrackets) {
@@ -340,7 +342,7 @@ TEST_F(Pairs, SaysWhatItMendedInAHole) {
 
 TEST_F(Pairs, KeepsTheIdOfAFaultyLine) {
   const std::string good = R"("a":)" + kDisc + R"(,"b":)" + kDisc;
-  const Answers answers = ask(R"({"id":"x",)" + good + R"(,"until":1})" + "\n" + R"({"id":7})" + "\n" +
+  const Answers answers = ask(R"({"id":"x",)" + good + R"(,"until":-1})" + "\n" + R"({"id":7})" + "\n" +
                               R"({"id":[7],)" + good + "}\n" + R"({"a":7})" + "\n" + R"({"id":8,)" + "\n" +
                               R"({"id":9,"a":{"segment":[[0,0],[9e99,0]],"at":[9e99,0],"radius":1e99},"b":)" +
                               R"({"polygon":[[0,0],[1e-140,0],[0,1e-140]],"at":[-1e100,0]}})");
@@ -383,8 +385,8 @@ TEST_F(Pairs, SaysInItsHelpWhatEveryKeyMeans) {
       R"({"id":1,"epsilon":0,"a":)" + kSquare + R"(,"b":{"polygon":)" +
       R"([[0,0],[1,0],[1,0],[1,1]],"radius":0,"at":[0,0],"angle":0,"velocity":[0,0],"spin":0},"until":0})";
   const Answers answers = answers_of(throng("pairs --work " + write("pairs.jsonl", line + "\n7\n")));
-  EXPECT_EQ(answers.lines.at(0).size(), 11u) << answers.lines[0];
-  for (const json& answer : answers.lines)
+  EXPECT_EQ(answers.lines.at(0).size(), 16u) << answers.lines[0];
+  for (const json& answer : {answers.lines[0], answers.lines[0]["work"], answers.lines[1]})
     for (const auto& item : answer.items()) EXPECT_THAT(help, HasSubstr('"' + item.key() + '"'));
   for (const char* key : {"way_out", "epsilon", "polygon", "holes", "disc", "discs", "segment", "radius",
                           "at", "angle", "velocity", "spin", "until"})

@@ -79,7 +79,7 @@ TEST(FirstPartsContact, InASceneIsTheFirstWallOnTheWay) {
   // Between two rows, until the slope has used up what is free beside it.
   BvhCounters counters;
   const FirstPartsContact found =
-      first_contact(moving, {{-30, 0}, 0, {60, 1}, 9}, scene, {}, 1.0, {1e-12, 10000, &counters});
+      first_contact(moving, {{-30, 0}, 0, {60, 1}, 9}, scene, {}, 1.0, {1e-12, 10000, 100000, &counters});
   ASSERT_EQ(found.contact.verdict, Verdict::hit);
   for (std::size_t j = 0; j < posts.size(); ++j) {
     const FirstContact one = first_contact(ball[0], {{-30, 0}, 0, {60, 1}, 9}, posts[j], {}, 1.0);
