@@ -105,35 +105,12 @@ bool ExactMotionValidator::checkMotion(const ob::State* from, const ob::State* t
                                        std::pair<ob::State*, double>& last_valid) const {
   const std::lock_guard lock(one_at_a_time_);
   place(from, to);
-  const narrowphase::LinkageAnswer answer = checker_.check_motion(from_, to_);
+  const narrowphase::LinkageAnswer answer = checker_.first_contact(from_, to_);
   if (answer.verdict == narrowphase::Verdict::free) return counted(true);
-  last_valid.second = free_until(answer.from);
+  last_valid.second = answer.from;
   if (last_valid.first != nullptr)
     si_->getStateSpace()->interpolate(from, to, last_valid.second, last_valid.first);
   return counted(false);
-}
-
-/// Each half is asked on its own: what lies before `low` is proven to be free, before `high` something isn't.
-double ExactMotionValidator::free_until(double high) const {
-  constexpr double kNarrow = 0x1p-20;
-  double low = 0.0;
-  std::vector<double> begin, end;
-  while (high - low > kNarrow) {
-    const double middle = 0.5 * (low + high);
-    begin = on_the_way(low), end = on_the_way(middle);
-    const narrowphase::LinkageAnswer answer = checker_.check_motion(begin, end);
-    if (answer.verdict == narrowphase::Verdict::free)
-      low = middle;
-    else
-      high = low + answer.from * (middle - low);
-  }
-  return low;
-}
-
-std::vector<double> ExactMotionValidator::on_the_way(double fraction) const {
-  std::vector<double> values(from_);
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] += fraction * (to_[i] - from_[i]);
-  return values;
 }
 
 narrowphase::Linkage free_body(const narrowphase::PartsBvh& shape) {

@@ -48,16 +48,14 @@ class ExactMotionValidator : public ::ompl::base::MotionValidator {
 
   bool checkMotion(const ::ompl::base::State* from, const ::ompl::base::State* to) const override;
 
-  /// Where the motion is not free, `last_valid` gets a fraction before which nothing touches, within 1e-6 of
-  /// the first contact, and, where it has a state, that state.
+  /// Where the motion is not free, `last_valid` gets the fraction before which nothing touches, as near to
+  /// the first contact as rounding lets it, and, where it has a state, that state.
   bool checkMotion(const ::ompl::base::State* from, const ::ompl::base::State* to,
                    std::pair<::ompl::base::State*, double>& last_valid) const override;
 
  private:
   bool counted(bool valid) const;
   void place(const ::ompl::base::State* from, const ::ompl::base::State* to) const;
-  double free_until(double high) const;
-  std::vector<double> on_the_way(double fraction) const;
 
   mutable std::mutex one_at_a_time_;
   mutable narrowphase::LinkageChecker checker_;
