@@ -63,9 +63,9 @@ void make_arm(Problem& problem) {
   problem.start.assign(kLinks, 0.0), problem.goal.assign(kLinks, 0.0);
   problem.goal[0] = 2.0;
   std::vector<Convex> posts;
-  for (int ring = 2; ring <= 5; ++ring)
-    for (int i = 0; i < 3 * ring; ++i) {
-      const double angle = 2.0 * std::numbers::pi * (i + 0.5) / (3 * ring);
+  for (int ring = 3; ring <= 5; ++ring)
+    for (int i = 0; i < 2 * ring; ++i) {
+      const double angle = 2.0 * std::numbers::pi * (i + 0.5) / (2 * ring);
       const Vec at = pose({0.0, 0.0}, angle).rotate({0.55 * ring, 0.0});
       posts.push_back(box(at - Vec(0.005, 0.005), at + Vec(0.005, 0.005)));
     }
