@@ -7,6 +7,7 @@
 #include "tools/bench/benchmarks.h"
 #include "tools/bench/interleave.h"
 #include "tools/bench/motion_engines.h"
+#include "tools/bench/motion_linkage.h"
 #include "tools/bench/motion_truth.h"
 
 namespace throng::bench {
@@ -25,14 +26,16 @@ struct Answers {
 };
 
 Answers ask_all(const MotionEngine& engine, std::size_t queries, bool quick) {
-  const double affordable = quick ? 2e5 : 4e6;
+  const std::chrono::duration<double> affordable(quick ? 0.005 : 0.1);
+  const auto begin = std::chrono::steady_clock::now();
   Answers answers;
-  double spent = 0.0;
-  for (std::size_t i = 0; i < queries && spent < affordable; ++i) {
+  double evaluations = 0.0;
+  for (std::size_t i = 0; i < queries; ++i) {
     answers.told.push_back(engine.ask(i));
-    spent += static_cast<double>(answers.told.back().evaluations);
+    evaluations += static_cast<double>(answers.told.back().evaluations);
+    if (std::chrono::steady_clock::now() - begin > affordable) break;
   }
-  answers.evaluations = spent / static_cast<double>(answers.told.size());
+  answers.evaluations = evaluations / static_cast<double>(answers.told.size());
   return answers;
 }
 
@@ -93,7 +96,7 @@ double share(const Answers& mine, const Answers& other, const Truth& truth) {
   return shares.empty() ? 0.0 : median(std::move(shares));
 }
 
-/// A block asks about a fifth of a second's worth of queries, the same ones each time.
+/// The same queries each time.
 std::function<void()> block(const MotionEngine& engine, std::size_t queries) {
   return [&engine, queries] {
     double sum = 0.0;
@@ -104,7 +107,7 @@ std::function<void()> block(const MotionEngine& engine, std::size_t queries) {
 
 std::vector<Row> run(MotionCase c, const Options& options) {
   const Truth times = truth(c);
-  const std::vector<MotionEngine> engines = motion_engines(c);
+  const std::vector<MotionEngine> engines = motion_engines(c, options.quick);
   std::vector<Row> rows;
   std::vector<Answers> answers;
   std::vector<Contestant> contestants;
@@ -115,8 +118,9 @@ std::vector<Row> run(MotionCase c, const Options& options) {
   }
   for (std::size_t i = 0; i < engines.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)
-      if (engines[i].name.ends_with("advancement") && engines[k].name == "bisection")
-        rows[k].error["of_" + engines[i].name] = share(answers[k], answers[i], times);
+      if (const double part = share(answers[k], answers[i], times);
+          engines[i].name.ends_with("advancement") && engines[k].name == "bisection" && part > 0.0)
+        rows[k].error["of " + engines[i].name] = part;
   expect_agreement(rows);
   interleave(contestants, options.blocks, 1.0);
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -135,11 +139,13 @@ void append(std::vector<Row>& rows, std::vector<Row> more) {
 void add_bars(const Options& options, std::vector<Row>& rows) {
   std::map<std::string, std::pair<double, double>> last;
   for (const double clearance : {1.0, 0.3, 0.1, 0.03, 0.01, 0.003, 0.001, 1e-4, 1e-6, 1e-9, -0.03}) {
+    if (options.quick && clearance != 1.0 && clearance != 1e-4 && clearance > 0.0) continue;
     MotionCase c = bar_past_post(clearance, options.quick ? 4 : 32);
     if (!chosen(c.name, options)) continue;
     for (Row& row : run(std::move(c), options)) {
       const double evaluations = row.error["evaluations"];
-      if (const auto before = last.find(row.engine); before != last.end() && clearance > 0.0)
+      if (const auto before = last.find(row.engine);
+          before != last.end() && clearance > 0.0 && evaluations > 0.0)
         row.error["growth"] =
             std::log(evaluations / before->second.second) / std::log(before->second.first / clearance);
       last[row.engine] = {clearance, evaluations};
@@ -157,11 +163,12 @@ std::vector<Row> bench_motion(const Options& options) {
   const std::pair<const char*, std::function<MotionCase()>> cases[] = {
       {"octagons, random", [&] { return random_octagons(n); }},
       {"rods, random", [&] { return random_rods(n); }},
-      {"gears n=64, random", [&] { return random_outlines("gear", 64, n / 10); }},
-      {"coasts n=128, random", [&] { return random_outlines("coast", 128, n / 25); }},
+      {"gears n=64, random", [&] { return random_outlines("gear", 64, n / 20); }},
+      {"coasts n=128, random", [&] { return random_outlines("coast", 128, n / 50); }},
       {"bracket in clutter of 400, random", [&] { return random_clutter(n / 5); }}};
   for (const auto& [name, make] : cases)
     if (chosen(name, options)) append(rows, run(make(), options));
+  append(rows, motion_linkage_rows(options));
   return rows;
 }
 

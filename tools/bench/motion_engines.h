@@ -31,7 +31,8 @@ struct MotionEngine {
   std::function<Told(std::size_t query)> ask;
 };
 
-/// All that can be asked about a case; `c` must live as long.
-std::vector<MotionEngine> motion_engines(const MotionCase& c);
+/// All that can be asked about a case; `c` must live as long. Samples down to 1e-5 of the size apart, or 1e-3
+/// for solids of many parts and if `quick`.
+std::vector<MotionEngine> motion_engines(const MotionCase& c, bool quick);
 
 }  // namespace throng::bench
