@@ -17,7 +17,8 @@ class Advance {
   Advance(const MovingConvexPair& pair, const TimeSpan& span, double duration,
           const ContactQuestion& question)
       : pair_(pair), span_(span), duration_(duration), question_(question), time_(span.from) {
-    const double farthest = std::max(length(pair.offset_at(span.from)), length(pair.offset_at(span.until)));
+    const double farthest = std::max(length(pair.offset_at(span.from) + pair.arms),
+                                     length(pair.offset_at(span.until) + pair.arms));
     bend_a_ = bend(pair, pair.spin_a, farthest), bend_b_ = bend(pair, pair.spin_b, farthest);
     bend_world_ = bend(pair, 0.0, farthest);
     width_ = question.width * pair.size();
