@@ -22,7 +22,8 @@ class Names {
   /// Null where nothing is called so.
   const Solids* find(const std::string& name) const;
 
-  std::vector<std::string> all() const;
+  /// At most a thousand of them, for suggestions.
+  std::vector<std::string> some() const;
 
  private:
   std::map<std::string, Solids> solids_;

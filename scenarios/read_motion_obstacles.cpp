@@ -134,7 +134,7 @@ void read_may_touch(const toml::table& root, MotionTask& task, const Names& name
       const std::string& name = entry.as_string()->get();
       if (solids[k] = names.find(name); solids[k]) continue;
       report.error(entry, Path(pair_path, k).text(),
-                   "nothing is called " + in_quotes(name) + nearest_or_all(name, names.all()));
+                   "nothing is called " + in_quotes(name) + nearest_or_all(name, names.some()));
     }
     if (solids[0] && solids[1]) task.may_touch.emplace_back(*solids[0], *solids[1]);
   }

@@ -45,8 +45,8 @@ The answer is one JSON object:
   "evaluations"  how often a distance was computed
   "segments"     of each of them
     "segment"    its number, from 0
-    "verdict"    free: nothing touches, which is proven; hit: something does; undecided: something comes nearer
-                 than --epsilon, or so near that rounding decides
+    "verdict"    free: nothing touches, which is proven; hit: something does; undecided: something comes so near
+                 that rounding decides, or that --epsilon leaves open
     "bracket"    of a hit, fractions of the segment: nothing touches before the first, the pair touches at the
                  second, which is also "fraction"; with --any both are that of some contact
     "in_doubt"   of what is undecided: nothing touches before the first fraction
@@ -101,8 +101,8 @@ void add_motion(CLI::App& app, int& exit_code) {
   command
       ->add_option(
           "--epsilon", options->epsilon,
-          "clearance that need not be told from contact (m): nearer is undecided; without it, what rounding "
-          "lets be told")
+          "clearance (m) that is not worth more computations: what comes nearer may be left undecided; "
+          "without it, what rounding lets be told")
       ->check(CLI::Range(0.0, 1e9));
   command->add_option(
       "--png", options->png,

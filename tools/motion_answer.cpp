@@ -47,43 +47,28 @@ MotionAnswer answer_any(const MotionSystem& system, LinkageChecker& checker,
   return answer;
 }
 
-/// Halves what lies before a contact until it is free or in doubt.
-LinkageAnswer first_contact(const MotionSystem& system, LinkageChecker& checker, std::size_t segment,
-                            LinkageAnswer hit) {
-  double free = 0.0;
-  const auto values = [&](double fraction) { return system.values(segment, fraction); };
-  hit.evaluations = 0;
-  while (hit.to - free > 1e-12) {
-    const double middle = (free + hit.to) / 2;
-    const LinkageAnswer found = checker.check_motion(values(free), values(middle));
-    hit.evaluations += found.evaluations;
-    const double at = free + found.to * (middle - free);
-    if (found.verdict == Verdict::undecided) break;
-    if (found.verdict == Verdict::free)
-      free = middle;
-    else
-      hit.pair = found.pair, hit.part_a = found.part_a, hit.part_b = found.part_b, hit.to = at;
-  }
-  hit.from = free;
-  return hit;
+/// The first contact on the segment of one that was found; that one, where rounding decides whether another
+/// comes before it.
+LinkageAnswer first_contact(const MotionSystem& system, LinkageChecker& checker, const LinkageAnswer& found) {
+  LinkageAnswer first =
+      checker.first_contact(system.waypoint(found.segment), system.waypoint(found.segment + 1));
+  const double from = first.from;
+  const std::size_t evaluations = found.evaluations + first.evaluations;
+  if (first.verdict != Verdict::hit) first = found;
+  first.segment = found.segment, first.from = from, first.evaluations = evaluations;
+  return first;
 }
 
 MotionAnswer answer_all(const MotionSystem& system, LinkageChecker& checker,
                         const narrowphase::BisectOptions& options) {
   std::vector<LinkageAnswer> found(system.segments());
-  const LinkageAnswer worst = checker.check_path(system.path(), options, found);
-  MotionAnswer answer{worst.verdict, {}, worst.evaluations};
+  MotionAnswer answer{checker.check_path(system.path(), options, found).verdict, {}, 0};
   for (std::size_t i = 0; i < found.size(); ++i) {
     found[i].segment = static_cast<std::uint32_t>(i);
-    if (found[i].verdict == Verdict::hit) {
-      const std::size_t spent = found[i].evaluations;
-      found[i] = first_contact(system, checker, i, found[i]);
-      found[i].segment = static_cast<std::uint32_t>(i);
-      answer.evaluations += found[i].evaluations;
-      found[i].evaluations += spent;
-    }
+    if (found[i].verdict == Verdict::hit) found[i] = first_contact(system, checker, found[i]);
     answer.segments.push_back(named(system, found[i]));
     answer.segments.back().evaluations = found[i].evaluations;
+    answer.evaluations += found[i].evaluations;
   }
   return answer;
 }

@@ -38,12 +38,17 @@ bool is_all(const Solids& solids, std::uint32_t links, std::size_t obstacles) {
   return solids.first == links && solids.count == obstacles;
 }
 
-/// Calls visit(a, b) for all links a and whatever b of the pairs that may touch.
+/// Calls visit(a, b) for each two of the pairs that may touch, but for links and all obstacles.
 template <class Visit>
-void for_each_pair(const MotionTask& task, Visit visit) {
-  for (const auto& [a, b] : task.may_touch)
+void for_each_pair(const MotionTask& task, std::uint32_t links, Visit visit) {
+  const auto wide = [&](const Solids& solids) { return is_all(solids, links, task.obstacles.size()); };
+  const auto key = [](const Solids& solids) { return std::pair(solids.first, solids.count); };
+  std::set<std::pair<std::pair<std::uint32_t, std::uint32_t>, std::pair<std::uint32_t, std::uint32_t>>> known;
+  for (const auto& [a, b] : task.may_touch) {
+    if (wide(a) || wide(b) || !known.emplace(key(a), key(b)).second) continue;
     for (std::uint32_t i = a.first; i < a.first + a.count; ++i)
       for (std::uint32_t k = b.first; k < b.first + b.count; ++k) visit(std::min(i, k), std::max(i, k));
+  }
 }
 
 }  // namespace
@@ -99,7 +104,7 @@ void MotionSystem::add_obstacles() {
 
 void MotionSystem::add_pairs() {
   std::set<std::pair<std::uint32_t, std::uint32_t>> may_touch;  // of links, an obstacle apart, kWorld
-  for_each_pair(task_, [&](std::uint32_t a, std::uint32_t b) {
+  for_each_pair(task_, moving_, [&](std::uint32_t a, std::uint32_t b) {
     const auto apart = std::lower_bound(apart_.begin(), apart_.end(), b - moving_);
     if (a >= moving_) return;
     if (b < moving_)
