@@ -50,7 +50,8 @@ void read_region(const toml::table& table, Record& record, Report& report) {
   if (!node) return;
   record.within = box(*node);
   if (!((record.within->max() - record.within->min()).minCoeff() >= kShortestEdge))
-    report.error(*node, "record.within", "must have its least x and y first, [[min x, min y], [max x, max y]]");
+    report.error(*node, "record.within",
+                 "must have its least x and y first, [[min x, min y], [max x, max y]]");
 }
 
 void read_quantum(const toml::table& table, Record& record, Report& report) {
@@ -93,8 +94,9 @@ std::vector<std::uint32_t> candidates(const toml::table& of, const Scene& scene,
   for (const toml::node& entry : *node->as_array()) {
     ids.push_back(static_cast<std::uint32_t>(number(entry)));
     if (ids.back() <= scene.bodies.size()) continue;
-    report.error(entry, "record.of.ids", "there is no body " + std::to_string(ids.back()) + "; ids go from 1 to " +
-                                             std::to_string(scene.bodies.size()));
+    report.error(entry, "record.of.ids",
+                 "there is no body " + std::to_string(ids.back()) + "; ids go from 1 to " +
+                     std::to_string(scene.bodies.size()));
     return {};
   }
   std::ranges::sort(ids);

@@ -28,7 +28,8 @@ double expected_bytes(const Scene& scene) {
   const auto samples = [&](int every) {
     return every == 0 ? 0.0 : static_cast<double>(scene.time.steps()) / every + 1;
   };
-  double bytes = static_cast<double>(count_frames(record, scene.time.steps())) * kRowBytes + samples(record.observables) * (kRowBytes + kObservableBytes);
+  double bytes = static_cast<double>(count_frames(record, scene.time.steps())) * kRowBytes +
+                 samples(record.observables) * (kRowBytes + kObservableBytes);
   for (int f = 0; f < kRecordFields; ++f) {
     const auto field = static_cast<RecordField>(f);
     bytes += samples(every(record, field)) * (body_bytes(record, field) * bodies + kRowBytes);

@@ -9,9 +9,9 @@
 
 namespace throng::recording {
 
-/// A dataset [frame, body] or [frame, body, x and y] whose frames are written once each, in whole chunks, past
-/// HDF5's own pipeline, which copies each chunk once more to put its checksum behind it. All functions throw
-/// h5::Error.
+/// A dataset [frame, body] or [frame, body, x and y] whose frames are written once each, in whole chunks,
+/// past HDF5's own pipeline, which copies each chunk once more to put its checksum behind it. All functions
+/// throw h5::Error.
 class FrameBlocks {
  public:
   struct Form {

@@ -18,8 +18,10 @@ struct Place {
 };
 
 Place place(int field, Frame& frame) {
-  const Place places[kFields] = {
-      {&frame.position, nullptr}, {nullptr, &frame.angle}, {&frame.velocity, nullptr}, {nullptr, &frame.spin}};
+  const Place places[kFields] = {{&frame.position, nullptr},
+                                 {nullptr, &frame.angle},
+                                 {&frame.velocity, nullptr},
+                                 {nullptr, &frame.spin}};
   return places[field];
 }
 
@@ -79,7 +81,8 @@ void FrameReader::read_numbers(int field, std::size_t sample, std::size_t presen
                   stored->size() * sizeof(T));
   stored->resize(present * components);
   hash.add(std::as_bytes(std::span(*stored)));
-  if (!all_finite<T>(*stored)) throw h5::Error(std::string(kFieldName[static_cast<std::size_t>(field)]) + " is not finite");
+  if (!all_finite<T>(*stored))
+    throw h5::Error(std::string(kFieldName[static_cast<std::size_t>(field)]) + " is not finite");
   if constexpr (!std::is_same_v<T, double>) numbers_.assign(stored->begin(), stored->end());
 }
 

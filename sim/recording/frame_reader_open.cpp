@@ -65,7 +65,8 @@ void FrameReader::open_region(hid_t trajectory, Record& record) {
   record.within = Eigen::AlignedBox2d(Vec(low[0], low[1]), Vec(high[0], high[1]));
   if (!(low[0] < high[0] && low[1] < high[1] && std::isfinite(high[0] - low[0] + high[1] - low[1])))
     throw h5::Error("the region is turned round");
-  present_ = h5::open_dataset<std::uint32_t>(*file_, element, "value", {kAny, ids_.size()}, h5::Storage::sparse);
+  present_ =
+      h5::open_dataset<std::uint32_t>(*file_, element, "value", {kAny, ids_.size()}, h5::Storage::sparse);
 }
 
 void FrameReader::open_field(hid_t trajectory, FieldIndex field, std::span<const std::int64_t> steps) {

@@ -15,10 +15,10 @@ inline constexpr std::size_t kKeyEvery = 16;
 /// The whole number nearest to x / quantum, halves up. Throws std::range_error where it is beyond 31 bits.
 std::int32_t quantized(double x, double quantum);
 
-/// What is stored of frame `k`: of a key frame (k a multiple of kKeyEvery) its numbers, of the next one by how
-/// much they grew, of all others by how much that growth grew, modulo 2^32. A sign is folded into the lowest
-/// bit, so that what is small has zeros in front: 2 d where d >= 0, else -2 d - 1. A body that goes on as it
-/// went takes some bits then.
+/// What is stored of frame `k`: of a key frame (k a multiple of kKeyEvery) its numbers, of the next one by
+/// how much they grew, of all others by how much that growth grew, modulo 2^32. A sign is folded into the
+/// lowest bit, so that what is small has zeros in front: 2 d where d >= 0, else -2 d - 1. A body that goes on
+/// as it went takes some bits then.
 void predict(std::size_t k, std::span<const std::int32_t> now, std::span<const std::int32_t> before,
              std::span<const std::int32_t> earlier, std::span<std::uint32_t> stored);
 

@@ -43,17 +43,25 @@ ContactWriter::ContactWriter(hid_t group)
 std::size_t ContactWriter::append(std::span<const ContactRow> rows, FrameHash& hash) {
   rows_ += rows.size();
   offset_.add(rows_);
-  return add_column(rows, [](const ContactRow& r) { return r.a; }, a_, hash) +
-         add_column(rows, [](const ContactRow& r) { return r.b; }, b_, hash) +
-         add_column(rows, [](const ContactRow& r) { return r.impulse; }, impulse_, hash) +
+  return add_column(
+             rows, [](const ContactRow& r) { return r.a; }, a_, hash) +
          add_column(
-             rows, [](const ContactRow& r) { return std::array{r.point.x(), r.point.y()}; }, point_, hash);
+             rows, [](const ContactRow& r) { return r.b; }, b_, hash) +
+         add_column(
+             rows, [](const ContactRow& r) { return r.impulse; }, impulse_, hash) +
+         add_column(
+             rows,
+             [](const ContactRow& r) {
+               return std::array{r.point.x(), r.point.y()};
+             },
+             point_, hash);
 }
 
 std::size_t ObservableWriter::append(const Observables& observables, FrameHash& hash) {
   std::size_t bytes = 0;
   for (std::size_t i = 0; i < logs_.size(); ++i) {
-    const auto value = std::as_bytes(std::span(kObservables[i].numbers(observables), kObservables[i].components));
+    const auto value =
+        std::as_bytes(std::span(kObservables[i].numbers(observables), kObservables[i].components));
     hash.add(value);
     logs_[i].add(value);
     bytes += value.size();

@@ -72,9 +72,8 @@ class ObservableWriter {
  private:
   template <class Link>
   void create(hid_t group, std::size_t i, Link link) {
-    const h5::Handle element(
-        H5Gcreate2(group, kObservables[i].name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose,
-        "cannot make a group");
+    const h5::Handle element(H5Gcreate2(group, kObservables[i].name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                             H5Gclose, "cannot make a group");
     logs_[i] = RowLog::create<double>(element, "value", kObservables[i].components);
     link(element);
   }

@@ -25,8 +25,8 @@ class Schedule {
     sample_ = std::move(sample);
   }
 
-  int every() const { return every_; }                ///< steps; 0: never
-  std::size_t samples() const { return samples_; }    ///< in all frames
+  int every() const { return every_; }              ///< steps; 0: never
+  std::size_t samples() const { return samples_; }  ///< in all frames
   std::optional<std::size_t> sample(std::size_t frame) const {
     if (every_ == 0) return std::nullopt;
     if (sample_.empty()) return frame;

@@ -97,7 +97,8 @@ void TrajectoryWriter::create_ids(hid_t group) {
   const h5::Handle element = h5::create_group(group, "id");
   h5::write_attribute(element, "min", std::span<const double>(record_.within->min().data(), 2));
   h5::write_attribute(element, "max", std::span<const double>(record_.within->max().data(), 2));
-  ids_ = FrameBlocks(element, "value", h5::type<std::uint32_t>(), FrameBlocks::Form{selection_.rows(), 1, kRegionChunk});
+  ids_ = FrameBlocks(element, "value", h5::type<std::uint32_t>(),
+                     FrameBlocks::Form{selection_.rows(), 1, kRegionChunk});
   link_times(element, 0);
 }
 

@@ -45,7 +45,8 @@ std::vector<State> crowd_motion(const Scene& scene, std::size_t frames) {
     State state = states.back();
     ++state.step;
     for (std::size_t row = 0; row < state.id.size(); ++row) {
-      scenarios::Random random(1, static_cast<std::uint64_t>(state.step), state.id[row], scenarios::Purpose::velocity);
+      scenarios::Random random(1, static_cast<std::uint64_t>(state.step), state.id[row],
+                               scenarios::Purpose::velocity);
       const Vec back = (scene.bodies.velocity[row] - state.velocity[row]) / kRelaxation;
       state.velocity[row] += kFrame * (back + kPush * normal_vec(random));
       state.position[row] += kFrame * state.velocity[row];

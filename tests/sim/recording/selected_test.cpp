@@ -20,8 +20,10 @@ int& own_every(Scene& scene, RecordField field) {
 std::vector<ContactRow> contacts_at(std::int64_t step) {
   std::vector<ContactRow> rows;
   for (std::int64_t k = 0; k < step % 4; ++k)
-    rows.push_back({static_cast<std::uint32_t>(1 + k), k == 0 ? 0 : static_cast<std::uint32_t>(2 + k),
-                    0.5 * static_cast<double>(step + k), {0.25 * static_cast<double>(k), 1.0}});
+    rows.push_back({static_cast<std::uint32_t>(1 + k),
+                    k == 0 ? 0 : static_cast<std::uint32_t>(2 + k),
+                    0.5 * static_cast<double>(step + k),
+                    {0.25 * static_cast<double>(k), 1.0}});
   return rows;
 }
 
