@@ -26,7 +26,7 @@ struct Answers {
 };
 
 Answers ask_all(const MotionEngine& engine, std::size_t queries, bool quick) {
-  const std::chrono::duration<double> affordable(quick ? 0.005 : 0.1);
+  const std::chrono::duration<double> affordable(quick ? 0.005 : 0.02);
   const auto begin = std::chrono::steady_clock::now();
   Answers answers;
   double evaluations = 0.0;

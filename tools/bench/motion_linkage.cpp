@@ -165,7 +165,7 @@ std::vector<Row> run(const ArmCase& c, const Options& options) {
   Asked truth;
   for (const ArmEngine& engine : engines) {
     const bool first = rows.empty();
-    const Asked asked = ask_all(c, engine, first ? kAllOfThem : options.quick ? 0.005 : 0.1);
+    const Asked asked = ask_all(c, engine, first ? kAllOfThem : options.quick ? 0.005 : 0.02);
     if (first) truth = asked;
     rows.push_back(row(c, engine, asked, truth));
     contestants.push_back({engine.name, [&engine, n = asked.verdicts.size()] {
