@@ -261,7 +261,9 @@ TEST_P(MotionExample, IsWhatSamplesSay) {
     for (int i = 0; i <= kSamples && (free || end > 0.0); ++i)
       ASSERT_GT(least_distance(loaded.task, row, end * i / kSamples), i == kSamples && !free ? -1e-12 : 0.0)
           << row << " at " << end * i / kSamples;
-    if (!free) EXPECT_LE(least_distance(loaded.task, row, segment.at("fraction")), 1e-12);
+    if (!free) {
+      EXPECT_LE(least_distance(loaded.task, row, segment.at("fraction")), 1e-12);
+    }
   }
 }
 
@@ -269,7 +271,7 @@ INSTANTIATE_TEST_SUITE_P(All, MotionExample,
                          testing::Values(std::pair("sofa", "free"), std::pair("large_sofa", "hit"),
                                          std::pair("post", "free"), std::pair("arm", "free"),
                                          std::pair("crossing", "hit"), std::pair("gears", "free")),
-                         [](const auto& info) { return std::string(info.param.first); });
+                         [](const auto& example) { return std::string(example.param.first); });
 
 // --- files ---
 
