@@ -49,6 +49,21 @@ TEST(FirstContact, OfARodThatSweepsRoundIsWhenItIsTangentToTheDisc) {
   expect_hit(found, bearing - std::asin(radius / away));
 }
 
+/// A bar that turned past a post whose shape stood 8 m from its own origin, which was the bar's, was said to
+/// be free: seen by the turning bar the post stood in the origin, and the way that it came along was
+/// straight.
+TEST(FirstContact, OfABarThatSweepsRoundCountsHowFarThePostStandsFromItsOwnOrigin) {
+  const Convex bar = box(10, 0.1);
+  for (const double angle : {0.0, 0.4}) {
+    const Vec centre = 8.0 * pose({0, 0}, 1.0 - angle).rotate({1.0, 0.0});
+    const Convex post = disc(0.1, centre);
+    const Motion turning{{3, 2}, 0, {0, 0}, 1}, stands{{3, 2}, angle};
+    const double contact = 1.0 - std::asin(0.2 / 8.0);
+    expect_hit(first_contact(bar, turning, post, stands, 1.5), contact);
+    expect_hit(first_contact(post, stands, bar, turning, 1.5), contact);
+  }
+}
+
 TEST(FirstContact, OfTwoDiscsIsTheQuadraticsFirstRoot) {
   const FirstContact found =
       first_contact(disc(1), {{-5, 0}, 0, {1, 0}, 3}, disc(1), {{0, 1.2}, 1, {-1, 0}, 0}, 9.0);
