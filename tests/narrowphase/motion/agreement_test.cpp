@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// Bisection, first contact of shapes and of hierarchies, and the algebraic answer: one truth, four ways to it.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "moving_shapes.h"
+#include "moving_solids.h"
+#include "narrowphase/motion/algebraic.h"
+#include "narrowphase/motion/check_motion.h"
+#include "narrowphase/motion/first_contact_parts.h"
+
+namespace throng::narrowphase {
+namespace {
+
+constexpr std::uint64_t kSeed = 20261123;
+
+struct Answers {
+  FirstContact shapes, parts, algebraic;
+  PathAnswer bisection;
+};
+
+Answers ask(const MovingPairOfShapes& p) {
+  const PartsBvh a = parts_bvh({&p.a, 1}), b = parts_bvh({&p.b, 1});
+  return {first_contact(p.a, p.motion_a, p.b, p.motion_b, 1.0),
+          first_contact(a, p.motion_a, b, p.motion_b, 1.0).contact,
+          algebraic_contact(p.a, p.motion_a, p.b, p.motion_b, 1.0),
+          check_motion(a, p.motion_a, b, p.motion_b, 1.0)};
+}
+
+/// Two brackets of one moment.
+void expect_same(const FirstContact& found, const FirstContact& expected, double tolerance) {
+  EXPECT_EQ(found.verdict, expected.verdict);
+  EXPECT_LE(found.t_lo, expected.t_hi + tolerance);
+  EXPECT_GE(found.t_hi, expected.t_lo - tolerance);
+}
+
+void expect_agreement(const MovingPairOfShapes& p, const Answers& answers) {
+  ASSERT_NE(answers.shapes.verdict, Verdict::undecided);
+  expect_same(answers.parts, answers.shapes, 0.0);
+  expect_same(answers.algebraic, answers.shapes, 0.0);
+  const PathAnswer& found = answers.bisection;
+  EXPECT_EQ(found.verdict, answers.shapes.verdict);
+  if (found.verdict != Verdict::hit) return;
+  EXPECT_GE(found.from, answers.shapes.t_lo) << "no hit comes before the first";
+  EXPECT_LE(
+      separation(p.a, pose_at(p.motion_a, found.from), p.b, pose_at(p.motion_b, found.from)).distance, 0.0);
+}
+
+void expect_same(const Answers& found, const Answers& expected, double tolerance) {
+  expect_same(found.shapes, expected.shapes, tolerance);
+  expect_same(found.parts, expected.parts, tolerance);
+  expect_same(found.algebraic, expected.algebraic, tolerance);
+  EXPECT_EQ(found.bisection.verdict, expected.bisection.verdict);
+}
+
+/// Backwards the first contact is the last one: all four say the same of it, and it isn't before the first.
+void expect_reversible(const MovingPairOfShapes& p, const Answers& forwards) {
+  const MovingPairOfShapes q{p.a, p.b, reversed(p.motion_a, 1.0), reversed(p.motion_b, 1.0)};
+  const Answers backwards = ask(q);
+  expect_agreement(q, backwards);
+  EXPECT_EQ(backwards.shapes.verdict, forwards.shapes.verdict);
+  if (backwards.shapes.verdict == Verdict::hit) {
+    EXPECT_LE(forwards.shapes.t_lo, 1.0 - backwards.shapes.t_lo + 1e-15);
+  }
+}
+
+TEST(Agreement, OfAllFourOnEveryPathSwappedReversedAndMoved) {
+  Random random(kSeed);
+  constexpr int kPairs = 3000;
+  int hits = 0;
+  for (int i = 0; i < kPairs; ++i) {
+    SCOPED_TRACE("seed " + std::to_string(kSeed) + ", pair " + std::to_string(i));
+    const MovingPairOfShapes p = random_motions(random);
+    const Answers answers = ask(p);
+    hits += answers.shapes.verdict == Verdict::hit;
+    expect_agreement(p, answers);
+    expect_same(ask({p.b, p.a, p.motion_b, p.motion_a}), answers, 0.0);
+    expect_reversible(p, answers);
+    const double angle = uniform(random, -4.0, 4.0);
+    const Vec shift = random_vec(random, 100.0, 100.0);
+    expect_same(ask({p.a, p.b, moved(p.motion_a, angle, shift), moved(p.motion_b, angle, shift)}), answers,
+                1e-10);
+    if (HasFailure()) return;
+  }
+  std::printf("seed %llu: %d of %d hit\n", static_cast<unsigned long long>(kSeed), hits, kPairs);
+  EXPECT_GT(hits, 3 * kPairs / 10);
+  EXPECT_LT(hits, 7 * kPairs / 10);
+}
+
+}  // namespace
+}  // namespace throng::narrowphase
