@@ -17,10 +17,10 @@ class Advance {
   Advance(const MovingConvexPair& pair, const TimeSpan& span, double duration,
           const ContactQuestion& question)
       : pair_(pair), span_(span), duration_(duration), question_(question), time_(span.from) {
-    const double farthest = std::max(length(pair.offset_at(span.from) + pair.arms),
-                                     length(pair.offset_at(span.until) + pair.arms));
-    bend_a_ = bend(pair, pair.spin_a, farthest), bend_b_ = bend(pair, pair.spin_b, farthest);
-    bend_world_ = bend(pair, 0.0, farthest);
+    farthest_ = std::max(length(pair.offset_at(span.from) + pair.arms),
+                         length(pair.offset_at(span.until) + pair.arms));
+    bend_a_ = bend(pair, pair.spin_a, farthest_), bend_b_ = bend(pair, pair.spin_b, farthest_);
+    bend_world_ = bend(pair, 0.0, farthest_);
     width_ = question.width * pair.size();
     if (question.features) features_ = *question.features;
   }
@@ -40,7 +40,7 @@ class Advance {
     for (;;) {
       if (!(seen_.distance > 2.0 * pair_.rounding)) return settle_doubt();
       const TurningAxis along = axis();
-      const GapParabola gap = gap_parabola(pair_, placed_, along, pair_.rounding, span_.until - time_);
+      const GapParabola gap = gap_along(along);
       const double safe = time_ + std::max(gap.holds, straight_ahead());
       if (safe >= span_.until) return free();
       if (const double overlap = time_ + time_to_overlap(gap, along.bend);
@@ -69,6 +69,15 @@ class Advance {
                                      : TurningAxis{seen_.normal, pair_.spin_b, bend_b_};
     }
     return {seen_.normal, 0.0, bend_world_};
+  }
+
+  /// Every bend by itself, which takes longer, where a path grazes: most are answered before.
+  GapParabola gap_along(const TurningAxis& axis) const {
+    constexpr int kUsual = 8;
+    const double most = span_.until - time_;
+    if (evaluations_ <= kUsual) return gap_parabola(pair_, placed_, axis, pair_.rounding, most);
+    const double bend = bend_of_origins(pair_, axis.spin, farthest_);
+    return gap_parabola_by_vertex(pair_, placed_, {axis.normal, axis.spin, bend}, pair_.rounding, most);
   }
 
   /// How long the gap surely stays open along the normal as it stands.
@@ -131,7 +140,7 @@ class Advance {
   TimeSpan span_;
   double duration_;
   const ContactQuestion& question_;
-  double time_, width_, bend_a_, bend_b_, bend_world_;
+  double time_, width_, farthest_, bend_a_, bend_b_, bend_world_;
   ClosestFeatures features_;
   PlacedPair placed_;
   Separation seen_;  ///< at time_, where a's origin is (0, 0)

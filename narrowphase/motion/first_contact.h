@@ -34,10 +34,11 @@ struct FirstContact {
 /// Conservative advancement (Mirtich 1996) made second order: along the normal of the closest features, which
 /// turns with the shape whose edge is closest, the gap over all vertices is at least a parabola, whose
 /// bend is bounded for good; each step goes to its root, so that it is certain and yet Newton's. Discs that
-/// turn about their centres: in closed form.
+/// turn about their centres: in closed form. From the ninth distance on each vertex has a bend of its own.
 ///
 /// Swapping a and b swaps the answer, up to rounding. O(k (n + m)), k = 3 to 6 distances mostly, for grazing
-/// paths three more with each digit of clearance; O(k (log n + log m)) above 32 vertices. Allocates nothing.
+/// paths three more with each digit of clearance; O(k (log n + log m)) above 32 vertices, the first eight
+/// times. Allocates nothing.
 FirstContact first_contact(const Convex& a, const Motion& motion_a, const Convex& b, const Motion& motion_b,
                            double duration, const ContactQuestion& question = {});
 

@@ -24,13 +24,21 @@ struct GapParabola {
   double holds;      ///< s from then, or the `most` asked for; 0 where the gap is not above 0
 };
 
-/// The bend of every gap along an axis of that spin: all accelerations in the axis' frame, while b's origin
-/// is no farther from a's than `farthest`.
+/// How the origins bend a gap along an axis of that spin, while b's is no farther from a's than `farthest`.
+double bend_of_origins(const MovingConvexPair& pair, double spin, double farthest);
+
+/// The bend of every gap along such an axis: all accelerations in the axis' frame.
 double bend(const MovingConvexPair& pair, double spin, double farthest);
 
 /// The gap along the axis is at least the least over all pairs of vertices of gap + rate t - bend t² / 2,
 /// less `margin`. O(n + m), O(log n + log m) for many vertices.
 GapParabola gap_parabola(const MovingConvexPair& pair, const PlacedPair& placed, const TurningAxis& axis,
                          double margin, double most);
+
+/// The same, each vertex bending by how far it is itself from the origin that it turns about, beyond the
+/// axis' bend, which is the origins' alone: a corner that stands there goes straight. Holds no shorter; O(n +
+/// m), with a square root a vertex.
+GapParabola gap_parabola_by_vertex(const MovingConvexPair& pair, const PlacedPair& placed,
+                                   const TurningAxis& axis, double margin, double most);
 
 }  // namespace throng::narrowphase
