@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Bisection, first contact of shapes and of hierarchies, and the algebraic answer: one truth, four ways to it.
+// Bisection, first contact of shapes and of hierarchies, and the algebraic answer: one truth, four ways to
+// it.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -43,8 +44,8 @@ void expect_agreement(const MovingPairOfShapes& p, const Answers& answers) {
   EXPECT_EQ(found.verdict, answers.shapes.verdict);
   if (found.verdict != Verdict::hit) return;
   EXPECT_GE(found.from, answers.shapes.t_lo) << "no hit comes before the first";
-  EXPECT_LE(
-      separation(p.a, pose_at(p.motion_a, found.from), p.b, pose_at(p.motion_b, found.from)).distance, 0.0);
+  EXPECT_LE(separation(p.a, pose_at(p.motion_a, found.from), p.b, pose_at(p.motion_b, found.from)).distance,
+            0.0);
 }
 
 void expect_same(const Answers& found, const Answers& expected, double tolerance) {
