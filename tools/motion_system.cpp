@@ -16,9 +16,8 @@ using narrowphase::Link;
 using narrowphase::LinkPair;
 using narrowphase::Pose;
 
-Link link_of(const MotionLink& named, const std::vector<narrowphase::PartsBvh>& shapes) {
+Link link_of(const MotionLink& named) {
   Link link;
-  if (named.shape != MotionLink::kNone) link.shape = &shapes[named.shape];
   if (named.parent != MotionLink::kNone) link.parent = named.parent;
   link.joint = named.joint;
   link.at = named.at, link.angle = named.angle, link.axis = named.axis;
@@ -34,27 +33,10 @@ Convex placed(const Convex& part, const Obstacle& obstacle) {
   return narrowphase::convex(std::move(vertices), part.radius);
 }
 
-bool is_all(const Solids& solids, std::uint32_t links, std::size_t obstacles) {
-  return solids.first == links && solids.count == obstacles;
-}
-
-/// Calls visit(a, b) for each two of the pairs that may touch, but for links and all obstacles.
-template <class Visit>
-void for_each_pair(const MotionTask& task, std::uint32_t links, Visit visit) {
-  const auto wide = [&](const Solids& solids) { return is_all(solids, links, task.obstacles.size()); };
-  const auto key = [](const Solids& solids) { return std::pair(solids.first, solids.count); };
-  std::set<std::pair<std::pair<std::uint32_t, std::uint32_t>, std::pair<std::uint32_t, std::uint32_t>>> known;
-  for (const auto& [a, b] : task.may_touch) {
-    if (wide(a) || wide(b) || !known.emplace(key(a), key(b)).second) continue;
-    for (std::uint32_t i = a.first; i < a.first + a.count; ++i)
-      for (std::uint32_t k = b.first; k < b.first + b.count; ++k) visit(std::min(i, k), std::max(i, k));
-  }
-}
-
 }  // namespace
 
 MotionSystem::MotionSystem(const MotionTask& task) : task_(task) {
-  for (const MotionShape& shape : task.shapes) shapes_.push_back(narrowphase::parts_bvh(shape.parts));
+  shapes_.resize(task.shapes.size());
   add_movers();
   add_obstacles();
   scene_.linkage = linkage_;
@@ -63,31 +45,43 @@ MotionSystem::MotionSystem(const MotionTask& task) : task_(task) {
   for (std::size_t i = 0; i < task.waypoints(); ++i) {
     for (const Mover& mover : task.movers)
       path_.insert(path_.end(), mover.waypoints[i].begin(), mover.waypoints[i].end());
-    path_.insert(path_.end(), apart_.size(), 0.0);
+    path_.insert(path_.end(), obstacle_links_.size(), 0.0);
   }
+}
+
+const narrowphase::PartsBvh* MotionSystem::shape(std::uint32_t row) {
+  narrowphase::PartsBvh& shape = shapes_[row];
+  if (shape.parts.empty()) shape = narrowphase::parts_bvh(task_.shapes[row].parts);
+  return &shape;
 }
 
 void MotionSystem::add_movers() {
   for (const Mover& mover : task_.movers) {
     std::vector<Link> robot;
-    for (const MotionLink& link : mover.links) robot.push_back(link_of(link, shapes_));
+    for (const MotionLink& link : mover.links) {
+      robot.push_back(link_of(link));
+      if (link.shape != MotionLink::kNone) robot.back().shape = shape(link.shape);
+    }
     mount(linkage_, robot, mover.base, mover.base_angle);
   }
   moving_ = static_cast<std::uint32_t>(linkage_.size());
 }
 
+bool MotionSystem::are_all_obstacles(const Solids& solids) const {
+  return solids.first == moving_ && solids.count == task_.obstacles.size();
+}
+
 void MotionSystem::add_obstacles() {
-  std::set<std::uint32_t> apart;
+  std::set<std::uint32_t> named;
   for (const auto& [a, b] : task_.may_touch)
     for (const Solids& solids : {a, b})
-      if (solids.first >= moving_ && !is_all(solids, moving_, task_.obstacles.size()))
-        apart.insert(solids.first - moving_);
+      if (solids.first >= moving_ && !are_all_obstacles(solids)) named.insert(solids.first - moving_);
   for (std::uint32_t i = 0; i < task_.obstacles.size(); ++i) {
     const Obstacle& obstacle = task_.obstacles[i];
-    if (apart.contains(i)) {
-      apart_.push_back(i);
+    if (named.contains(i)) {
+      obstacle_links_.push_back(i);
       Link link;
-      link.shape = &shapes_[obstacle.shape], link.at = obstacle.at, link.angle = obstacle.angle;
+      link.shape = shape(obstacle.shape), link.at = obstacle.at, link.angle = obstacle.angle;
       link.lower = link.upper = 0.0;
       linkage_.push_back(link);
       continue;
@@ -102,25 +96,38 @@ void MotionSystem::add_obstacles() {
   scene_.obstacles = &obstacles_;
 }
 
+std::vector<std::uint32_t> MotionSystem::links_of(const Solids& solids) const {
+  std::vector<std::uint32_t> links;
+  const bool all = are_all_obstacles(solids);
+  for (std::uint32_t i = solids.first; solids.first < moving_ && i < solids.first + solids.count; ++i)
+    links.push_back(i);
+  for (std::uint32_t k = 0; solids.first >= moving_ && k < obstacle_links_.size(); ++k)
+    if (all || obstacle_links_[k] == solids.first - moving_) links.push_back(moving_ + k);
+  if (all) links.push_back(kWorld);
+  return links;
+}
+
+MotionSystem::LinkPairs MotionSystem::pairs_that_may_touch() const {
+  const auto key = [](const Solids& solids) { return std::pair(solids.first, solids.count); };
+  std::set<std::pair<std::pair<std::uint32_t, std::uint32_t>, std::pair<std::uint32_t, std::uint32_t>>> known;
+  LinkPairs pairs;
+  for (const auto& [first, second] : task_.may_touch) {
+    if (!known.emplace(key(first), key(second)).second) continue;
+    const std::vector<std::uint32_t> others = links_of(second);
+    for (const std::uint32_t a : links_of(first))
+      for (const std::uint32_t b : others)
+        if (std::min(a, b) < moving_) pairs.emplace(std::min(a, b), std::max(a, b));
+  }
+  return pairs;
+}
+
 void MotionSystem::add_pairs() {
-  std::set<std::pair<std::uint32_t, std::uint32_t>> may_touch;  // of links, an obstacle apart, kWorld
-  for_each_pair(task_, moving_, [&](std::uint32_t a, std::uint32_t b) {
-    const auto apart = std::lower_bound(apart_.begin(), apart_.end(), b - moving_);
-    if (a >= moving_) return;
-    if (b < moving_)
-      may_touch.emplace(a, b);
-    else if (apart != apart_.end() && *apart == b - moving_)
-      may_touch.emplace(a, moving_ + (apart - apart_.begin()));
-  });
-  for (const auto& [a, b] : task_.may_touch)
-    for (const auto& [links, all] : {std::pair(a, b), std::pair(b, a)})
-      if (is_all(all, moving_, task_.obstacles.size()) && links.first < moving_)
-        for (std::uint32_t i = links.first; i < links.first + links.count; ++i) may_touch.emplace(i, kWorld);
+  const LinkPairs may_touch = pairs_that_may_touch();
   std::vector<LinkPair> excluded;
   for (const auto& [a, b] : may_touch) excluded.push_back({a, b});
   pairs_ = pairs_to_check(std::span(linkage_).first(moving_), scene_.obstacles != nullptr, excluded);
   for (std::uint32_t a = 0; a < moving_; ++a)
-    for (std::uint32_t k = 0; k < apart_.size(); ++k)
+    for (std::uint32_t k = 0; k < obstacle_links_.size(); ++k)
       if (linkage_[a].shape && !may_touch.contains({a, moving_ + k})) pairs_.push_back({a, moving_ + k});
 }
 
@@ -142,7 +149,7 @@ std::vector<Pose> MotionSystem::poses(std::size_t segment, double fraction) cons
 }
 
 std::string MotionSystem::link_name(std::uint32_t link) const {
-  if (link >= moving_) return task_.obstacles[apart_[link - moving_]].name;
+  if (link >= moving_) return task_.obstacles[obstacle_links_[link - moving_]].name;
   for (const Mover& mover : task_.movers) {
     if (link < mover.links.size()) return mover.links[link].name;
     link -= static_cast<std::uint32_t>(mover.links.size());

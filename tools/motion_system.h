@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -43,18 +44,24 @@ class MotionSystem {
                                      std::uint32_t part_b, std::size_t segment, double fraction) const;
 
  private:
+  using LinkPairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
+
+  const narrowphase::PartsBvh* shape(std::uint32_t row);
   void add_movers();
   void add_obstacles();
+  bool are_all_obstacles(const Solids& solids) const;
+  std::vector<std::uint32_t> links_of(const Solids& solids) const;  // all obstacles: kWorld, too
+  LinkPairs pairs_that_may_touch() const;                           // the lower one first
   void add_pairs();
   std::string link_name(std::uint32_t link) const;
 
   const MotionTask& task_;
-  std::vector<narrowphase::PartsBvh> shapes_;  // of the task's, those of movers and of obstacles apart
+  std::vector<narrowphase::PartsBvh> shapes_;  // a row each of the task's; empty but those of links
   std::vector<narrowphase::Link> linkage_;
-  std::uint32_t moving_ = 0;                // links of movers, before the obstacles that are links
-  std::vector<std::uint32_t> apart_;        // obstacles that are links
-  std::vector<narrowphase::Convex> parts_;  // of all other obstacles, in the world's frame
-  std::vector<std::uint32_t> obstacle_of_;  // of each of these
+  std::uint32_t moving_ = 0;                   // links of movers, before the obstacles that are links
+  std::vector<std::uint32_t> obstacle_links_;  // which obstacles these are
+  std::vector<narrowphase::Convex> parts_;     // of all other obstacles, in the world's frame
+  std::vector<std::uint32_t> obstacle_of_;     // of each of these
   narrowphase::PartsBvh obstacles_;
   std::vector<narrowphase::LinkPair> pairs_;
   std::vector<double> path_;

@@ -2,7 +2,7 @@
 #include "narrowphase/linkage/link_pairs.h"
 
 #include <algorithm>
-#include <cmath>
+#include <tuple>
 
 namespace throng::narrowphase {
 
@@ -26,10 +26,16 @@ std::uint32_t moving_joints(std::span<const Link> linkage, LinkPair links) {
   return count;
 }
 
-bool contains(std::span<const LinkPair> pairs, const LinkPair& pair) {
-  return std::any_of(pairs.begin(), pairs.end(), [&](const LinkPair& other) {
-    return other == pair || LinkPair{other.b, other.a} == pair;
-  });
+bool comes_before(const LinkPair& x, const LinkPair& y) {
+  return std::tie(x.a, x.b) < std::tie(y.a, y.b);
+}
+
+/// Ascending, and the lower one first in each; kWorld is the highest of all.
+std::vector<LinkPair> sorted(std::span<const LinkPair> pairs) {
+  std::vector<LinkPair> result;
+  for (const auto& [a, b] : pairs) result.push_back({std::min(a, b), std::max(a, b)});
+  std::sort(result.begin(), result.end(), comes_before);
+  return result;
 }
 
 }  // namespace
@@ -46,16 +52,17 @@ std::vector<LinkPair> pairs_to_check(std::span<const Link> linkage, bool with_ob
                                      std::span<const LinkPair> may_touch, std::size_t effort) {
   std::vector<LinkPair> pairs;
   const auto count = static_cast<std::uint32_t>(linkage.size());
-  const auto consider = [&](const LinkPair& pair) {
-    if (!contains(may_touch, pair)) pairs.push_back(pair);
+  const std::vector<LinkPair> left_out = sorted(may_touch);
+  const auto is_asked = [&](const LinkPair& pair) {
+    return !std::binary_search(left_out.begin(), left_out.end(), pair, comes_before);
   };
   for (std::uint32_t a = 0; with_obstacles && a < count; ++a)
-    if (linkage[a].shape != nullptr) consider({a, kWorld});
+    if (linkage[a].shape != nullptr && is_asked({a, kWorld})) pairs.push_back({a, kWorld});
   for (std::uint32_t a = 0; a < count; ++a)
     for (std::uint32_t b = a + 1; b < count; ++b)
-      if (linkage[a].shape != nullptr && linkage[b].shape != nullptr && moving_joints(linkage, {a, b}) > 1 &&
-          !limits_keep_apart(linkage, {a, b}, effort))
-        consider({a, b});
+      if (linkage[a].shape != nullptr && linkage[b].shape != nullptr && is_asked({a, b}) &&
+          moving_joints(linkage, {a, b}) > 1 && !limits_keep_apart(linkage, {a, b}, effort))
+        pairs.push_back({a, b});
   return pairs;
 }
 

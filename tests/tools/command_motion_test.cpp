@@ -166,6 +166,19 @@ TEST_F(MotionCommand, LetsTouchWhoMay) {
   EXPECT_EQ(verdict("['obstacles', 'ball']"), "free");
 }
 
+// It happened: what some other may touch had its own row, and "obstacles" no longer meant it.
+TEST_F(MotionCommand, LetsTouchAllObstaclesThoughAnotherMayTouchOneOfThem) {
+  const std::string other =
+      kTwoSegments + "[[bodies]]\nname = 'other'\nshape = 'ball'\nwaypoints = [[9, 9]]\n";
+  const auto verdict = [&](const std::string& pairs) {
+    return ask("may_touch = [" + pairs + "]\n" + other).at("verdict").get<std::string>();
+  };
+  EXPECT_EQ(verdict("['other', 'post']"), "hit");
+  EXPECT_EQ(verdict("['ball', 'obstacles'], ['other', 'post']"), "free");
+  EXPECT_EQ(verdict("['other', 'post'], ['obstacles', 'ball']"), "free");
+  EXPECT_EQ(verdict("['other', 'obstacles'], ['other', 'post']"), "hit");
+}
+
 TEST_F(MotionCommand, NamesAnObstacleThatOthersMayTouch) {
   const json answer = ask("may_touch = [['other', 'post']]\n" + kTwoSegments +
                           "[[bodies]]\nname = 'other'\nshape = 'ball'\nwaypoints = [[2, 4.5]]\n");
