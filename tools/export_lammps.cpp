@@ -10,13 +10,15 @@ namespace throng::tools {
 
 namespace {
 
-/// What encloses the bodies of a frame.
+/// What encloses the bodies of a frame; where it has none, as where bodies left the region, one point.
 Domain extent(const Scene& scene, const Frame& frame) {
   Eigen::AlignedBox<double, 2> box;
   for (std::size_t row = 0; row < frame.position.size(); ++row) {
+    if (!frame.has(row)) continue;
     const Vec reach = Vec::Constant(scene.bodies.radius[row]);
     box.extend(frame.position[row] - reach).extend(frame.position[row] + reach);
   }
+  if (box.isEmpty()) box.extend(Vec(0.0, 0.0));
   return {DomainKind::unbounded, box.min(), box.max()};
 }
 
@@ -25,7 +27,7 @@ void write_head(TextFile& out, const Scene& scene, const Frame& frame) {
   const bool unbounded = scene.domain.kind == DomainKind::unbounded;
   const Domain domain = unbounded ? extent(scene, frame) : scene.domain;
   out << "ITEM: TIMESTEP\n" << frame.step << "\nITEM: NUMBER OF ATOMS\n";
-  out << static_cast<std::int64_t>(frame.id.size()) << "\nITEM: BOX BOUNDS "
+  out << static_cast<std::int64_t>(frame.bodies()) << "\nITEM: BOX BOUNDS "
       << borders[static_cast<int>(domain.kind)] << "\n";
   for (int axis : {0, 1}) out << domain.min[axis] << " " << domain.max[axis] << "\n";
   out << "-0.5 0.5\nITEM: ATOMS id type x y z radius mass";
@@ -59,7 +61,8 @@ void export_lammps(const Recording& recording, std::span<const std::size_t> fram
   for (std::size_t i : frames) {
     recording.read(i, frame);
     write_head(out, scene, frame);
-    for (std::size_t row = 0; row < frame.id.size(); ++row) write_body(out, scene, frame, row);
+    for (std::size_t row = 0; row < frame.id.size(); ++row)
+      if (frame.has(row)) write_body(out, scene, frame, row);
   }
   out.close();
 }

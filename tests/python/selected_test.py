@@ -2,6 +2,7 @@
 """What record asks for beside all of each frame, as the program, its exports and throng_read.py know it."""
 import csv
 import json
+import pathlib
 import subprocess
 import unittest
 
@@ -123,6 +124,20 @@ class Selected(Program):
         with h5py.File(self.path("b.h5")) as file, throng_read.open(self.path("quantized.h5")) as recording:
             np.testing.assert_array_equal(file["particles/trajectory/position/value"][..., :2], recording.position[:])
             np.testing.assert_array_equal(file["particles/trajectory/id"][:], [3])
+
+    def test_lammps_has_the_bodies_that_a_frame_has(self):
+        """It happened: the others stood there too, as nan, and were counted."""
+        self.selected("within=[[0.75, 0], [1.8, 3]]").close()
+        self.assertEqual(self.throng("export", "selected.h5", "--format", "lammps", "-o", "a.dump"), (0, ""))
+        with throng_read.open(self.path("selected.h5")) as recording:
+            present = np.isfinite(recording.position[..., 0])
+        frames = pathlib.Path(self.path("a.dump")).read_text().split("ITEM: TIMESTEP\n")[1:]
+        self.assertEqual(len(frames), len(present))
+        for text, some in zip(frames, present):
+            self.assertNotIn("nan", text)
+            lines = text.splitlines()
+            self.assertEqual(int(lines[2]), some.sum())
+            self.assertEqual([int(line.split()[0]) for line in lines[8:]], list(np.flatnonzero(some) + 1))
 
     def test_pictures_and_queries_take_what_there_is(self):
         self.selected("every=2", "fields=['position']", "also=[{ every = 3, fields = ['velocity'] }]",
