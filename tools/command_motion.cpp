@@ -9,6 +9,7 @@
 #include "scenarios/reference.h"
 #include "sim/input_error.h"
 #include "sim/recording/utf8.h"
+#include "tools/check_outputs.h"
 #include "tools/commands.h"
 #include "tools/motion_page.h"
 #include "tools/motion_picture.h"
@@ -69,6 +70,9 @@ MotionTask load_or_throw(const std::string& file) {
 
 void answer_file(const Options& options) {
   if (options.file.empty()) throw InputError("motion needs a file; see throng motion --help");
+  check_outputs(std::vector<Output>{{"--png", options.png, {".png", ".PNG"}},
+                                    {"--html", options.html, {".html", ".htm"}}},
+                options.file, "the motion file");
   const MotionTask task = load_or_throw(options.file);
   const MotionSystem system(task);
   const bool drawn = !options.png.empty() || !options.html.empty();

@@ -3,18 +3,17 @@
 #include <algorithm>
 #include <cinttypes>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <optional>
 
 #include "sim/input_error.h"
 #include "sim/recording/recording.h"
+#include "tools/check_outputs.h"
 #include "tools/commands.h"
 #include "tools/film.h"
 #include "tools/frame_at.h"
 #include "tools/picture.h"
 #include "tools/play.h"
-#include "tools/replace_file.h"
 #include "tools/replay_page.h"
 #include "tools/verify.h"
 #include "tools/view.h"
@@ -41,32 +40,6 @@ void refuse_what_does_nothing(const Options& options) {
     throw InputError("--width is that of --png's or --video's pictures: give both");
   if (options.fps && options.video.empty()) throw InputError("--fps is that of --video: give both");
   if (options.threads && !options.verify) throw InputError("--threads are for --verify: give both");
-}
-
-/// A name may end in nothing or in what is written there. Devices and pipes are called anything.
-void check_name(const std::string& output, std::initializer_list<std::string_view> endings) {
-  namespace fs = std::filesystem;
-  std::error_code neither;
-  if (output.empty() || (fs::exists(output, neither) && fs::is_other(output, neither))) return;
-  if (fs::is_directory(output, neither)) throw InputError("cannot write " + output + ": it is a folder");
-  const std::string ending = fs::path(output).extension();
-  if (ending.empty() || std::find(endings.begin(), endings.end(), ending) != endings.end()) return;
-  throw InputError("cannot write " + output + ": what is written ends in " + std::string(*endings.begin()));
-}
-
-/// Pictures, films and pages replace what had their name; the recording is not to be had again.
-void refuse_to_overwrite(const Options& options) {
-  const std::string* outputs[] = {&options.png, &options.html, &options.video};
-  for (const std::string* output : outputs) {
-    if (output->empty()) continue;
-    if (are_one_file(*output, options.file))
-      throw InputError("cannot write " + *output + ": it is the recording");
-    for (const std::string* other : outputs)
-      if (other != output && !other->empty() && are_one_file(*output, *other))
-        throw InputError("two of --png, --html and --video name the same file: " + *output);
-  }
-  check_name(options.png, {".png", ".PNG"});
-  check_name(options.html, {".html", ".htm"});
 }
 
 double mean_speed(const Frame& frame) {
@@ -115,7 +88,10 @@ int play_frames(const Recording& recording, const Options& options) {
 
 int replay(const Options& options) {
   refuse_what_does_nothing(options);
-  refuse_to_overwrite(options);
+  check_outputs(std::vector<Output>{{"--png", options.png, {".png", ".PNG"}},
+                                    {"--html", options.html, {".html", ".htm"}},
+                                    {"--video", options.video, {}}},
+                options.file, "the recording");
   const bool draws = !options.png.empty() || !options.html.empty() || !options.video.empty() || options.speed;
   const Recording recording(options.file, draws ? FrameChoice::with_position : FrameChoice::all);
   say_where_incomplete(recording, options.file);

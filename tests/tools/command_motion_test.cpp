@@ -353,6 +353,28 @@ TEST_F(MotionCommand, LeavesNoHalfFile) {
   EXPECT_EQ(files, 4);  // the folder, m.toml and what the program said
 }
 
+// It happened: --png m.toml left a picture in its place.
+TEST_F(MotionCommand, OverwritesNeitherWhatItReadsNorWhatItWrites) {
+  const std::string motion = write("m.toml", "motion = 1\n" + kHostile), same = write("plain", read(motion));
+  const auto refused = [&](const std::string& arguments) {
+    const Result result = throng("motion " + arguments);
+    EXPECT_EQ(result.exit_code, 2) << arguments;
+    EXPECT_EQ(result.out, "") << arguments;
+    return result.err;
+  };
+  for (const char* option : {" --png ", " --html "}) {
+    EXPECT_THAT(refused(motion + option + path("./m.toml")), HasSubstr("it is the motion file"));
+    EXPECT_THAT(refused(same + option + same), HasSubstr("it is the motion file"));
+  }
+  EXPECT_THAT(refused(motion + " --png " + path("a") + " --html " + path("./a")),
+              HasSubstr("--png and --html name the same file"));
+  EXPECT_THAT(refused(motion + " --png " + path("a.html")), HasSubstr("what is written ends in .png"));
+  EXPECT_THAT(refused(motion + " --html " + path("b.png")), HasSubstr("what is written ends in .html"));
+  EXPECT_EQ(read(motion), "motion = 1\n" + kHostile);
+  EXPECT_EQ(read(same), read(motion));
+  EXPECT_FALSE(std::filesystem::exists(path("a")));
+}
+
 TEST_F(MotionCommand, RefusesABadFileWithItsFaults) {
   const Result result = throng("motion " + write("m.toml", "motion = 1\nshape = 2\nbodys = 3\n"));
   EXPECT_EQ(result.exit_code, 2);
