@@ -107,6 +107,7 @@ void add_motion(CLI::App& app, int& exit_code) {
           "--epsilon", options->epsilon,
           "clearance (m) that is not worth more computations: what comes nearer may be left undecided; "
           "without it, what rounding lets be told")
+      ->check(real_number())
       ->check(CLI::Range(0.0, 1e9));
   command->add_option(
       "--png", options->png,

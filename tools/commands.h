@@ -32,7 +32,8 @@ void say_where_incomplete(const Recording& recording, const std::string& file);
 /// for the largest there is.
 CLI::Validator whole_number();
 
-/// Refuses what isn't a number from end to end, in decimals; CLI11 alone takes 0x10 for 16 and 1e400 for inf.
+/// Refuses what isn't a number from end to end, in decimals; CLI11 alone takes 0x10 for 16, 1e400 for inf
+/// and nan for within any range.
 CLI::Validator real_number();
 
 }  // namespace throng::tools

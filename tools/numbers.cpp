@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 
 #include "tools/commands.h"
@@ -27,7 +28,7 @@ CLI::Validator real_number() {
     const auto [stop, error] = std::from_chars(begin, end, number);
     if (text.empty()) return "a value is missing";
     if (error == std::errc::result_out_of_range) return text + " is out of range";
-    if (error != std::errc() || stop != end) return "'" + text + "' is no number";
+    if (error != std::errc() || stop != end || std::isnan(number)) return "'" + text + "' is no number";
     return {};
   };
   return {check, ""};

@@ -18,6 +18,7 @@ class Bisection {
 
   Bisection(Pairs& pairs, const BisectOptions& options, BisectScratch& scratch, std::span<PathAnswer> answers)
       : pairs_(pairs), options_(options), scratch_(scratch), answers_(answers) {
+    assert(options.epsilon >= 0.0);  // a NaN would never end
     scratch_.queue.clear();
     scratch_.left.clear();
     scratch_.pairs.assign(pairs_.size(), {0, std::numeric_limits<std::size_t>::max()});

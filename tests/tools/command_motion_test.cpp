@@ -383,7 +383,12 @@ TEST_F(MotionCommand, RefusesABadFileWithItsFaults) {
   EXPECT_THAT(result.err, HasSubstr("m.toml:3:1: error: bodys: unknown key, did you mean \"bodies\"?"));
   EXPECT_EQ(throng("motion " + path("no.toml")).exit_code, 2);
   EXPECT_EQ(throng("motion").exit_code, 2);
-  EXPECT_EQ(throng("motion m.toml --epsilon -1").exit_code, 2);
+  const std::string motion = write("good.toml", "motion = 1\n" + kHostile);
+  for (const char* epsilon : {"-1", "nan", "NaN", "-nan", "inf", "0x1", "1e10", "a"}) {
+    const Result refused = throng("motion " + motion + " --epsilon " + epsilon, "timeout 20 ");
+    EXPECT_EQ(refused.exit_code, 2) << epsilon << refused.err;
+    EXPECT_THAT(refused.err, HasSubstr("--epsilon")) << epsilon;
+  }
 }
 
 TEST_F(MotionCommand, PrintsItsFieldsAndItsSchema) {
