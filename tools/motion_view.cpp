@@ -14,7 +14,7 @@ using narrowphase::Convex;
 using narrowphase::Pose;
 
 constexpr std::size_t kGhosts = 32;     // about, all segments together
-constexpr std::size_t kSamples = 1024;  // at which the extent is looked for
+constexpr std::size_t kSamples = 1024;  // about, at which the extent is looked for beside all waypoints
 
 void include(Extent& extent, const Convex& part, const Pose& pose) {
   for (const Vec& vertex : part.vertices) {
@@ -36,10 +36,10 @@ void include_movers(const MotionSystem& system, const MotionInstant& instant, Ex
       for (const Convex& part : shape->parts) include(extent, part, poses[i]);
 }
 
-/// About `count` instants from the start to the end, each segment's ends among them.
-std::vector<MotionInstant> instants(std::size_t segments, std::size_t count) {
+/// About `count` instants from the start to the end: waypoints, each `stride`th of them, and between two as
+/// many as that leaves room for.
+std::vector<MotionInstant> instants(std::size_t segments, std::size_t count, std::size_t stride) {
   const std::size_t each = std::clamp<std::size_t>(count / segments, 1, count);
-  const std::size_t stride = std::max<std::size_t>(1, segments / count);
   std::vector<MotionInstant> result;
   for (std::size_t i = 0; i < segments; i += stride)
     for (std::size_t k = 0; k < each; ++k)
@@ -73,6 +73,7 @@ void find_contact(const MotionAnswer& answer, MotionView& view) {
   for (std::size_t i = 0; i < answer.segments.size(); ++i) {
     const SegmentAnswer& segment = answer.segments[i];
     if (!segment.verdict || *segment.verdict == narrowphase::Verdict::free) continue;
+    if (!segment.contact && view.contact) continue;
     view.contact = MotionInstant{i, segment.contact ? segment.to : segment.from};
     view.doubt = !segment.contact;
     if (segment.contact) return;
@@ -82,8 +83,10 @@ void find_contact(const MotionAnswer& answer, MotionView& view) {
 }  // namespace
 
 MotionView view_of(const MotionSystem& system, const MotionAnswer& answer) {
-  MotionView view{nothing(), instants(system.segments(), kGhosts), std::nullopt, false};
-  for (const MotionInstant& instant : instants(system.segments(), kSamples))
+  const std::size_t segments = system.segments();
+  MotionView view{nothing(), instants(segments, kGhosts, std::max<std::size_t>(1, segments / kGhosts)),
+                  std::nullopt, false};
+  for (const MotionInstant& instant : instants(segments, kSamples, 1))
     include_movers(system, instant, view.extent);
   include_near(system, view.extent);
   view.extent = with_margin(view.extent);
