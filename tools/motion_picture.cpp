@@ -81,20 +81,28 @@ class Plot {
       }
   }
 
-  /// The way of each mover's last link's origin, dashed.
+  /// Where the origin of each mover's last link comes.
+  std::vector<std::vector<Vec>> last_origins() const {
+    std::vector<std::vector<Vec>> ways(task_.movers.size());
+    for (std::size_t k = 0; k <= 32 * system_.segments(); ++k) {
+      const std::size_t segment = std::min(k / 32, system_.segments() - 1);
+      const std::vector<Pose> poses = system_.poses(segment, static_cast<double>(k - 32 * segment) / 32);
+      std::size_t link = 0;
+      for (std::size_t i = 0; i < ways.size(); ++i)
+        ways[i].push_back(poses[(link += task_.movers[i].links.size()) - 1].position);
+    }
+    return ways;
+  }
+
+  /// These ways, dashed.
   void draw_ways() {
+    const std::vector<std::vector<Vec>> ways = last_origins();
     const double dashes[] = {5 * pixel_, 3 * pixel_};
     cairo_set_dash(cairo_, dashes, 2, 0);
     cairo_set_line_width(cairo_, 1.6 * pixel_);
-    std::size_t link = 0;
-    for (std::size_t i = 0; i < task_.movers.size(); ++i) {
-      link += task_.movers[i].links.size();
+    for (std::size_t i = 0; i < ways.size(); ++i) {
       cairo_new_path(cairo_);
-      for (std::size_t k = 0; k <= 32 * system_.segments(); ++k) {
-        const std::size_t segment = std::min(k / 32, system_.segments() - 1);
-        const Vec at = system_.poses(segment, static_cast<double>(k - 32 * segment) / 32)[link - 1].position;
-        cairo_line_to(cairo_, at.x(), at.y());
-      }
+      for (const Vec& at : ways[i]) cairo_line_to(cairo_, at.x(), at.y());
       set_colour(cairo_, shade(mover_colour(i)));
       cairo_stroke(cairo_);
     }
