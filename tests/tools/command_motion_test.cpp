@@ -44,7 +44,7 @@ void expect_first(const json& segment, double fraction) {
   EXPECT_EQ(segment.at("verdict"), "hit");
   const double low = segment.at("bracket").at(0), high = segment.at("bracket").at(1);
   EXPECT_LE(low, fraction + 1e-15);
-  EXPECT_GE(high, fraction - 1e-9);
+  EXPECT_GE(high, fraction - 1e-15);
   EXPECT_LE(high - low, 1e-9);
   EXPECT_EQ(segment.at("fraction"), high);
 }
