@@ -7,6 +7,7 @@
 #include "sim/input_error.h"
 #include "tools/commands.h"
 #include "tools/drive.h"
+#include "tools/recorded_scenario.h"
 #include "tools/resume_point.h"
 #include "tools/scenario.h"
 
@@ -26,10 +27,7 @@ Loaded load_recorded(const Kept& kept, const std::string& until) {
   Loaded loaded =
       load_text_or_throw(kept.recording.origin().provenance.resolved, kept.source + ":scenario", overrides);
   if (loaded.scene.name.empty()) loaded.scene.name = kept.recording.geometry().name;
-  if (loaded.scene.bodies.size() != kept.recording.bodies_of_run())
-    throw InputError(kept.source + " is inconsistent: its scenario makes " +
-                     std::to_string(loaded.scene.bodies.size()) + " bodies, its frames hold " +
-                     std::to_string(kept.recording.bodies_of_run()));
+  expect_scenario(kept.recording, loaded.scene, kept.source);
   return loaded;
 }
 

@@ -13,6 +13,7 @@
 #include "sim/recording/packed.h"
 #include "sim/recording/selection.h"
 #include "sim/simulation.h"
+#include "tools/recorded_scenario.h"
 
 namespace throng::tools {
 
@@ -90,12 +91,7 @@ Loaded load_embedded(const Recording& recording, const std::string& file) {
   if (loaded.errors() > 0)
     throw InputError(file + " holds a scenario that this throng cannot run:\n" +
                      to_string(loaded.diagnostics, name));
-  if (loaded.scene.bodies.size() != recording.bodies_of_run())
-    throw InputError(file + " is inconsistent: its scenario makes " +
-                     std::to_string(loaded.scene.bodies.size()) + " bodies, its frames hold " +
-                     std::to_string(recording.bodies_of_run()));
-  if (!same_bits(loaded.scene.time.dt, recording.geometry().time.dt))
-    throw InputError(file + " is inconsistent: its scenario has other steps than its frames");
+  expect_scenario(recording, loaded.scene, file);
   const std::int64_t steps = loaded.scene.time.steps();
   if (recording.frames() > 0 && recording.steps().back() > steps)
     throw InputError(file + " is inconsistent: its scenario ends with step " + std::to_string(steps) +

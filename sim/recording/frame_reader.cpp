@@ -128,6 +128,10 @@ void FrameReader::read_contacts(std::size_t i, Frame& frame, FrameHash& hash) co
   hash.add(std::as_bytes(std::span(impulse)));
   hash.add(std::as_bytes(std::span(point)));
   if (!all_finite<double>(impulse) || !all_finite<double>(point)) throw h5::Error("contacts are not finite");
+  const auto is_body = [&](std::uint32_t id) { return id >= 1 && id <= bodies_; };
+  if (!std::ranges::all_of(a, is_body) ||
+      !std::ranges::all_of(b, [&](std::uint32_t id) { return id == 0 || is_body(id); }))
+    throw h5::Error("contacts are of bodies that there are not");
   frame.contacts.emplace();
   for (std::size_t k = 0; k < count; ++k)
     frame.contacts->push_back({a[k], b[k], impulse[k], {point[2 * k], point[2 * k + 1]}});

@@ -46,7 +46,7 @@ class FrameReader {
   };
 
   Schedule open_schedule(hid_t element, std::span<const std::int64_t> steps);
-  void open_ids(hid_t throng, hid_t trajectory, std::size_t bodies, Record& record);
+  void open_ids(hid_t throng, hid_t trajectory, Record& record);
   void open_region(hid_t trajectory, Record& record);
   void open_field(hid_t trajectory, FieldIndex field, std::span<const std::int64_t> steps);
   void open_quantized(hid_t throng, std::span<const std::int64_t> steps, Record& record);
@@ -63,6 +63,7 @@ class FrameReader {
   void read_observables(std::size_t i, Frame& frame, FrameHash& hash) const;
 
   const h5::File* file_ = nullptr;
+  std::size_t bodies_ = 0;  // of the run
   int minor_ = 0, every_ = 1;
   bool single_ = false, changes_ = false;
   std::vector<std::uint32_t> ids_;

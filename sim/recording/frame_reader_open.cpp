@@ -27,10 +27,15 @@ void expect_samples(std::size_t found, std::size_t samples, const char* name) {
 
 FrameReader::FrameReader(const h5::File& file, const Scene& scene, std::span<const std::int64_t> steps,
                          int minor, std::size_t bodies, Record& record)
-    : file_(&file), minor_(minor), every_(record.every), single_(record.single), ids_(scene.bodies.size()) {
+    : file_(&file),
+      bodies_(bodies),
+      minor_(minor),
+      every_(record.every),
+      single_(record.single),
+      ids_(scene.bodies.size()) {
   const h5::Handle throng = h5::open_group(file.handle, "throng");
   const h5::Handle trajectory = h5::open_group(h5::open_group(file.handle, "particles"), "trajectory");
-  open_ids(throng, trajectory, bodies, record);
+  open_ids(throng, trajectory, record);
   for (FieldIndex field : {kPosition, kAngle, kVelocity, kSpin})
     if (h5::exists(trajectory, kFieldName[field])) open_field(trajectory, field, steps);
   if (h5::exists(throng, "quantized")) open_quantized(throng, steps, record);
@@ -44,17 +49,17 @@ Schedule FrameReader::open_schedule(hid_t element, std::span<const std::int64_t>
   return minor_ >= 2 ? Schedule(read_every(element), steps) : Schedule(1, steps);
 }
 
-void FrameReader::open_ids(hid_t throng, hid_t trajectory, std::size_t bodies, Record& record) {
+void FrameReader::open_ids(hid_t throng, hid_t trajectory, Record& record) {
   const h5::Handle table = h5::open_group(throng, "bodies");
   changes_ = h5::exists(table, "id");
   const auto ids = changes_ ? h5::read_array<std::int64_t>(*file_, table, "id", {ids_.size()})
                             : h5::read_array<std::int64_t>(*file_, trajectory, "id", {ids_.size()});
   for (std::size_t row = 0; row < ids.size(); ++row) {
     const bool ascends = ids[row] > (row == 0 ? 0 : ids[row - 1]);
-    if (!ascends || ids[row] > static_cast<std::int64_t>(bodies)) throw h5::Error("id is not in order");
+    if (!ascends || ids[row] > static_cast<std::int64_t>(bodies_)) throw h5::Error("id is not in order");
     ids_[row] = static_cast<std::uint32_t>(ids[row]);
   }
-  if (ids_.size() < bodies) record.ids = ids_;
+  if (ids_.size() < bodies_) record.ids = ids_;
   if (changes_) open_region(trajectory, record);
 }
 

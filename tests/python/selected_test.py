@@ -148,5 +148,35 @@ class Selected(Program):
         self.assertIn("0.08", said)
 
 
+class Forged(Program):
+    def recorded(self, name, *record):
+        return self.record(name, *(word for part in record for word in ("--set", "record." + part)))
+
+    def check(self, held, wanted, what):
+        """A recording of `held` whose scenario says `wanted`, hashes made to fit."""
+        for name in self.folder.glob("*.h5"):
+            name.unlink()
+        with h5py.File(self.recorded("a.h5", *held), "r+") as file, h5py.File(self.recorded("b.h5", *wanted)) as other:
+            file["parameters"].attrs.modify("resolved_hash", other["parameters"].attrs["resolved_hash"])
+            del file["parameters/resolved"]
+            other.copy("parameters/resolved", file["parameters"])
+        for command in (("replay", "a.h5", "--verify"), ("resume", "a.h5", "--until", "0.3", "--progress", "none")):
+            code, said = self.throng(*command)
+            self.assertEqual(code, 2, (command, said))
+            self.assertIn(f"a.h5 is inconsistent: its scenario records {what} that its frames do not have", said)
+
+    def test_scenarios_that_want_something_else_recorded_are_refused(self):
+        self.check(["of.ids=[1, 2, 3]"], [], "bodies")
+        self.check([], ["observables=1"], "observables")
+        self.check(["within=[[0, 0], [1, 1]]"], ["within=[[0, 0], [1, 2]]"], "a region")
+        self.check(["within=[[0, 0], [1, 1]]"], [], "a region")
+        self.check(["quantize=0.001"], ["quantize=0.002"], "a quantum")
+        self.check([], ["precision='single'"], "a precision")
+        self.check(["fields=['position', 'spin']"], [], "a rate of angle")
+        self.check(["also=[{ every = 2, fields = ['contacts'] }]"], ["also=[{ every = 3, fields = ['contacts'] }]"],
+                   "a rate of contacts")
+        self.check(["every=2"], ["every=4"], "frames")
+
+
 if __name__ == "__main__":
     unittest.main()

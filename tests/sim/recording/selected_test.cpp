@@ -192,6 +192,28 @@ TEST(Selected, ContactsAreThoseOfTheRecordedBodies) {
   EXPECT_EQ(Recording(folder / "a.h5").frame(3).contacts, (std::vector<ContactRow>{all[1], all[2]}));
 }
 
+/// A file may say anything; ids index.
+TEST(Selected, ContactsOfBodiesThatThereAreNotAreRefused) {
+  const Folder folder;
+  Scene scene = mixed_scene(4);
+  scene.record.contacts = true;
+  for (const auto& [a, b, fits] :
+       {std::tuple(4u, 0u, true), std::tuple(1u, 4u, true), std::tuple(0u, 1u, false),
+        std::tuple(5u, 0u, false), std::tuple(1u, 5u, false), std::tuple(0xffffffffu, 0u, false),
+        std::tuple(1u, 0xffffffffu, false)}) {
+    const std::string path = folder / (std::to_string(a) + "_" + std::to_string(b) + ".h5");
+    const ContactRow row{a, b, 1.0, {0.0, 0.0}};
+    Recorder recorder(path, scene, provenance());
+    recorder.record(state_at(scene, 0), std::span(&row, 1));
+    recorder.finish();
+    const Recording recording(path);
+    if (fits)
+      EXPECT_EQ(recording.frame(0).contacts, std::vector{row});
+    else
+      EXPECT_THROW(recording.frame(0), InputError) << a << " " << b;
+  }
+}
+
 TEST(Selected, ObservablesAreThoseOfTheState) {
   const Folder folder;
   Scene scene = mixed_scene(40);

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "tools/recorded_scenario.h"
+
+#include <bit>
+#include <cstdint>
+
+#include "sim/input_error.h"
+
+namespace throng::tools {
+
+namespace {
+
+bool same_region(const Record& a, const Record& b) {
+  if (!a.within || !b.within) return a.within.has_value() == b.within.has_value();
+  return a.within->min() == b.within->min() && a.within->max() == b.within->max();
+}
+
+/// What a recording of one kind holds otherwise than one of another; "" where nothing.
+std::string difference(const Record& a, const Record& b) {
+  if (a.every != b.every) return "frames";
+  if (a.ids != b.ids) return "bodies";
+  if (!same_region(a, b)) return "a region";
+  if (a.quantum != b.quantum) return "a quantum";
+  if (a.single != b.single) return "a precision";
+  if (a.observables != b.observables) return "observables";
+  for (int f = 0; f < kRecordFields; ++f)
+    if (const auto field = static_cast<RecordField>(f); every(a, field) != every(b, field))
+      return std::string("a rate of ") + kRecordFieldName[static_cast<std::size_t>(f)];
+  return "";
+}
+
+bool same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+}  // namespace
+
+void expect_scenario(const Recording& recording, const Scene& scene, const std::string& file) {
+  const auto refuse = [&](const std::string& why) { throw InputError(file + " is inconsistent: " + why); };
+  if (scene.bodies.size() != recording.bodies_of_run())
+    refuse("its scenario makes " + std::to_string(scene.bodies.size()) + " bodies, its frames hold " +
+           std::to_string(recording.bodies_of_run()));
+  if (!same_bits(scene.time.dt, recording.geometry().time.dt))
+    refuse("its scenario has other steps than its frames");
+  if (const std::string what = difference(scene.record, recording.geometry().record); !what.empty())
+    refuse("its scenario records " + what + " that its frames do not have");
+}
+
+}  // namespace throng::tools
