@@ -40,8 +40,9 @@ class Selected(Program):
                 "every=2", "fields=['position']", "also=[{ every = 3, fields = ['velocity', 'angle'] }]") as recording:
             np.testing.assert_array_equal(recording.step, sorted({*range(0, 21, 2), *range(0, 21, 3)}))
             np.testing.assert_array_equal(recording.step[recording.velocity.frames], range(0, 21, 3))
-            np.testing.assert_array_equal(recording.velocity[:], whole.velocity[:][::3])
-            np.testing.assert_array_equal(recording.position[:], whole.position[:][::2])
+            for field, every in (("velocity", 3), ("position", 2)):
+                some = getattr(recording, field)
+                np.testing.assert_array_equal(some[some.frames], getattr(whole, field)[::every])
             self.assertIsNone(recording.frame(2).position)
             np.testing.assert_array_equal(recording.frame(2).angle, whole.angle[3])
             with h5py.File(self.path("selected.h5")) as file:
@@ -50,6 +51,22 @@ class Selected(Program):
                     np.testing.assert_array_equal(element["step"][:], range(0, 21, every))
                     np.testing.assert_array_equal(element["time"][:], 0.01 * np.arange(0, 21, every))
                     self.assertEqual(len(element["value"]), len(element["step"]))
+
+    def test_a_field_is_indexed_by_frame_whatever_its_rate(self):
+        with self.whole() as whole, self.selected("every=4", "observables=10", "quantize=1e-6") as recording:
+            steps = [0, 4, 8, 10, 12, 16, 20]
+            np.testing.assert_array_equal(recording.step, steps)
+            for field in (recording.position, recording.velocity):
+                exact = whole.position if field is recording.position else whole.velocity
+                self.assertEqual(field.shape, (7, 4, 2))
+                self.assertEqual([field.index_at(t) for t in (0.099, 0.101, 0.12, 0.2)], [2, 4, 4, 6])
+                np.testing.assert_allclose(field[recording.index_at(0.16)], exact[16], atol=1e-6)
+                np.testing.assert_allclose(field[field.between(0.08, 0.16), 1:], exact[8:17:4, 1:], atol=1e-6)
+                np.testing.assert_allclose(field[-1], exact[20], atol=1e-6)
+                for lacks in (3, -4, np.s_[2:5], np.s_[:], [0, 3], recording.index_at(0.1), recording.between(0.08, 0.16)):
+                    with self.assertRaisesRegex(IndexError, "frame 3 has no (position|velocity): .*frames"):
+                        field[lacks]
+                self.assertRaises(IndexError, field.index_at, 0.21)
 
     def test_some_bodies_are_recorded(self):
         with self.whole() as whole, self.selected("of.kind='dynamic'") as recording:

@@ -9,9 +9,10 @@
         then = recording.position[recording.index_at(2.5)]   # the frame nearest to 2.5 s
         second = recording.position[recording.between(1, 2), :10]
 
-A field that has a rate of its own is not in every frame: recording.velocity.frames are the frames that have it,
-and indices count these: recording.time[recording.velocity.frames] are its times. With record.within, bodies that
-were outside have NaN. recording.contacts(i) gives where bodies pressed, recording.observables the measurements.
+Indices are frames of the recording. A field that has a rate of its own is not in all of them: IndexError says so.
+recording.velocity.frames are those that have it, recording.velocity.index_at(2.5) and .between(1, 2) choose of
+these, and recording.velocity[recording.velocity.frames] is all there is. With record.within, bodies that were
+outside have NaN. recording.contacts(i) gives where bodies pressed, recording.observables the measurements.
 
 Nothing is read before it is asked for. Only frames that the run committed are there. Every value carries a
 checksum: a damaged chunk raises OSError when it is read. Where a file is no recording, `open` raises
@@ -44,13 +45,14 @@ class Field:
     """A recorded quantity, read as it is indexed: [frame], [frames, bodies], ...
 
     Indices mean what they mean for numpy arrays, but for lists of both: [frames, bodies] gives these bodies in
-    each of these frames, as with np.ix_. np.asarray(field) reads all of it.
+    each of these frames, as with np.ix_. np.asarray(field) reads all of it. A frame that lacks the field raises
+    IndexError.
     """
 
-    def __init__(self, values, frames):
-        self._values = values
+    def __init__(self, name, values, frames, time):
+        self._name, self._values, self._time = name, values, time
         self.frames = frames  # of the recording, in which it is
-        self.shape = (len(frames),) + values.shape[1:]
+        self.shape = (len(time),) + values.shape[1:]
         self.dtype = values.dtype
 
     def __len__(self):
@@ -60,22 +62,32 @@ class Field:
         first, *rest = key if isinstance(key, tuple) else (key,)
         if first is Ellipsis:
             return self[(slice(None),) * (len(self.shape) - len(rest)) + tuple(rest)]
-        if isinstance(first, slice):
-            frames = range(len(self))[first]
-        elif np.ndim(first) == 0:
-            return self._values[range(len(self))[int(first)]][tuple(rest)]
-        else:
-            chosen = np.asarray(first)
-            frames = np.arange(len(self))[chosen]
-        result = np.empty((len(frames),) + self.shape[1:], self.dtype)
-        for row, frame in enumerate(frames):
-            self._values.read_direct(result, np.s_[int(frame)], np.s_[row])
+        if not isinstance(first, slice) and np.ndim(first) == 0:
+            return self._values[int(self._samples([range(len(self))[int(first)]])[0])][tuple(rest)]
+        samples = self._samples(np.arange(len(self))[first if isinstance(first, slice) else np.asarray(first)])
+        result = np.empty((len(samples),) + self.shape[1:], self.dtype)
+        for row, sample in enumerate(samples):
+            self._values.read_direct(result, np.s_[int(sample)], np.s_[row])
         return result[(slice(None), *rest)]
 
-    def in_frame(self, frame):
-        """Its row in a frame of the recording; None where that has none."""
-        sample = int(np.searchsorted(self.frames, frame))
-        return self[sample] if sample < len(self) and self.frames[sample] == frame else None
+    def _samples(self, frames):
+        """The rows of the file that are these frames."""
+        for frame in frames:
+            if not self.is_in(frame):
+                raise IndexError(f"frame {frame} has no {self._name}: {self._name}.frames are those that have")
+        return np.searchsorted(self.frames, frames)
+
+    def is_in(self, frame):
+        sample = np.searchsorted(self.frames, frame)
+        return bool(sample < len(self.frames) and self.frames[sample] == frame)
+
+    def index_at(self, time):
+        """Of the frames that have it, the nearest to a time (s); the earlier of two."""
+        return int(self.frames[_nearest(self._time[self.frames], time)])
+
+    def between(self, start, end):
+        """The frames from `start` to `end` (s), both included, that have it."""
+        return self.frames[_span(self._time[self.frames], start, end)]
 
     def __iter__(self):
         return (self[i] for i in range(len(self)))
@@ -242,13 +254,13 @@ class Recording:
             if self._present.shape[0] < len(self) or self._present.shape[1:] != (len(self.ids),):
                 raise ValueError("particles/trajectory/id has another form")
             values = Region(values, self._present, frames, self.ids)
-        return Field(values, frames)
+        return Field(path.rpartition("/")[2], values, frames, self.time)
 
     def _quantized(self, path):
         frames, stored = self._frames_of(path), self._get(path + "/position")
         if stored.dtype != np.dtype("u4") or stored.shape[0] < len(frames) or stored.shape[1:] != (len(self.ids), 2):
             raise ValueError(f"{path} has another form")
-        return Field(Quantized(self._file[path]), frames)
+        return Field("position", Quantized(self._file[path]), frames, self.time)
 
     def contacts(self, i):
         """Where bodies pressed on each other or on obstacles in frame i; None where it holds no contacts."""
@@ -300,20 +312,17 @@ class Recording:
         i = range(len(self))[i]
         fields = (self.position, self.angle, self.velocity, self.spin)
         return Frame(int(self.step[i]), float(self.time[i]), int(self.hash[i]),
-                     *(field.in_frame(i) if field is not None else None for field in fields))
+                     *(field[i] if field is not None and field.is_in(i) else None for field in fields))
 
     __getitem__ = frame
 
     def index_at(self, time):
         """The frame nearest to a time (s); the earlier of two."""
-        if not len(self) or not self.time[0] <= time <= self.time[-1]:
-            raise IndexError(f"{time} s is outside the recording")
-        after = int(np.searchsorted(self.time, time))
-        return after - 1 if after and time - self.time[after - 1] <= self.time[after] - time else after
+        return _nearest(self.time, time)
 
     def between(self, start, end):
         """The frames from `start` to `end` (s), both included, as a slice."""
-        return slice(int(np.searchsorted(self.time, start)), int(np.searchsorted(self.time, end, "right")))
+        return _span(self.time, start, end)
 
     def close(self):
         self._file.close()
@@ -345,6 +354,17 @@ def _open_file(path):
         return h5py.File(path, "r", libver="latest", swmr=head[11] != 0)
     except OSError as error:
         raise NotARecording(f"{path} is damaged: {error}") from error
+
+
+def _nearest(times, time):
+    if not len(times) or not times[0] <= time <= times[-1]:
+        raise IndexError(f"{time} s is outside the recording")
+    after = int(np.searchsorted(times, time))
+    return after - 1 if after and time - times[after - 1] <= times[after] - time else after
+
+
+def _span(times, start, end):
+    return slice(int(np.searchsorted(times, start)), int(np.searchsorted(times, end, "right")))
 
 
 def _text(value):
