@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "sim/crowd/barriers.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "narrowphase/crossing.h"
+
+namespace throng {
+
+namespace {
+
+using Segment = Barriers::Segment;
+
+double distance(const Segment& one, const Segment& other) {
+  if (narrowphase::segments_meet(one.a, one.b, other.a, other.b)) return 0.0;
+  const auto to = [](const Segment& segment, const Vec& p) {
+    return (nearest_on_segment(segment.a, segment.b, p) - p).squaredNorm();
+  };
+  return std::sqrt(std::min({to(one, other.a), to(one, other.b), to(other, one.a), to(other, one.b)}));
+}
+
+Eigen::AlignedBox2d box_of(const Segment& segment) {
+  return {Vec(segment.a.cwiseMin(segment.b)), Vec(segment.a.cwiseMax(segment.b))};
+}
+
+}  // namespace
+
+Barriers::Barriers(std::span<const BarrierLine> lines, double reach) {
+  for (const BarrierLine& line : lines) {
+    const std::size_t points = line.points.size(), count = line.closed ? points : points - 1;
+    const auto first = static_cast<std::uint32_t>(segments_.size());
+    const auto last = static_cast<std::uint32_t>(first + count - 1);
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto row = static_cast<std::uint32_t>(first + i);
+      segments_.push_back({line.points[i], line.points[(i + 1) % points],
+                           row > first   ? row - 1
+                           : line.closed ? last
+                                         : kNone,
+                           row < last    ? row + 1
+                           : line.closed ? first
+                                         : kNone});
+    }
+  }
+  std::vector<broadphase::Extent> extents;
+  for (const Segment& segment : segments_)
+    extents.push_back(broadphase::Extent::of_segment(segment.a, segment.b));
+  index_.build(extents, 2.0 * reach);
+}
+
+bool Barriers::block(const Vec& p, const Vec& q) const {
+  bool blocked = false;
+  for_each_near({Vec(p.cwiseMin(q)), Vec(p.cwiseMax(q))}, [&](const Segment& segment) {
+    blocked = blocked || narrowphase::segments_meet(p, q, segment.a, segment.b);
+  });
+  return blocked;
+}
+
+double Barriers::distance(const Vec& p, double most) const {
+  double least = most * most;
+  const Vec far(most, most);
+  for_each_near({Vec(p - far), Vec(p + far)}, [&](const Segment& segment) {
+    least = std::min(least, (nearest_on_segment(segment.a, segment.b, p) - p).squaredNorm());
+  });
+  return std::sqrt(least);
+}
+
+double Barriers::narrowest(double least, double most) const {
+  double width = most;
+  const Vec far(most, most);
+  for (const Segment& one : segments_) {
+    const Eigen::AlignedBox2d box = box_of(one);
+    for_each_near({Vec(box.min() - far), Vec(box.max() + far)}, [&](const Segment& other) {
+      const double between = &other > &one ? throng::distance(one, other) : most;
+      if (between >= least) width = std::min(width, between);
+    });
+  }
+  return width;
+}
+
+}  // namespace throng

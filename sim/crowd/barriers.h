@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "broadphase/box_index.h"
+#include "sim/crowd/region.h"
+
+/// What agents can't walk through: the edges of the walkable area, walls and the domain's box, as one set of
+/// segments that stand still.
+namespace throng {
+
+/// A line of points that agents can't cross.
+struct BarrierLine {
+  std::vector<Vec> points;  ///< m, two or more
+  bool closed = false;
+};
+
+class Barriers {
+ public:
+  struct Segment {
+    Vec a, b;              ///< m
+    std::uint32_t before;  ///< row of the segment that ends at `a`, or kNone
+    std::uint32_t after;   ///< row of the segment that begins at `b`, or kNone
+  };
+  static constexpr std::uint32_t kNone = 0xFFFFFFFF;
+
+  /// `reach` (m): how far will mostly be looked; it decides speed, never answers. O(n log n).
+  Barriers(std::span<const BarrierLine> lines, double reach);
+
+  std::span<const Segment> segments() const { return segments_; }
+
+  /// Calls f(point) for each place at most `reach` from `p` at which the distance to the barriers has a local
+  /// minimum: of a corner that sticks out its tip, once; of a corner to stand in a place on each side; of a
+  /// curve in many pieces its nearest place alone. In the order of the segments. O(segments near). Allocates
+  /// nothing.
+  template <class F>
+  void for_each_nearest(const Vec& p, double reach, F&& f) const;
+
+  /// Calls f(segment) for each whose box the box touches, ascending.
+  template <class F>
+  void for_each_near(const Eigen::AlignedBox2d& box, F&& f) const {
+    index_.for_each_near(box, [&](std::uint32_t row) { f(segments_[row]); });
+  }
+
+  /// Whether the straight way from `p` to `q` meets a segment, be it by touching. Exact.
+  bool block(const Vec& p, const Vec& q) const;
+
+  /// m, from `p` to the nearest segment; `most` where that is farther.
+  double distance(const Vec& p, double most) const;
+
+  /// The least width (m) of a passage: of all pairs of segments that don't follow on one another those that
+  /// are at least `least` apart count. `most` where none are nearer than that.
+  double narrowest(double least, double most) const;
+
+ private:
+  /// Whether the nearest point of the segment is a local minimum over its line too.
+  bool is_minimum(const Segment& segment, const Vec& nearest, const Vec& p) const;
+
+  std::vector<Segment> segments_;
+  broadphase::BoxIndex index_;
+};
+
+inline bool Barriers::is_minimum(const Segment& segment, const Vec& nearest, const Vec& p) const {
+  if (nearest == segment.b && segment.after != kNone) return false;  // left to the next, which begins there
+  if (nearest != segment.a || segment.before == kNone) return true;
+  const Segment& before = segments_[segment.before];
+  return (p - before.b).dot(before.b - before.a) >= 0.0;
+}
+
+template <class F>
+void Barriers::for_each_nearest(const Vec& p, double reach, F&& f) const {
+  const Vec far(reach, reach);
+  index_.for_each_near({Vec(p - far), Vec(p + far)}, [&](std::uint32_t row) {
+    const Segment& segment = segments_[row];
+    const Vec nearest = nearest_on_segment(segment.a, segment.b, p);
+    if ((nearest - p).squaredNorm() <= reach * reach && is_minimum(segment, nearest, p)) f(nearest);
+  });
+}
+
+}  // namespace throng

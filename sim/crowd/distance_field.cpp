@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "sim/crowd/distance_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sim/crowd/march.h"
+
+namespace throng {
+
+namespace {
+
+constexpr float kFar = std::numeric_limits<float>::infinity();
+constexpr int kSeedCells = 6;  // as far round the goal distances are exact, where nothing stands in between
+
+/// The nodes in and round the goal whose distance is that of the straight way.
+std::vector<Seed> seeds_for(const FloorPlan& plan, const Barriers& barriers, const Region& goal) {
+  const double far = kSeedCells * plan.cell;
+  const Eigen::AlignedBox2d box = bounds(goal);
+  const auto to_index = [&](double x, int count) {
+    return static_cast<int>(std::clamp(std::floor(x), 0.0, static_cast<double>(count)));
+  };
+  const Vec low = (box.min() - plan.origin) / plan.cell, high = (box.max() - plan.origin) / plan.cell;
+  std::vector<Seed> seeds;
+  for (int row = to_index(low.y() - kSeedCells, plan.rows);
+       row < to_index(high.y() + kSeedCells + 1, plan.rows); ++row)
+    for (int column = to_index(low.x() - kSeedCells, plan.columns);
+         column < to_index(high.x() + kSeedCells + 1, plan.columns); ++column) {
+      const std::size_t i = static_cast<std::size_t>(row) * plan.columns + column;
+      if (plan.footing[i] == Footing::none) continue;
+      const Vec p = plan.node(i);
+      if (contains(goal, p)) {
+        seeds.push_back({i, 0.0});
+        continue;
+      }
+      if (plan.footing[i] != Footing::free) continue;
+      const Vec q = nearest_on_border(goal, p);
+      const double distance = (q - p).norm();
+      if (distance <= far && !barriers.block(p, q)) seeds.push_back({i, distance});
+    }
+  return seeds;
+}
+
+Vec unit(const Vec& v) {
+  const double length = v.norm();
+  return length > 0.0 ? Vec(v / length) : Vec(0.0, 0.0);
+}
+
+}  // namespace
+
+DistanceField::DistanceField(const FloorPlan& plan, const Barriers& barriers, const Region& goal)
+    : plan_(&plan), barriers_(&barriers), goal_(goal) {
+  distance_ = march(plan, barriers, seeds_for(plan, barriers, goal));
+}
+
+bool DistanceField::locate(const Vec& p, Cell& cell) const {
+  const Vec at = (p - plan_->origin) / plan_->cell;
+  const double x = std::floor(at.x()), y = std::floor(at.y());
+  if (!(x >= 0.0 && y >= 0.0 && x < plan_->columns - 1 && y < plan_->rows - 1)) return false;
+  cell = {static_cast<std::size_t>(y) * plan_->columns + static_cast<std::size_t>(x), at.x() - x, at.y() - y};
+  return true;
+}
+
+/// Whether the cell's four corners are known and no barrier crosses it.
+bool DistanceField::is_whole(std::size_t node) const {
+  for (const std::size_t corner : {node, node + 1, node + plan_->columns, node + plan_->columns + 1})
+    if (plan_->footing[corner] < Footing::close || !(distance_[corner] < kFar)) return false;
+  return true;
+}
+
+double DistanceField::distance(const Vec& p) const {
+  Cell cell;
+  if (contains(goal_, p)) return 0.0;
+  if (!locate(p, cell)) return kFar;
+  if (!is_whole(cell.node)) {
+    double distance = kFar;
+    nearest_way(p, cell, 0.0, distance);
+    return distance;
+  }
+  const float *low = &distance_[cell.node], *high = low + plan_->columns;
+  return (1.0 - cell.v) * ((1.0 - cell.u) * low[0] + cell.u * low[1]) +
+         cell.v * ((1.0 - cell.u) * high[0] + cell.u * high[1]);
+}
+
+Vec DistanceField::downhill(const Cell& cell) const {
+  const float *low = &distance_[cell.node], *high = low + plan_->columns;
+  return {(1.0 - cell.v) * (low[0] - low[1]) + cell.v * (high[0] - high[1]),
+          (1.0 - cell.u) * (low[0] - high[0]) + cell.u * (low[1] - high[1])};
+}
+
+std::size_t DistanceField::nearest_way(const Vec& p, const Cell& cell, double nearest,
+                                       double& distance) const {
+  std::size_t best = plan_->size();
+  const auto columns = static_cast<std::size_t>(plan_->columns);
+  const std::size_t row = cell.node / columns, column = cell.node % columns;
+  for (std::size_t y = row - (row > 0); y < std::min<std::size_t>(row + 3, plan_->rows); ++y)
+    for (std::size_t x = column - (column > 0); x < std::min(column + 3, columns); ++x) {
+      const std::size_t node = y * columns + x;
+      if (!(distance_[node] < kFar)) continue;
+      const Vec to = plan_->node(node);
+      const double way = (to - p).norm(), length = distance_[node] + way;
+      if (!(way >= nearest && length < distance) || barriers_->block(p, to)) continue;
+      best = node, distance = length;
+    }
+  return best;
+}
+
+Vec DistanceField::direction(const Vec& p) const {
+  Cell cell;
+  if (!locate(p, cell)) return {0.0, 0.0};
+  if (is_whole(cell.node)) {
+    const Vec slope = downhill(cell);
+    if (slope.squaredNorm() > 0.01 * plan_->cell * plan_->cell) return unit(slope);
+  }
+  if (contains(goal_, p)) return {0.0, 0.0};
+  double distance = kFar;
+  const std::size_t node = nearest_way(p, cell, plan_->cell, distance);
+  return node < plan_->size() ? unit(plan_->node(node) - p) : Vec(0.0, 0.0);
+}
+
+}  // namespace throng

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sim/crowd/barriers.h"
+#include "sim/crowd/floor_plan.h"
+#include "sim/crowd/region.h"
+
+namespace throng {
+
+/// How far it is to a goal, from everywhere, round all barriers, and which way to go: to the nearest point of
+/// the goal, not to its middle. Built once and shared by all who have that goal.
+///
+/// Fast marching of second order: Sethian, "Fast marching methods" (SIAM Review 1999), from exact distances
+/// next to the goal. Ways keep the plan's clearance from barriers; who is nearer to one than that is led away
+/// from it.
+class DistanceField {
+ public:
+  /// O(n log n) for n nodes; keeps 4 bytes a node. `plan` and `barriers` must outlive the field.
+  DistanceField(const FloorPlan& plan, const Barriers& barriers, const Region& goal);
+
+  /// m, from `p` to the goal; infinite where no way leads there. O(1).
+  double distance(const Vec& p) const;
+
+  /// Unit vector along the shortest way; zero in the goal, and where no way leads there. O(1) away from
+  /// barriers.
+  Vec direction(const Vec& p) const;
+
+ private:
+  struct Cell {
+    std::size_t node;  ///< its lower left
+    double u, v;       ///< 0 to 1: where in it
+  };
+  bool locate(const Vec& p, Cell& cell) const;
+  bool is_whole(std::size_t node) const;
+  Vec downhill(const Cell& cell) const;
+  /// The node round `p`, at least `nearest` away, over which the goal is nearest, and how far it is that way;
+  /// size() where there is none.
+  std::size_t nearest_way(const Vec& p, const Cell& cell, double nearest, double& distance) const;
+
+  const FloorPlan* plan_;
+  const Barriers* barriers_;
+  Region goal_;
+  std::vector<float> distance_;  ///< m, of the nodes
+};
+
+}  // namespace throng

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sim/crowd/barriers.h"
+#include "sim/crowd/region.h"
+
+/// A grid over the walkable area that says where an agent of some size can stand: the ground that distance
+/// fields are built on.
+namespace throng {
+
+enum class Footing : std::uint8_t {
+  none,   ///< outside the walkable area, or on a barrier
+  tight,  ///< walkable, and less than a cell's diagonal from a barrier, which may cross the cells round it
+  close,  ///< walkable, and nearer to a barrier than the clearance
+  free
+};
+
+struct FloorPlan {
+  Vec origin{0.0, 0.0};  ///< m, of node 0
+  double cell = 0.0;     ///< m, from node to node
+  int columns = 0, rows = 0;
+  double clearance = 0.0;  ///< m
+  std::vector<Footing> footing;
+
+  std::size_t size() const { return footing.size(); }
+  Vec node(std::size_t i) const {
+    const auto width = static_cast<std::size_t>(columns);
+    return origin + cell * Vec(static_cast<double>(i % width), static_cast<double>(i / width));
+  }
+};
+
+/// How fine a plan must be, and how far from barriers it keeps.
+struct Resolution {
+  double cell = 0.0, clearance = 0.0;  ///< m
+};
+
+/// Eight cells across the narrowest passage that an agent as small as `least_radius` fits through, four
+/// across the largest agent where that is less, and no more than kMostNodes in all. The clearance is the
+/// largest radius, less where that would close the narrowest passage. O(barriers near one another).
+Resolution resolution_for(const Region& walkable, const Barriers& barriers, double least_radius,
+                          double largest_radius);
+
+inline constexpr double kMostNodes = 4e6;
+
+/// Passages narrower than `closed` (m) are closed: nobody so wide gets through. O(nodes + barriers' length /
+/// cell).
+FloorPlan floor_plan(const Region& walkable, const Barriers& barriers, const Resolution& resolution,
+                     double closed);
+
+}  // namespace throng

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "sim/crowd/distance_field.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "tests/sim/crowd/geodesic.h"
+
+namespace throng {
+namespace {
+
+using testing::edges;
+using testing::Geodesic;
+using testing::rectangle;
+
+/// A field over a region whose edges are the barriers, and `walls` besides.
+struct Field {
+  Field(Region area, const Region& goal, double cell, double clearance, std::vector<BarrierLine> walls = {},
+        double closed = 0.0)
+      : walkable(std::move(area)),
+        barriers(with(edges(walkable), walls), 1.0),
+        plan(floor_plan(walkable, barriers, {cell, clearance}, closed)),
+        field(plan, barriers, goal) {}
+
+  static std::vector<BarrierLine> with(std::vector<BarrierLine> lines, const std::vector<BarrierLine>& more) {
+    lines.insert(lines.end(), more.begin(), more.end());
+    return lines;
+  }
+
+  Region walkable;
+  Barriers barriers;
+  FloorPlan plan;
+  DistanceField field;
+};
+
+Region box(double x0, double y0, double x1, double y1) {
+  return {{rectangle(x0, y0, x1, y1)}};
+}
+
+TEST(DistanceField, IsTheStraightDistanceInAnEmptyCorridor) {
+  const Field f(box(0, 0, 40, 2), box(39, 0, 40, 2), 0.125, 0.2);
+  EXPECT_NEAR(f.field.distance({9, 1}), 30.0, 1e-4);
+  EXPECT_NEAR(f.field.distance({20.03, 0.6}), 18.97, 1e-4);
+  EXPECT_NEAR((f.field.direction({9, 0.7}) - Vec(1, 0)).norm(), 0.0, 1e-4);
+  EXPECT_EQ(f.field.distance({39.5, 1}), 0.0);
+  EXPECT_EQ(f.field.direction({39.5, 1}), Vec(0, 0));
+}
+
+TEST(DistanceField, LeadsToTheNearestPointOfAWideGoal) {
+  const Field f(box(0, 0, 20, 10), box(18, 0, 20, 10), 0.25, 0.25);
+  for (const double y : {1.0, 5.0, 8.9})
+    EXPECT_NEAR((f.field.direction({3, y}) - Vec(1, 0)).norm(), 0.0, 1e-3);
+}
+
+TEST(DistanceField, GoesRoundAThinWall) {
+  const Field f(box(0, 0, 10, 10), box(9, 0, 10, 1), 0.1, 0.05, {{{{5, 0}, {5, 8}}, false}});
+  EXPECT_NEAR(f.field.distance({1, 1}), std::hypot(4, 7) + std::hypot(4, 7), 0.3) << "three cells";
+  EXPECT_GT(f.field.direction({4.9, 2}).y(), 0.8) << "next to the wall, along it";
+  EXPECT_LT(f.field.direction({5.1, 2}).y(), 0.1) << "beyond it, to the goal";
+}
+
+TEST(DistanceField, IsInfiniteWhereNoWayLeads) {
+  const Field f(box(0, 0, 10, 10), box(9, 0, 10, 1), 0.1, 0.1, {{{{5, -1}, {5, 11}}, false}});
+  EXPECT_TRUE(std::isinf(f.field.distance({2, 2})));
+  EXPECT_EQ(f.field.direction({2, 2}), Vec(0, 0));
+  EXPECT_TRUE(std::isinf(f.field.distance({-3, 2})));
+  EXPECT_TRUE(std::isfinite(f.field.distance({6, 9})));
+}
+
+TEST(DistanceField, ClosesWhatIsNarrowerThanAnAgent) {
+  const std::vector<BarrierLine> door{{{{5, 0}, {5, 4}}, false}, {{{5, 4.5}, {5, 10}}, false}};
+  const Field open(box(0, 0, 10, 10), box(9, 0, 10, 1), 0.05, 0.1, door, 0.49);
+  const Field closed(box(0, 0, 10, 10), box(9, 0, 10, 1), 0.05, 0.1, door, 0.51);
+  EXPECT_TRUE(std::isfinite(open.field.distance({2, 2})));
+  EXPECT_TRUE(std::isinf(closed.field.distance({2, 2})));
+}
+
+TEST(DistanceField, IsWithinOnePercentOfTheExactGeodesicDistance) {
+  const unsigned seed = 5;
+  SCOPED_TRACE(seed);
+  Region hall = box(0, 0, 50, 50);
+  hall.rings.push_back(rectangle(10, 5, 12, 45));
+  hall.rings.push_back(rectangle(20, 0.5, 22, 40));
+  hall.rings.push_back({{30, 10}, {40, 20}, {35, 35}, {28, 30}});
+  const Vec goal(45.0, 30.0);
+  const Field f(hall, box(44.999, 29.999, 45.001, 30.001), 0.05, 0.025);
+  const Geodesic exact(f.walkable, f.barriers, goal);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(0.2, 49.8);
+  int asked = 0, bent = 0;
+  double worst = 0.0;
+  while (asked < 2000) {
+    const Vec p(uniform(random), uniform(random));
+    if (!contains(f.walkable, p) || f.barriers.distance(p, 0.3) < 0.3 || (p - goal).norm() < 1.0) continue;
+    const double truth = exact.distance(p);
+    worst = std::max(worst, std::abs(f.field.distance(p) - truth) / truth);
+    ++asked, bent += truth > (p - goal).norm() * 1.0001;
+  }
+  EXPECT_LE(worst, 0.01);
+  RecordProperty("worst", std::to_string(worst));
+  EXPECT_GT(bent, 600) << "the sample must go round corners";
+  EXPECT_LT(bent, 1700);
+}
+
+TEST(DistanceField, WaysEndInTheGoalFromEverywhere) {
+  Region hall = box(0, 0, 12, 12);
+  hall.rings.push_back(rectangle(3, 3, 5, 9));
+  hall.rings.push_back({{6, 1}, {10, 6}, {6, 11}, {8, 6}});
+  const Field f(hall, box(11, 5, 12, 7), 0.1, 0.3);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(0.05, 11.95);
+  for (int k = 0; k < 300; ++k) {
+    Vec p(uniform(random), uniform(random));
+    if (!contains(f.walkable, p) || f.barriers.distance(p, 0.15) < 0.15) continue;
+    const Vec start = p;
+    double way = 0.0;
+    for (; way < 60.0 && f.field.distance(p) > 0.0; way += 0.02) {
+      const Vec next = p + 0.02 * f.field.direction(p);
+      ASSERT_FALSE(f.barriers.block(p, next)) << "from " << start.transpose() << " at " << p.transpose();
+      p = next;
+    }
+    EXPECT_LE(way, 1.1 * f.field.distance(start) + 1.0) << start.transpose();
+  }
+}
+
+}  // namespace
+}  // namespace throng
