@@ -4,6 +4,7 @@
 #include "scenarios/limits.h"
 #include "scenarios/report.h"
 #include "scenarios/types.h"
+#include "sim/crowd/model.h"
 
 namespace throng::scenarios {
 
@@ -136,6 +137,55 @@ Table wall_table() {
   return table;
 }
 
+Type area() {
+  return either({text(kMostBytes, "a well-known text such as \"POLYGON ((0 0, 1 0, 1 1, 0 0))\""),
+                 points(3, "a list of at least 3 points [x, y]")});
+}
+
+Type distribution(const Type& bound, const std::string& what) {
+  const Type bounds = tuple({bound, bound}, "two bounds [low, high]");
+  const Type moments = tuple({bound, bound}, "a pair [mean, standard deviation]");
+  return either(
+      {bound, table({{{"uniform", bounds, "Each agent's own " + what + " between these."},
+                      {"normal", moments,
+                       "Each agent's own; without `within` up to 3 standard deviations from the mean."},
+                      {"lognormal", moments,
+                       "Each agent's own: mean and standard deviation of itself, not of its logarithm."},
+                      {"within", bounds, "What is drawn beyond these is drawn again."}},
+                     {"uniform", "normal", "lognormal"}})});
+}
+
+Field model_parameters(const ModelKind& kind) {
+  Table parameters;
+  for (const ModelParameter& p : kind.parameters)
+    parameters.fields.push_back({p.key, number(p.low, p.high, p.unit), p.doc, to_text(p.preset)});
+  return {kind.name, table(std::move(parameters)), kind.doc};
+}
+
+Table agent_table() {
+  const Type random =
+      table({{required({"within", either({name_in("areas"), box()}),
+                        "Name of an area, or box, m, that holds all of every agent."}),
+              {"gap", number(0, kFarthest, "m"), "Least distance to any other agent and wall, m.", "0.0"}}});
+  std::vector<std::string> names;
+  for (const ModelKind& kind : walking_models()) names.push_back(kind.name);
+  Table result{
+      {required({"model", choice(names, {"orca"}), "How agents decide how to walk."}),
+       required({"goal", name_in("areas"),
+                 "Name of the area that they walk to, by the shortest way, and leave at."}),
+       {"at", point(), "Where the agent stands, m."},
+       {"place", table({{required({"random", random, "Anywhere that is free, uniformly at random."})}}),
+        "How to place more than one agent."},
+       {"count", integer(0, kMostBodies), "How many agents.", "1"},
+       {"radius", distribution(length(), "radius, m,"), "Radius, m.", "0.2"},
+       {"desired_speed", distribution(number(0, kFastest, "m/s"), "speed, m/s,"),
+        "Speed when nothing is in the way, m/s.", "1.34"}},
+      {"at", "place"}};
+  for (const ModelKind& kind : walking_models())
+    if (!kind.parameters.empty()) result.fields.push_back(model_parameters(kind));
+  return result;
+}
+
 Table root_table() {
   return {
       {required({"throng", version(), "Version of this grammar."}),
@@ -156,9 +206,11 @@ Table root_table() {
        {"shapes", named(shape_table()), "Shapes by name."},
        {"bodies", tables(body_table()), "Bodies, one or many an entry; ids count from 1 in this order."},
        {"walls", tables(wall_table()), "Thin walls with two sides, which never move."},
-       later("walkable", "Where agents may be."),
-       later("areas", "Named areas."),
-       later("agents", "Crowds."),
+       {"walkable", area(),
+        "Where agents may be, m: POLYGON with holes or MULTIPOLYGON, or one ring; its edges are walls."},
+       {"areas", named(area()), "Named areas, m: POLYGON or MULTIPOLYGON, or a list of points [x, y]."},
+       {"agents", tables(agent_table()),
+        "Agents, who walk to a goal and leave there; they need walkable or domain.box."},
        later("sensors", "Who senses whom."),
        later("measure", "Counts and densities.")}};
 }

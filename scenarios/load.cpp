@@ -8,6 +8,7 @@
 #include "scenarios/override.h"
 #include "scenarios/place.h"
 #include "scenarios/print.h"
+#include "scenarios/read_crowd.h"
 #include "scenarios/source.h"
 #include "sim/engine_box2d.h"
 
@@ -19,7 +20,7 @@ namespace {
 
 /// Where bodies pass through all, nothing keeps them in.
 void warn_of_idle_borders(const toml::table& root, const Scene& scene, Report& report) {
-  if (scene.contact != ContactModel::none) return;
+  if (scene.contact != ContactModel::none || scene.crowd.size() > 0) return;
   if (scene.domain.kind == DomainKind::box)
     report.warning(root["domain"]["box"].node()->source(), "domain.box",
                    "holds nobody: contact.model is \"none\", and the box is only drawn");
@@ -42,10 +43,13 @@ void read_scene(const toml::table& root, Scene& scene, Report& report) {
   read_materials(root, scene, report);
   const std::vector<ShapeDraw> draws = read_shapes(root, scene, report);
   read_walls(root, scene, report);
+  read_areas(root, scene, report);
   const std::vector<Entry> entries = read_entries(root, scene, report);
+  const std::vector<AgentEntry> agents = read_agents(root, scene, report);
   if (report.errors() > 0) return;
   warn_of_idle_borders(root, scene, report);
   place_bodies(entries, draws, scene, report);
+  place_agents(agents, scene, report);
   read_recorded_bodies(root, scene, report);
   if (report.errors() == 0) check_engine(root, scene, report);
 }

@@ -228,6 +228,7 @@ class Box2dSimulation : public Simulation {
 }  // namespace
 
 std::string box2d_refusal(const Scene& scene) {
+  if (scene.crowd.size() > 0) return "agents: Box2D moves bodies alone";
   if (scene.domain.kind == DomainKind::periodic) return "domain.periodic: Box2D has no periodic domains";
   if (scene.contact == ContactModel::none) return "contact.model = \"none\": Box2D always handles contacts";
   std::vector<bool> used(scene.shapes.size());

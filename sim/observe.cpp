@@ -5,6 +5,7 @@
 
 #include "narrowphase/distance.h"
 #include "sim/contact/candidates.h"
+#include "sim/crowd/walk.h"
 
 namespace throng {
 
@@ -46,11 +47,37 @@ double obstacle_distance(const Convex& shape, const Pose& pose, const Obstacles&
   return narrowphase::separation(shape, pose, obstacles.part[row - sides], Pose{shift}).distance;
 }
 
+/// Of agents with each other and with what stops them.
+Overlap crowd_overlap(const Scene& scene, const State& state) {
+  Overlap result;
+  double largest = 0.0, sum = 0.0;
+  for (const double r : scene.bodies.radius) largest = std::max(largest, r);
+  const auto count = [&](double depth) {
+    if (!(depth > 0.0)) return;
+    ++result.pairs;
+    sum += depth;
+    result.max = std::max(result.max, depth);
+  };
+  const Barriers barriers(barrier_lines(scene), largest);
+  broadphase::NeighbourLists near;
+  broadphase::AllLists().find(state.position, 2.0 * largest, nullptr, near);
+  const auto radius = [&](std::size_t row) { return scene.bodies.radius[state.id[row] - std::size_t{1}]; };
+  for (std::size_t row = 0; row < state.id.size(); ++row) {
+    const Vec& p = state.position[row];
+    for (std::size_t k = near.begin[row]; k < near.begin[row + 1]; ++k)
+      if (near.row[k] > row) count(radius(row) + radius(near.row[k]) - near.distance[k]);
+    barriers.for_each_nearest(p, radius(row), [&](const Vec& q) { count(radius(row) - (p - q).norm()); });
+  }
+  if (result.pairs > 0) result.mean = sum / static_cast<double>(result.pairs);
+  return result;
+}
+
 }  // namespace
 
 Overlap overlap(const Scene& scene, const State& state) {
   const Plan plan = plan_for(scene, ContactModel::impulse);  // also where bodies ignore each other
   Overlap result;
+  if (plan.crowd) return crowd_overlap(scene, state);
   if (!plan.contacts()) return result;
   Candidates candidates(scene, plan);
   candidates.find(state, 0.0);

@@ -8,7 +8,7 @@
 namespace throng {
 
 /// Pairs that are inside each other: bodies with bodies, walls and the domain's box, by the exact
-/// narrowphase.
+/// narrowphase; agents with agents and the places of walls that are nearest to them.
 struct Overlap {
   std::size_t pairs = 0;  ///< overlapping pairs of convex parts
   double max = 0.0;       ///< m, the deepest; 0 where nothing overlaps

@@ -65,6 +65,10 @@ std::vector<Stage> stages(const Scene& scene, const Plan& plan) {
       {"solve", plan.contacts(),
        plan.contacts() ? "contacts, " + substeps : (off ? no_contact : "nothing to touch")},
       {"friction", plan.friction, plan.friction ? "some surface rubs" : "no surface rubs"},
+      {"crowd", plan.crowd,
+       plan.crowd ? counted(scene.crowd.size(), "agent") + " look, steer, walk and leave at " +
+                        (scene.crowd.groups.size() > 1 ? "their goals" : "their goal")
+                  : "no agents"},
       {"wrap", plan.periodic, plan.periodic ? "the domain is periodic" : "the domain is not periodic"},
   };
 }
@@ -84,6 +88,7 @@ Plan plan_for(const Scene& scene, ContactModel contact) {
   plan.pairs = touching && dynamic + count(scene, BodyKind::kinematic) > 1;
   plan.obstacles = touching && (!scene.walls.empty() || count(scene, BodyKind::fixed) > 0);
   plan.box = touching && scene.domain.kind == DomainKind::box;
+  plan.crowd = scene.crowd.size() > 0;
   plan.periodic = scene.domain.kind == DomainKind::periodic;
   plan.polygons = any_moving(scene, [&](std::size_t row) { return !is_disc(scene, row); });
   plan.composites = any_moving(

@@ -16,6 +16,7 @@ std::int64_t Time::steps() const {
 
 double mass(const Scene& scene, std::size_t row) {
   const Bodies& bodies = scene.bodies;
+  if (bodies.kind[row] == BodyKind::agent) return kAgentMass;
   const Shape& shape = scene.shapes[bodies.shape[row]];
   const double radius = bodies.radius[row];
   const double area = shape.kind == ShapeKind::disc ? std::numbers::pi * radius * radius : shape.area;

@@ -6,17 +6,16 @@
 #include <vector>
 
 #include "narrowphase/convex.h"
+#include "sim/crowd/crowd.h"
 #include "sim/record.h"
 
 /// What is simulated: read once from a scenario, const ever after. What changes stands in `State`.
 namespace throng {
 
-using Vec = Eigen::Vector2d;
-
 enum class Engine { native, box2d };
 enum class ContactModel { none, impulse };
 enum class DomainKind { unbounded, box, periodic };
-enum class BodyKind : std::uint8_t { dynamic, fixed, kinematic };  // `fixed` is the file's "static"
+enum class BodyKind : std::uint8_t { dynamic, fixed, kinematic, agent };  // `fixed` is the file's "static"
 enum class ShapeKind { disc, polygon, composite };
 
 struct Material {
@@ -88,9 +87,10 @@ struct Scene {
   std::vector<Shape> shapes;
   Bodies bodies;
   std::vector<Wall> walls;
+  Crowd crowd;  ///< whose agents are the last of the bodies
 };
 
-double mass(const Scene& scene, std::size_t row);     ///< kg
+double mass(const Scene& scene, std::size_t row);     ///< kg; of an agent kAgentMass
 double inertia(const Scene& scene, std::size_t row);  ///< kg m², about the centre of mass
 
 }  // namespace throng

@@ -27,6 +27,8 @@ class Native : public Simulation {
 
   std::vector<std::pair<std::string, double>> stage_times() const override {
     const StageTimes& times = work_.times;
+    if (plan_.crowd)
+      return {{"look", times.look}, {"steer", times.steer}, {"walk", times.walk}, {"leave", times.leave}};
     if (!plan_.contacts()) return {{"integrate", times.solve}, {"store", times.store}};
     return {{"find_pairs", times.find_pairs},
             {"find_contacts", times.find_contacts},

@@ -38,6 +38,10 @@ State initial_state(const Scene& scene) {
   state.angle = bodies.angle;
   state.velocity = bodies.velocity;
   state.spin = bodies.spin;
+  if (scene.crowd.size() > 0) {
+    state.crowd.stand = state.position;
+    state.crowd.stand_step.assign(bodies.size(), 0);
+  }
   return state;
 }
 

@@ -16,6 +16,15 @@ struct ContactImpulse {
   double normal, tangent;  ///< N s
 };
 
+/// What is remembered of a crowd from step to step.
+struct CrowdState {
+  std::vector<Vec> stand;                ///< m, a row per agent: a place that it hasn't gone far from since
+  std::vector<std::int64_t> stand_step;  ///< this step
+  std::int64_t arrived = 0;              ///< agents that got to their goals and left
+  std::int64_t last_arrival = 0;         ///< step in which the last of them did
+  std::int64_t wall_corrections = 0;     ///< agent-steps in which a barrier was in the way
+};
+
 struct State {
   std::int64_t step = 0;                       ///< the time is step * dt, never a sum
   std::vector<std::uint32_t> id;               ///< the body's name; rows may move, names don't
@@ -25,6 +34,7 @@ struct State {
   std::vector<double> spin;                    ///< rad/s
   std::vector<ContactImpulse> disc_contacts;   ///< pressing in the last step, ascending by key
   std::vector<ContactImpulse> point_contacts;  ///< likewise; the points of one manifold stand together
+  CrowdState crowd;                            ///< empty where there are no agents
 };
 
 /// The state at time 0.

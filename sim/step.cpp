@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The step is the story: find pairs, find contacts, solve in substeps, store.
+// The step is the story. Of bodies: find pairs, find contacts, solve in substeps, store. Of agents: look,
+// steer, walk, leave.
 #include "sim/step.h"
 
 #include <algorithm>
@@ -124,7 +125,11 @@ double mean_radius(const Colliders& colliders) {
 }  // namespace
 
 Workspace::Workspace(const Scene& scene, const Plan& plan, int threads)
-    : workers(threads), candidates(scene, plan), finder(scene, plan), bodies(scene.bodies.size() + 1) {
+    : workers(threads),
+      candidates(scene, plan),
+      finder(scene, plan),
+      bodies(scene.bodies.size() + 1),
+      crowd(scene, threads) {
   for (SolverBody& body : bodies) body = {Vec(0.0, 0.0), Vec(0.0, 0.0), 0.0, 0.0, 0.0, 0.0};
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     if (scene.bodies.kind[i] != BodyKind::dynamic) continue;
@@ -136,7 +141,22 @@ Workspace::Workspace(const Scene& scene, const Plan& plan, int threads)
             kPushOut * mean_radius(candidates.colliders()), plan.friction};
 }
 
-void step(const Scene& scene, const Plan& plan, State& state, Workspace& work) {
+/// Agents choose their velocity and walk.
+void step_crowd(State& state, Workspace& work) {
+  StageClock clock;
+  work.crowd.look(state);
+  clock.lap(work.times.look);
+  work.crowd.steer(state, work.workers);
+  clock.lap(work.times.steer);
+  ++state.step;
+  work.crowd.walk(state, work.workers);
+  clock.lap(work.times.walk);
+  work.crowd.leave(state);
+  clock.lap(work.times.leave);
+}
+
+/// Bodies fall, meet and push each other.
+void step_bodies(const Scene& scene, const Plan& plan, State& state, Workspace& work) {
   StageClock clock;
   for (int attempt = 1;; ++attempt) {
     load(state, work.bodies);
@@ -155,6 +175,11 @@ void step(const Scene& scene, const Plan& plan, State& state, Workspace& work) {
   store(scene, plan, work.bodies, state);
   if (plan.contacts()) work.contacts.save(state);
   clock.lap(work.times.store);
+}
+
+void step(const Scene& scene, const Plan& plan, State& state, Workspace& work) {
+  if (plan.crowd) return step_crowd(state, work);
+  step_bodies(scene, plan, state, work);
 }
 
 }  // namespace throng

@@ -9,6 +9,7 @@
 #include "sim/contact/candidates.h"
 #include "sim/contact/find_contacts.h"
 #include "sim/contact/solve.h"
+#include "sim/crowd/walk.h"
 #include "sim/plan.h"
 #include "sim/scene.h"
 #include "sim/state.h"
@@ -20,6 +21,7 @@ namespace throng {
 /// How long the stages took so far.
 struct StageTimes {
   double find_pairs = 0.0, find_contacts = 0.0, solve = 0.0, store = 0.0;  ///< s
+  double look = 0.0, steer = 0.0, walk = 0.0, leave = 0.0;                 ///< s, of crowds
 };
 
 /// What a step needs besides the state and may forget: buffers, and indexes of what never moves.
@@ -32,13 +34,14 @@ struct Workspace {
   Contacts contacts;
   std::vector<SolverBody> bodies;  ///< a row per body, and one for all obstacles
   SolverSettings solver;
+  Walk crowd;
   StageTimes times;
 };
 
 /// Advances `state` by dt. Allocates nothing once its buffers have grown. Semi-implicit Euler in substeps:
-/// free fall is late by g h t / 2, h = dt / substeps. Throws SimulationError where a body is no longer at a
-/// finite place, where so much happens within dt that contacts might be missed, and as `Candidates::find`;
-/// `state` is then that of the step's beginning, but where a place isn't finite.
+/// free fall is late by g h t / 2, h = dt / substeps; agents walk dt at once. Throws SimulationError where a
+/// body is no longer at a finite place, where so much happens within dt that contacts might be missed, and as
+/// `Candidates::find`; `state` is then that of the step's beginning, but where a place isn't finite.
 void step(const Scene& scene, const Plan& plan, State& state, Workspace& workspace);
 
 }  // namespace throng

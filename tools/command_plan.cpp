@@ -35,7 +35,8 @@ Json to_json(const Scene& scene, const Plan& plan) {
     stages.push_back({{"stage", stage.name}, {"runs", stage.runs}, {"reason", stage.reason}});
   return {{"scenario", scene.name},
           {"engine", scene.engine == Engine::box2d ? "box2d" : "native"},
-          {"bodies", scene.bodies.size()},
+          {"bodies", scene.bodies.size() - scene.crowd.size()},
+          {"agents", scene.crowd.size()},
           {"dynamic", count(scene, BodyKind::dynamic)},
           {"static", count(scene, BodyKind::fixed)},
           {"kinematic", count(scene, BodyKind::kinematic)},
@@ -58,10 +59,11 @@ std::string size_text(double bytes) {
 }
 
 void print(const Scene& scene, const Plan& plan) {
-  std::printf("%s: %s (%zu dynamic, %zu static, %zu kinematic), %s; engine %s\n",
-              printable(scene.name).c_str(), counted_bodies(scene.bodies.size()).c_str(),
+  std::printf("%s: %s (%zu dynamic, %zu static, %zu kinematic), %s, %s; engine %s\n",
+              printable(scene.name).c_str(), counted_bodies(scene.bodies.size() - scene.crowd.size()).c_str(),
               count(scene, BodyKind::dynamic), count(scene, BodyKind::fixed),
               count(scene, BodyKind::kinematic),
+              counted(static_cast<std::int64_t>(scene.crowd.size()), "agent").c_str(),
               counted(static_cast<std::int64_t>(scene.walls.size()), "wall").c_str(),
               scene.engine == Engine::box2d ? "box2d" : "native");
   std::printf("%lld steps of %g s in %d substeps\n\n", static_cast<long long>(scene.time.steps()),

@@ -33,8 +33,11 @@ int validate(const Options& options) {
   const Loaded loaded = load_or_throw(options.file, options.overrides);
   const Scene& scene = loaded.scene;
   const auto size = [](const auto& list) { return static_cast<std::int64_t>(list.size()); };
-  std::printf("%s: ok, %s, %s, %s, %s, %s\n", options.file.c_str(),
-              counted_bodies(scene.bodies.size()).c_str(), counted(size(scene.shapes), "shape").c_str(),
+  const std::size_t agents = scene.crowd.size();
+  std::printf("%s: ok, %s, %s, %s, %s, %s, %s\n", options.file.c_str(),
+              counted_bodies(scene.bodies.size() - agents).c_str(),
+              counted(static_cast<std::int64_t>(agents), "agent").c_str(),
+              counted(size(scene.shapes), "shape").c_str(),
               counted(size(scene.materials), "material").c_str(), counted(size(scene.walls), "wall").c_str(),
               counted(scene.time.steps(), "step").c_str());
   return 0;

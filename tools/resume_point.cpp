@@ -67,6 +67,9 @@ bool belongs(const Checkpoint& checkpoint, const std::string& file, const Kept& 
   if (checkpoint.state.id.size() != kept.recording.bodies_of_run())
     throw InputError(file + " has " + std::to_string(checkpoint.state.id.size()) + " bodies, " + kept.source +
                      " has " + std::to_string(kept.recording.bodies_of_run()));
+  if (checkpoint.state.crowd.arrived > 0)
+    throw InputError(file + " remembers " + std::to_string(checkpoint.state.crowd.arrived) +
+                     " arrived, but no agents are recorded in " + kept.source);
   if (origin.frames > kept.frames) {
     std::fprintf(stderr, "throng: warning: %s follows %llu frames, %s has %zu: it can't be used\n",
                  file.c_str(), static_cast<unsigned long long>(origin.frames), kept.source.c_str(),

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <numeric>
 
+#include "sim/crowd/walk.h"
 #include "sim/observe.h"
 
 namespace throng::tools {
@@ -23,6 +24,19 @@ std::string hex(std::uint64_t hash) {
   char text[17];
   std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
   return text;
+}
+
+/// What only scenes with agents have.
+Json crowd_summary(const Scene& scene, const State& state) {
+  Json stuck = Json::array();
+  for (const StuckAgent& agent : stuck_agents(scene, state))
+    stuck.push_back({{"id", agent.id}, {"position", {agent.position.x(), agent.position.y()}}});
+  const CrowdState& crowd = state.crowd;
+  const double last = static_cast<double>(crowd.last_arrival) * scene.time.dt;
+  return {{"arrived", crowd.arrived},
+          {"last_arrival", crowd.arrived > 0 ? Json(last) : Json(nullptr)},
+          {"wall_corrections", crowd.wall_corrections},
+          {"stuck_agents", stuck}};
 }
 
 }  // namespace
@@ -55,24 +69,26 @@ Json summary(const Scene& scene, const Simulation& simulation, const RunTimes& t
   Json stages = Json::object();
   for (const auto& [name, total] : simulation.stage_times())
     stages[name] = 1e3 * total / static_cast<double>(std::max<std::int64_t>(times.steps(), 1));
-  return {{"scenario", scene.name},
-          {"engine", scene.engine == Engine::box2d ? "box2d" : "native"},
-          {"steps", state.step},
-          {"time", static_cast<double>(state.step) * scene.time.dt},
-          {"bodies", scene.bodies.size()},
-          {"agents", 0},
-          {"wall_s", wall},
-          {"step_ms", 1e3 * times.mean()},
-          {"step_ms_last", 1e3 * times.mean_last()},
-          {"stages", stages},
-          {"hash", hex(hash(state))},
-          {"max_overlap", overlaps.max},
-          {"mean_overlap", overlaps.mean},
-          {"kinetic_energy", kinetic_energy(scene, state)},
-          {"potential_energy", potential_energy(scene, state)},
-          {"momentum", {p.x(), p.y()}},
-          {"contacts", simulation.contacts()},
-          {"output", output.empty() ? Json(nullptr) : Json(output)}};
+  Json result = {{"scenario", scene.name},
+                 {"engine", scene.engine == Engine::box2d ? "box2d" : "native"},
+                 {"steps", state.step},
+                 {"time", static_cast<double>(state.step) * scene.time.dt},
+                 {"bodies", scene.bodies.size() - scene.crowd.size()},
+                 {"agents", scene.crowd.size()},
+                 {"wall_s", wall},
+                 {"step_ms", 1e3 * times.mean()},
+                 {"step_ms_last", 1e3 * times.mean_last()},
+                 {"stages", stages},
+                 {"hash", hex(hash(state))},
+                 {"max_overlap", overlaps.max},
+                 {"mean_overlap", overlaps.mean},
+                 {"kinetic_energy", kinetic_energy(scene, state)},
+                 {"potential_energy", potential_energy(scene, state)},
+                 {"momentum", {p.x(), p.y()}},
+                 {"contacts", simulation.contacts()},
+                 {"output", output.empty() ? Json(nullptr) : Json(output)}};
+  if (scene.crowd.size() > 0) result.update(crowd_summary(scene, state));
+  return result;
 }
 
 void print(const Json& summary) {

@@ -27,7 +27,7 @@ namespace {
 using Bytes = std::span<const std::byte>;
 
 constexpr std::array<char, 8> kMagic{'t', 'h', 'r', 'o', 'n', 'g', 'C', 'K'};
-constexpr std::uint64_t kLayout = 1;  // grows with every change of State
+constexpr std::uint64_t kLayout = 2;  // grows with every change of State
 
 struct Header {
   std::array<char, 8> magic = kMagic;
@@ -35,6 +35,8 @@ struct Header {
   std::array<char, 32> version{};
   std::int64_t step = 0;
   std::uint64_t scenario_bytes = 0, bodies = 0, disc_contacts = 0, point_contacts = 0;
+  std::uint64_t agents = 0;  // rows of CrowdState: as many as bodies, or none
+  std::int64_t arrived = 0, last_arrival = 0, wall_corrections = 0;
   std::uint64_t frames = 0, frames_hash = 0;
   std::uint64_t content_hash = 0;
   std::uint64_t hash = 0;  // of all above
@@ -71,8 +73,14 @@ struct Columns {
 
 template <class S, class F>
 void for_each_array(S& state, F visit) {
-  auto& [step, id, position, angle, velocity, spin, disc_contacts, point_contacts] = state;  // all of State
+  auto& [step, id, position, angle, velocity, spin, disc_contacts, point_contacts, crowd] = state;  // all
   visit(id), visit(position), visit(angle), visit(velocity), visit(spin);
+}
+
+template <class C, class F>
+void for_each_crowd_array(C& crowd, F visit) {
+  auto& [stand, stand_step, arrived, last_arrival, wall_corrections] = crowd;  // all of CrowdState
+  visit(stand), visit(stand_step);
 }
 
 template <class C, class F>
@@ -86,6 +94,7 @@ std::vector<Bytes> content(const std::string& scenario, const State& state, cons
   std::vector<Bytes> all{std::as_bytes(std::span(scenario))};
   const auto add = [&](const auto& array) { all.push_back(std::as_bytes(std::span(array))); };
   for_each_array(state, add);
+  for_each_crowd_array(state.crowd, add);
   for_each_column(discs, add);
   for_each_column(points, add);
   return all;
@@ -135,6 +144,10 @@ Header header_for(const CheckpointOrigin& origin, const State& state) {
   header.bodies = state.id.size();
   header.disc_contacts = state.disc_contacts.size();
   header.point_contacts = state.point_contacts.size();
+  header.agents = state.crowd.stand.size();
+  header.arrived = state.crowd.arrived;
+  header.last_arrival = state.crowd.last_arrival;
+  header.wall_corrections = state.crowd.wall_corrections;
   header.frames = origin.frames;
   header.frames_hash = origin.frames_hash;
   return header;
@@ -175,12 +188,15 @@ Header read_header(int fd, const std::string& path, std::uint64_t size) {
 /// against.
 void expect_size(const std::string& path, const Header& header, std::uint64_t size) {
   constexpr std::uint64_t body = sizeof(std::uint32_t) + 6 * sizeof(double);
+  constexpr std::uint64_t agent = 2 * sizeof(double) + sizeof(std::int64_t);
   constexpr std::uint64_t contact = sizeof(std::uint64_t) + sizeof(std::uint32_t) + 2 * sizeof(double);
-  const std::uint64_t counts[] = {header.scenario_bytes, header.bodies, header.disc_contacts,
+  const std::uint64_t counts[] = {header.scenario_bytes, header.bodies, header.agents, header.disc_contacts,
                                   header.point_contacts};
   const bool bounded = std::all_of(std::begin(counts), std::end(counts), [&](auto n) { return n <= size; });
-  if (!bounded || size != sizeof header + header.scenario_bytes + body * header.bodies +
-                              contact * (header.disc_contacts + header.point_contacts))
+  const bool crowd = header.agents == 0 || header.agents == header.bodies;
+  if (!bounded || !crowd ||
+      size != sizeof header + header.scenario_bytes + body * header.bodies + agent * header.agents +
+                  contact * (header.disc_contacts + header.point_contacts))
     refuse_damaged(path, "its size is not what its header says");
 }
 
@@ -189,20 +205,30 @@ bool is_ascending(const std::vector<ContactImpulse>& contacts) {
                         [](const ContactImpulse& a, const ContactImpulse& b) { return a.key < b.key; });
 }
 
+/// All different, and from 1 to as many as there were before agents arrived.
+bool are_names(std::vector<std::uint32_t> id, std::int64_t arrived) {
+  std::sort(id.begin(), id.end());
+  return std::adjacent_find(id.begin(), id.end()) == id.end() &&
+         (id.empty() || (id.front() > 0 && id.back() <= id.size() + static_cast<std::uint64_t>(arrived)));
+}
+
+bool is_sound(const CrowdState& crowd, std::int64_t step) {
+  const auto past = [step](std::int64_t s) { return s >= 0 && s <= step; };
+  return std::all_of(crowd.stand.begin(), crowd.stand.end(), [](const Vec& p) { return p.allFinite(); }) &&
+         std::all_of(crowd.stand_step.begin(), crowd.stand_step.end(), past) && past(crowd.last_arrival) &&
+         crowd.arrived >= 0 && crowd.wall_corrections >= 0;
+}
+
 bool is_sound(const State& state) {
   const auto finite = [](const ContactImpulse& c) {
     return std::isfinite(c.normal) && std::isfinite(c.tangent);
   };
-  std::vector<bool> seen(state.id.size());
-  for (std::size_t row = 0; row < state.id.size(); ++row) {
-    const std::uint32_t id = state.id[row];
-    if (id == 0 || id > seen.size() || seen[id - 1]) return false;
-    seen[id - 1] = true;
+  for (std::size_t row = 0; row < state.id.size(); ++row)
     if (!state.position[row].allFinite() || !state.velocity[row].allFinite() ||
         !std::isfinite(state.angle[row]) || !std::isfinite(state.spin[row]))
       return false;
-  }
-  return state.step >= 0 && is_ascending(state.disc_contacts) && is_ascending(state.point_contacts) &&
+  return state.step >= 0 && is_sound(state.crowd, state.step) && are_names(state.id, state.crowd.arrived) &&
+         is_ascending(state.disc_contacts) && is_ascending(state.point_contacts) &&
          std::all_of(state.disc_contacts.begin(), state.disc_contacts.end(), finite) &&
          std::all_of(state.point_contacts.begin(), state.point_contacts.end(), finite);
 }
@@ -223,6 +249,12 @@ Checkpoint read_content(int fd, const std::string& path, const Header& header) {
     array.resize(header.bodies);
     read_array(array);
   });
+  for_each_crowd_array(state.crowd, [&](auto& array) {
+    array.resize(header.agents);
+    read_array(array);
+  });
+  state.crowd.arrived = header.arrived, state.crowd.last_arrival = header.last_arrival;
+  state.crowd.wall_corrections = header.wall_corrections;
   for_each_column(discs, read_array);
   for_each_column(points, read_array);
   if (header.content_hash != hash_of(content(origin.scenario, state, discs, points)))

@@ -21,7 +21,7 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 
 // Where things stand in the header: see sim/recording/checkpoint.cpp.
-constexpr std::size_t kHeader = 120, kCounts = 56, kContentHash = 104, kHash = 112;  // bytes
+constexpr std::size_t kHeader = 152, kCounts = 56, kContentHash = 136, kHash = 144;  // bytes
 
 std::uint64_t number_at(const Bytes& bytes, std::size_t at) {
   std::uint64_t number;
@@ -39,6 +39,7 @@ std::uint64_t content_hash(const Bytes& bytes) {
   constexpr std::array<std::uint64_t, 4> contact{8, 4, 8, 8};
   std::vector<std::uint64_t> sizes{number_at(bytes, kCounts)};
   for (const std::uint64_t one : body) sizes.push_back(one * number_at(bytes, kCounts + 8));
+  for (const std::uint64_t one : {16, 8}) sizes.push_back(one * number_at(bytes, kCounts + 32));  // agents
   for (const std::size_t kind : {16, 24})
     for (const std::uint64_t one : contact) sizes.push_back(one * number_at(bytes, kCounts + kind));
   std::uint64_t chain = recording::kEmptyChain;
@@ -59,13 +60,16 @@ void mend(Bytes& bytes) {
 }
 
 void expect_sound(const State& state) {
-  const std::size_t n = state.id.size();
+  const std::size_t n = state.id.size(), agents = state.crowd.stand.size();
+  const std::size_t names = n + static_cast<std::size_t>(state.crowd.arrived);
   expect(state.step >= 0, "the step is not before the start");
+  expect(state.crowd.arrived >= 0 && state.crowd.wall_corrections >= 0, "crowds count upwards");
+  expect((agents == 0 || agents == n) && state.crowd.stand_step.size() == agents, "a row an agent, or none");
   expect(state.position.size() == n && state.angle.size() == n && state.velocity.size() == n &&
              state.spin.size() == n,
          "a row a body");
   for (std::size_t row = 0; row < n; ++row)
-    expect(state.id[row] >= 1 && state.id[row] <= n && state.position[row].allFinite() &&
+    expect(state.id[row] >= 1 && state.id[row] <= names && state.position[row].allFinite() &&
                state.velocity[row].allFinite() && std::isfinite(state.angle[row] + state.spin[row]),
            "bodies are numbered, their motion is finite");
 }
@@ -73,7 +77,7 @@ void expect_sound(const State& state) {
 /// Contacts of the file may be of bodies that do not touch, or do not exist.
 void go_on(const State& state) {
   static const Scene scene = testing_recordings::mixed_scene(5);
-  if (state.id.size() != scene.bodies.size()) return;
+  if (state.id.size() != scene.bodies.size() || state.crowd.arrived > 0) return;  // as `throng resume`
   const std::unique_ptr<Simulation> run = simulation(scene);
   if (!run->restore(state)) return;
   try {

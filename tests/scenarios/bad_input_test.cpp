@@ -47,11 +47,8 @@ const Case kCases[] = {
      "s.toml:3:1: error: walls[0].segmnt: unknown key, did you mean \"segment\"?"},
     {"domain.sphere = 1", "s.toml:2:8: error: domain.sphere: unknown key"},
     // not supported yet
-    {"areas.a = 'POLYGON'", "s.toml:2:1: error: areas: not supported yet: areas"},
-    {"[[agents]]\ncount = 1", "error: agents: not supported yet: agents"},
     {"[[sensors]]\nradius = 1", "error: sensors: not supported yet: sensors"},
     {"[[measure]]\nname = 'x'", "error: measure: not supported yet: measure"},
-    {"walkable = 'POLYGON'", "s.toml:2:1: error: walkable: not supported yet: walkable"},
     {"engine = 'event_driven'", "s.toml:2:10: error: engine: not supported yet: engine"},
     {"contact = { model = 'spring' }", "s.toml:2:21: error: contact.model: not supported yet: contact.model"},
     {"contact = { model = 'hertz' }", "s.toml:2:21: error: contact.model: not supported yet: contact.model"},

@@ -61,6 +61,20 @@ inline void expect_same(const Scene& a, const Scene& b) {
     EXPECT_EQ(a.walls[i].closed, b.walls[i].closed);
     EXPECT_EQ(a.walls[i].material, b.walls[i].material);
   }
+  EXPECT_EQ(a.crowd.walkable.rings, b.crowd.walkable.rings);
+  EXPECT_EQ(a.crowd.group, b.crowd.group);
+  EXPECT_EQ(a.crowd.desired_speed, b.crowd.desired_speed);
+  ASSERT_EQ(a.crowd.areas.size(), b.crowd.areas.size());
+  for (std::size_t i = 0; i < a.crowd.areas.size(); ++i) {
+    EXPECT_EQ(a.crowd.areas[i].name, b.crowd.areas[i].name);
+    EXPECT_EQ(a.crowd.areas[i].region.rings, b.crowd.areas[i].region.rings);
+  }
+  ASSERT_EQ(a.crowd.groups.size(), b.crowd.groups.size());
+  for (std::size_t i = 0; i < a.crowd.groups.size(); ++i) {
+    EXPECT_EQ(a.crowd.groups[i].model, b.crowd.groups[i].model);
+    EXPECT_EQ(a.crowd.groups[i].parameters, b.crowd.groups[i].parameters);
+    EXPECT_EQ(a.crowd.groups[i].goal, b.crowd.groups[i].goal);
+  }
 }
 
 }  // namespace throng::testing

@@ -70,7 +70,8 @@ TEST_P(SettledScene, StepsWithoutAllocating) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Gallery, SettledScene,
-                         ::testing::Values("gas", "cradle", "billiard", "hopper", "gears", "mixed"),
+                         ::testing::Values("gas", "cradle", "billiard", "hopper", "gears", "mixed",
+                                           "corridor", "bottleneck"),
                          [](const auto& scene) { return std::string(scene.param); });
 
 }  // namespace

@@ -191,6 +191,20 @@ TEST_F(Resume, RefusesCheckpointsThatBelongElsewhere) {
   EXPECT_EQ(throng("replay --verify " + part).out, "verified: 41 frames\n");
 }
 
+/// A name above the number of bodies is sound in a crowd that others have left, and would be read past the
+/// end of the scene's arrays in a scene of bodies.
+TEST_F(Resume, RefusesACheckpointOfBodiesThatArrived) {
+  const std::string part = made("a.h5", "0.4");
+  alter_checkpoint(part, [](Checkpoint& c) {
+    c.state.crowd.arrived = 1'000'000;
+    c.state.id[0] = 1'000'000;
+  });
+  const Result result = resume(part + " --until 1");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err,
+              HasSubstr("a.h5.ckpt remembers 1000000 arrived, but no agents are recorded in " + part));
+}
+
 /// Frames that are there already are the proof that nothing computes otherwise.
 TEST_F(Resume, StopsWhereItComputesOtherwiseThanWhatIsRecorded) {
   const std::string part = made("a.h5", "0.4");

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "scenarios/distribution.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scenarios/read.h"
+#include "sim/crowd/exponential.h"
+
+namespace throng::scenarios {
+
+namespace {
+
+constexpr int kMostDraws = 1000;
+constexpr double kCutOff = 3.0;  // standard deviations, of a normal distribution without cut-offs of its own
+
+/// With this mean and standard deviation, of the number itself.
+double draw_lognormal(double mean, double deviation, Random& random) {
+  const double ratio = deviation / mean, variance = logarithm(1.0 + ratio * ratio);
+  return mean * exponential(std::sqrt(variance) * random.normal() - 0.5 * variance);
+}
+
+double draw_once(const Distribution& d, Random& random) {
+  switch (d.kind) {
+    case Distribution::Kind::uniform:
+      return random.uniform(d.a, d.b);
+    case Distribution::Kind::normal:
+      return d.a + d.b * random.normal();
+    case Distribution::Kind::lognormal:
+      return draw_lognormal(d.a, d.b, random);
+    case Distribution::Kind::fixed:
+      break;
+  }
+  return d.a;
+}
+
+Distribution from_table(const toml::table& table) {
+  using Kind = Distribution::Kind;
+  Distribution result;
+  for (const auto& [key, kind] :
+       {std::pair{"uniform", Kind::uniform}, {"normal", Kind::normal}, {"lognormal", Kind::lognormal}})
+    if (const toml::node* node = table.get(key)) {
+      const Vec numbers = point(*node);
+      result = {kind, numbers.x(), numbers.y(), 0.0, 0.0};
+    }
+  return result;
+}
+
+}  // namespace
+
+Distribution read_distribution(const toml::node& node, double least, double most, const std::string& path,
+                               Report& report) {
+  using Kind = Distribution::Kind;
+  if (!node.is_table()) return {Kind::fixed, number(node), 0.0, least, most};
+  const toml::table& table = *node.as_table();
+  Distribution result = from_table(table);
+  const double spread = result.kind == Kind::normal ? kCutOff * result.b : most;
+  result.low = std::max(least, result.a - spread), result.high = std::min(most, result.a + spread);
+  if (result.kind == Kind::uniform) {
+    result.low = result.a, result.high = result.b;
+  } else if (const toml::node* within = table.get("within")) {
+    const Vec bounds = point(*within);
+    result.low = bounds.x(), result.high = bounds.y();
+  }
+  if (!(result.low <= result.high))
+    report.error(node, path, "must have its lower bound first");
+  else if (result.kind != Kind::uniform &&
+           (result.low > result.a + kCutOff * result.b || result.high < result.a - kCutOff * result.b))
+    report.error(node, path,
+                 "must have a range `within` that its mean is no more than 3 standard deviations away from");
+  return result;
+}
+
+double draw(const Distribution& distribution, Random& random) {
+  if (distribution.kind == Distribution::Kind::fixed) return distribution.a;
+  double x = 0.0;
+  for (int i = 0; i < kMostDraws; ++i) {
+    x = draw_once(distribution, random);
+    if (x >= distribution.low && x <= distribution.high) return x;
+  }
+  return std::clamp(x, distribution.low, distribution.high);
+}
+
+}  // namespace throng::scenarios

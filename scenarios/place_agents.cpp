@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <limits>
+
+#include "scenarios/body_grid.h"
+#include "scenarios/read_crowd.h"
+#include "sim/crowd/model.h"
+#include "sim/crowd/walk.h"
+
+namespace throng::scenarios {
+
+namespace {
+
+constexpr int kMostTries = 20'000;                              // for one agent
+constexpr std::int64_t kTries = 1'000'000, kTriesEach = 1'000;  // for all of them: an end within seconds
+
+std::uint32_t disc_shape(Scene& scene) {
+  Shape shape;
+  shape.name = "agent";
+  scene.shapes.push_back(shape);
+  return static_cast<std::uint32_t>(scene.shapes.size() - 1);
+}
+
+void add_agent(const AgentEntry& entry, std::uint32_t group, std::uint32_t shape, Scene& scene) {
+  Bodies& bodies = scene.bodies;
+  const auto id = static_cast<std::uint32_t>(bodies.size() + 1);
+  Random radius(scene.seed, 0, id, Purpose::radius), speed(scene.seed, 0, id, Purpose::desired_speed);
+  bodies.shape.push_back(shape);
+  bodies.material.push_back(0);
+  bodies.kind.push_back(BodyKind::agent);
+  bodies.radius.push_back(draw(entry.radius, radius));
+  bodies.position.push_back(entry.at);
+  bodies.angle.push_back(0.0);
+  bodies.velocity.push_back(Vec(0.0, 0.0));
+  bodies.spin.push_back(0.0);
+  scene.crowd.group.push_back(group);
+  scene.crowd.desired_speed.push_back(draw(entry.desired_speed, speed));
+}
+
+/// Random sequential addition, in the order of the ids.
+class AgentPlacer {
+ public:
+  AgentPlacer(Scene& scene, Report& report, double farthest)
+      : scene_(scene),
+        report_(report),
+        barriers_(barrier_lines(scene), farthest),
+        agents_(scene.domain, farthest, scene.crowd.size()),
+        tries_left_(kTries + kTriesEach * static_cast<std::int64_t>(scene.crowd.size())) {}
+
+  void place(const AgentEntry& entry, std::uint32_t row) {
+    entry.random ? place_at_random(entry, row) : place_by_hand(entry, row);
+  }
+
+ private:
+  bool stands(const Vec& p, double clear) const {
+    return contains(scene_.crowd.walkable, p) && !(barriers_.distance(p, clear) < clear);
+  }
+
+  void place_by_hand(const AgentEntry& entry, std::uint32_t row) {
+    const double radius = scene_.bodies.radius[row];
+    if (!stands(entry.at, radius))
+      report_.error(*entry.node->as_table()->get("at"), entry.path + ".at",
+                    "an agent of radius " + to_text(radius) + " m at [" + to_text(entry.at.x()) + ", " +
+                        to_text(entry.at.y()) + "] is not wholly on the walkable area, or overlaps a wall");
+    agents_.add(row, entry.at, radius);
+  }
+
+  void place_at_random(const AgentEntry& entry, std::uint32_t row) {
+    const double radius = scene_.bodies.radius[row];
+    const Eigen::AlignedBox2d box = bounds(entry.within);
+    Random random(scene_.seed, 0, row + 1, Purpose::place);
+    for (int i = 0; i < kMostTries && tries_left_ > 0; ++i, --tries_left_) {
+      const double x = random.uniform(box.min().x(), box.max().x());
+      const double y = random.uniform(box.min().y(), box.max().y());
+      if (!is_free({x, y}, radius, entry)) continue;
+      scene_.bodies.position[row] = {x, y};
+      agents_.add(row, {x, y}, radius);
+      return;
+    }
+    report_.mark_bad(*entry.node);
+    report_.error(*entry.node->as_table()->get("place"), entry.path + ".place.random",
+                  "agent " + std::to_string(row + 1) +
+                      " found no free place: take a larger `within`, or fewer or smaller agents");
+  }
+
+  bool is_free(const Vec& p, double radius, const AgentEntry& entry) const {
+    return contains(entry.within, p) && (nearest_on_border(entry.within, p) - p).norm() >= radius &&
+           !agents_.visit_near(p, radius + entry.gap,
+                               [](std::uint32_t, const Vec&, double) { return true; }) &&
+           stands(p, radius + entry.gap);
+  }
+
+  Scene& scene_;
+  Report& report_;
+  Barriers barriers_;
+  BodyGrid agents_;
+  std::int64_t tries_left_;
+};
+
+void check_step(const AgentEntry& entry, const AgentGroup& group, std::uint32_t first, const Scene& scene,
+                Report& report) {
+  const auto model = walking_models()[group.model].make(group.parameters);
+  double longest = std::numeric_limits<double>::infinity();
+  for (std::uint32_t row = first; row < first + entry.count; ++row)
+    longest =
+        std::min(longest, model->longest_step(scene.bodies.radius[row], scene.crowd.desired_speed[row]));
+  if (scene.time.dt <= longest) return;
+  report.error(
+      *entry.node->as_table()->get("model"), entry.path + ".model",
+      "needs time.dt to be at most " + to_text(longest) + " s, and it is " + to_text(scene.time.dt) + " s");
+}
+
+}  // namespace
+
+void place_agents(std::span<const AgentEntry> entries, Scene& scene, Report& report) {
+  if (entries.empty()) return;
+  const std::uint32_t shape = disc_shape(scene);
+  std::vector<std::uint32_t> first;
+  double farthest = 0.0;
+  for (std::uint32_t group = 0; group < entries.size(); ++group) {
+    first.push_back(static_cast<std::uint32_t>(scene.bodies.size()));
+    for (std::uint32_t i = 0; i < entries[group].count; ++i) add_agent(entries[group], group, shape, scene);
+    for (std::uint32_t row = first[group]; row < scene.bodies.size(); ++row)
+      farthest = std::max(farthest, scene.bodies.radius[row] + entries[group].gap);
+    check_step(entries[group], scene.crowd.groups[group], first[group], scene, report);
+  }
+  AgentPlacer placer(scene, report, farthest);
+  for (std::uint32_t group = 0; group < entries.size(); ++group)
+    for (std::uint32_t i = 0; i < entries[group].count && !report.bad(*entries[group].node); ++i)
+      placer.place(entries[group], first[group] + i);
+}
+
+}  // namespace throng::scenarios

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include "scenarios/read_crowd.h"
+
+#include <algorithm>
+
+#include "scenarios/limits.h"
+#include "scenarios/path.h"
+#include "scenarios/polygon_check.h"
+#include "sim/crowd/model.h"
+
+namespace throng::scenarios {
+
+namespace {
+
+/// The region of a well-known text or of a list of points; empty where it was reported.
+Region read_region(const toml::node& node, const Path& path, Report& report) {
+  const auto fail = [&](const std::string& why) {
+    report.mark_bad(node);
+    report.error(node, path.text(), why);
+    return Region();
+  };
+  const std::string wkt = node.is_string() ? node.as_string()->get() : polygon_wkt(points(node));
+  Wkt read = read_wkt(wkt);
+  if (!read.refusal.empty()) return fail(read.refusal);
+  if (const std::string fault = polygon_fault(wkt); !fault.empty()) return fail(fault);
+  Region region;
+  for (WktLine& line : read.lines) {
+    if (!line.closed) return fail("must be a POLYGON or a MULTIPOLYGON");
+    if (const std::string fault = too_short(line.points, true); !fault.empty()) return fail(fault);
+    line.points.erase(std::unique(line.points.begin(), line.points.end()), line.points.end());
+    region.rings.push_back(std::move(line.points));
+  }
+  return region;
+}
+
+Region region_of(const Eigen::AlignedBox2d& box) {
+  const Vec &low = box.min(), &high = box.max();
+  return {{{low, {high.x(), low.y()}, high, {low.x(), high.y()}}}};
+}
+
+/// Row of the area of this name, which the check found.
+std::uint32_t area_row(const std::string& name, const Scene& scene) {
+  const std::vector<Area>& areas = scene.crowd.areas;
+  const auto found =
+      std::find_if(areas.begin(), areas.end(), [&](const Area& area) { return area.name == name; });
+  return static_cast<std::uint32_t>(found - areas.begin());
+}
+
+class AgentReader {
+ public:
+  AgentReader(const toml::table& table, const Path& path, Scene& scene, Report& report)
+      : table_(table), path_(path), scene_(scene), report_(report) {}
+
+  AgentEntry read(std::uint32_t index) {
+    entry_.node = &table_;
+    entry_.path = path_.text();
+    entry_.count = static_cast<std::uint32_t>(number(table_, "count", 1.0));
+    entry_.radius = distribution("radius", 0.2, kShortest, kFarthest);
+    entry_.desired_speed = distribution("desired_speed", 1.34, 0.0, kFastest);
+    read_group(index);
+    read_place();
+    return entry_;
+  }
+
+ private:
+  Distribution distribution(const char* key, double preset, double least, double most) {
+    const toml::node* node = table_.get(key);
+    if (!node) return {Distribution::Kind::fixed, preset, 0.0, least, most};
+    const int errors = report_.errors();
+    const Distribution result = read_distribution(*node, least, most, Path(path_, key).text(), report_);
+    if (report_.errors() > errors) report_.mark_bad(table_);
+    return result;
+  }
+
+  void read_group(std::uint32_t index) {
+    const std::string name = text(table_, "model", "");
+    const auto kinds = walking_models();
+    AgentGroup group;
+    group.index = index;
+    group.goal = area_row(text(table_, "goal", ""), scene_);
+    for (std::uint32_t row = 0; row < kinds.size(); ++row) {
+      const toml::node* node = table_.get(kinds[row].name);
+      if (name == kinds[row].name) {
+        group.model = row;
+        for (const ModelParameter& parameter : kinds[row].parameters)
+          group.parameters.push_back(node ? number(*node->as_table(), parameter.key, parameter.preset)
+                                          : parameter.preset);
+      } else if (node) {
+        fail(*node, kinds[row].name,
+             "belongs to another model than " + in_quotes(name) + ", which this group has");
+      }
+    }
+    scene_.crowd.groups.push_back(std::move(group));
+  }
+
+  void read_place() {
+    if (const toml::node* at = table_.get("at")) {
+      entry_.at = point(*at);
+      if (entry_.count > 1) fail(*at, "at", "must place one agent; place more of them by place");
+      return;
+    }
+    const toml::table& random = *table_.get("place")->as_table()->get("random")->as_table();
+    const toml::node& within = *random.get("within");
+    entry_.random = true;
+    entry_.gap = number(random, "gap", 0.0);
+    if (within.is_string()) {
+      entry_.within = scene_.crowd.areas[area_row(within.as_string()->get(), scene_)].region;
+      return;
+    }
+    entry_.within = region_of(box(within));
+    if (!(box(within).sizes().minCoeff() > 0.0))
+      fail(within, "place.random.within",
+           "must have its least x and y first, [[min x, min y], [max x, max y]]");
+  }
+
+  void fail(const toml::node& node, std::string_view key, std::string message) {
+    report_.mark_bad(table_);
+    report_.error(node, path_.text() + "." + std::string(key), std::move(message));
+  }
+
+  const toml::table& table_;
+  const Path& path_;
+  Scene& scene_;
+  Report& report_;
+  AgentEntry entry_;
+};
+
+/// What agents can't do yet, and what they need.
+void check_ground(const toml::table& root, const toml::node& agents, const Scene& scene, Report& report) {
+  if (const toml::node* bodies = root.get("bodies"))
+    report.error(*bodies, "bodies", "not supported yet: bodies beside agents");
+  if (scene.domain.kind == DomainKind::periodic)
+    report.error(*root["domain"].node(), "domain", "not supported yet: agents in a periodic domain");
+  if (scene.crowd.walkable.empty())
+    report.error(agents, "agents", "need a floor to walk on: walkable, or domain.box");
+}
+
+}  // namespace
+
+void read_areas(const toml::table& root, Scene& scene, Report& report) {
+  const Path root_path;
+  if (const toml::node* node = good(root, "walkable", report)) {
+    scene.crowd.walkable = read_region(*node, Path(root_path, "walkable"), report);
+    for (const std::vector<Vec>& ring : scene.crowd.walkable.rings) scene.walls.push_back({ring, true, 0});
+  } else if (scene.domain.kind == DomainKind::box && root.contains("agents")) {
+    scene.crowd.walkable = region_of({scene.domain.min, scene.domain.max});
+  }
+  const toml::node* areas = root.get("areas");
+  if (!areas || !areas->is_table()) return;
+  const Path path(root_path, "areas");
+  for (const auto& [name, node] : *areas->as_table()) {
+    Area area{std::string(name.str()), {}};
+    if (!report.bad(node)) area.region = read_region(node, Path(path, name.str()), report);
+    scene.crowd.areas.push_back(std::move(area));
+  }
+}
+
+std::vector<AgentEntry> read_agents(const toml::table& root, Scene& scene, Report& report) {
+  std::vector<AgentEntry> entries;
+  const toml::node* node = root.get("agents");
+  if (!node || !node->is_array()) return entries;
+  const Path root_path, path(root_path, "agents");
+  const toml::array& list = *node->as_array();
+  std::size_t total = 0;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const toml::node& item = *list.get(i);
+    if (report.bad(item)) continue;
+    const Path entry(path, i);
+    entries.push_back(
+        AgentReader(*item.as_table(), entry, scene, report).read(static_cast<std::uint32_t>(i)));
+    total += entries.back().count;
+    if (total <= kMostBodies) continue;
+    report.error(item, entry.text(), "makes more than " + std::to_string(kMostBodies) + " agents in all");
+    return entries;
+  }
+  if (!entries.empty()) check_ground(root, *node, scene, report);
+  return entries;
+}
+
+}  // namespace throng::scenarios

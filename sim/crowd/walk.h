@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "broadphase/all_lists.h"
+#include "sim/crowd/barriers.h"
+#include "sim/crowd/distance_field.h"
+#include "sim/crowd/model.h"
+#include "sim/scene.h"
+#include "sim/state.h"
+#include "sim/workers.h"
+
+/// The step of a crowd: look, steer, walk, leave. Each reads what the one before it wrote; in none does an
+/// agent see what another one did in the same step, so that neither order nor threads matter.
+namespace throng {
+
+/// What stops the scene's agents: its walls and the domain's box.
+std::vector<BarrierLine> barrier_lines(const Scene& scene);
+
+class Walk {
+ public:
+  /// Builds each goal's distance field, one for all groups that have it. Throws InputError that names group,
+  /// agent and place where no way leads from an agent to its goal. Nothing happens where there are no agents.
+  /// Expects a scene whose bodies are agents or none, which must outlive this.
+  Walk(const Scene& scene, int threads);
+
+  /// Finds who is near whom.
+  void look(const State& state);
+
+  /// Asks the models for the agents' velocities, all from the state as it is.
+  void steer(const State& state, Workers& workers);
+
+  /// Walks for dt with these velocities, without getting into barriers, and counts whom one was in the way
+  /// of.
+  void walk(State& state, Workers& workers);
+
+  /// Takes those who are in their goal out of the state.
+  void leave(State& state);
+
+ private:
+  struct Goal {
+    std::unique_ptr<FloorPlan> plan;
+    std::unique_ptr<DistanceField> field;
+  };
+
+  void build_goals();
+  void expect_ways() const;
+  std::size_t agent(const State& state, std::size_t row) const { return state.id[row] - std::size_t{1}; }
+  const AgentGroup& group(std::size_t agent) const { return scene_.crowd.groups[scene_.crowd.group[agent]]; }
+
+  const Scene& scene_;
+  Barriers barriers_;
+  std::vector<Goal> goals_;                            // as Crowd::areas; empty where no agent goes
+  std::vector<std::unique_ptr<WalkingModel>> models_;  // as Crowd::groups
+  double reach_ = 0.0;
+  broadphase::AllLists lists_;
+  broadphase::NeighbourLists near_;
+  std::vector<double> radius_, desired_speed_;
+  std::vector<Vec> towards_, velocity_;
+  std::vector<std::uint8_t> corrected_;
+};
+
+/// An agent that wanted to walk and hasn't got anywhere for kStuckTime.
+struct StuckAgent {
+  std::uint32_t id;
+  Vec position;  ///< m
+};
+inline constexpr double kStuckTime = 10.0;  ///< s
+
+/// Those of the state, by row: agents with a desired speed that for kStuckTime weren't farther than their
+/// radius from one place.
+std::vector<StuckAgent> stuck_agents(const Scene& scene, const State& state);
+
+}  // namespace throng

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "sim/crowd/model.h"
+#include "tests/scenarios/scenario_texts.h"
+
+namespace throng {
+
+using testing::faults;
+using testing::load_text;
+
+namespace {
+
+const std::string kFloor =
+    "throng = 1\nwalkable = 'POLYGON ((0 0, 10 0, 10 5, 0 5, 0 0), (4 2, 5 2, 5 3, 4 3, 4 2))'\n"
+    "[areas]\nstart = [[0, 0], [3, 0], [3, 5], [0, 5]]\nexit = 'POLYGON ((9 2, 10 2, 10 3, 9 3, 9 2))'\n";
+const std::string kGroup = "[[agents]]\nmodel = 'social_force'\ngoal = 'exit'\n";
+const std::string kRandom = "place = { random = { within = 'start' } }\n";
+
+std::string faults_of(const std::string& text) {
+  const Loaded loaded = load_text(text);
+  EXPECT_GE(loaded.errors(), 1) << text;
+  return faults(loaded);
+}
+
+void expect_fault(const std::string& text, const std::string& fault) {
+  EXPECT_NE(faults_of(text).find(fault), std::string::npos) << text << "\nsays: " << faults_of(text);
+}
+
+}  // namespace
+
+TEST(Crowd, IsReadWithItsFloorItsAreasAndItsAgents) {
+  const Loaded loaded =
+      load_text(kFloor + kGroup + kRandom + "count = 20\nradius = 0.25\nsocial_force = { mass = 70 }\n");
+  ASSERT_EQ(loaded.errors(), 0) << faults(loaded);
+  const Scene& scene = loaded.scene;
+  ASSERT_EQ(scene.crowd.walkable.rings.size(), 2u);
+  EXPECT_EQ(scene.walls.size(), 2u) << "the edges of the floor";
+  ASSERT_EQ(scene.crowd.areas.size(), 2u);
+  ASSERT_EQ(scene.crowd.size(), 20u);
+  ASSERT_EQ(scene.bodies.size(), 20u);
+  const AgentGroup& group = scene.crowd.groups.at(0);
+  EXPECT_STREQ(walking_models()[group.model].name, "social_force");
+  EXPECT_EQ(scene.crowd.areas[group.goal].name, "exit");
+  EXPECT_EQ(group.parameters[0], 70.0);
+  EXPECT_EQ(group.parameters[1], 0.5) << "what is absent has its default";
+  for (std::size_t i = 0; i < 20; ++i) {
+    EXPECT_EQ(scene.bodies.kind[i], BodyKind::agent);
+    EXPECT_EQ(scene.bodies.radius[i], 0.25);
+    EXPECT_EQ(scene.crowd.desired_speed[i], 1.34);
+    const Vec& p = scene.bodies.position[i];
+    EXPECT_TRUE(p.x() >= 0.25 && p.x() <= 2.75 && p.y() >= 0.25 && p.y() <= 4.75) << "all of it within";
+    for (std::size_t k = 0; k < i; ++k) EXPECT_GE((p - scene.bodies.position[k]).norm(), 0.5);
+  }
+}
+
+TEST(Crowd, WalksOnTheDomainsBoxWhereNoFloorIsGiven) {
+  const Loaded loaded =
+      load_text("throng = 1\ndomain.box = [[0, 0], [9, 9]]\nareas.exit = [[8, 0], [9, 0], [9, 9]]\n" +
+                kGroup + "at = [1, 1]\n");
+  ASSERT_EQ(loaded.errors(), 0) << faults(loaded);
+  EXPECT_TRUE(contains(loaded.scene.crowd.walkable, {4, 4}));
+  EXPECT_TRUE(loaded.scene.walls.empty());
+}
+
+TEST(Crowd, DrawsSpeedsOfEachKind) {
+  const auto mean = [](const std::string& speed) {
+    const Loaded loaded = load_text(
+        "throng = 1\ndomain.box = [[0, 0], [99, 99]]\nareas.exit = [[98, 0], [99, 0], [99, 9]]\n" + kGroup +
+        "place = { random = { within = [[0, 0], [99, 99]] } }\ncount = 4000\nradius = 0.1\ndesired_speed = " +
+        speed);
+    EXPECT_EQ(loaded.errors(), 0) << faults(loaded);
+    double sum = 0.0, sum2 = 0.0;
+    for (const double v : loaded.scene.crowd.desired_speed) sum += v, sum2 += v * v;
+    const double m = sum / 4000;
+    return std::pair(m, std::sqrt(sum2 / 4000 - m * m));
+  };
+  EXPECT_NEAR(mean("{ uniform = [0.97, 1.62] }").first, 1.295, 0.01);
+  EXPECT_NEAR(mean("{ normal = [1.34, 0.26] }").first, 1.34, 0.015);
+  EXPECT_NEAR(mean("{ normal = [1.34, 0.26] }").second, 0.26, 0.01);
+  EXPECT_NEAR(mean("{ lognormal = [1.34, 0.26] }").first, 1.34, 0.015);
+  EXPECT_NEAR(mean("{ lognormal = [1.34, 0.26] }").second, 0.26, 0.01);
+  EXPECT_NEAR(mean("{ normal = [1, 1], within = [1, 9] }").first, 1.0 + 0.7979, 0.04)
+      << "half a normal distribution";
+}
+
+TEST(Crowd, PlacesUniformlyWhatTheSeedSays) {
+  const std::string text = kFloor + kGroup + kRandom + "count = 30\n";
+  EXPECT_EQ(load_text(text).scene.bodies.position, load_text(text).scene.bodies.position);
+  EXPECT_NE(load_text(text).scene.bodies.position,
+            load_text("throng = 1\nseed = 9" + text.substr(10)).scene.bodies.position);
+}
+
+TEST(Crowd, IsRefusedWhereItsFloorIsNoPolygon) {
+  expect_fault("throng = 1\nwalkable = 'POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))'",
+               "s.toml:2:12: error: walkable: is no polygon: Self-intersection at [2, 2]");
+  expect_fault("throng = 1\nwalkable = 'POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (5 5, 6 5, 6 6, 5 5))'",
+               "error: walkable: is no polygon: Hole lies outside shell at [5, 5]");
+  expect_fault("throng = 1\nwalkable = 'POLYGON ((0 0, 4 0, 4 4, 0 4))'",
+               "walkable: a ring must end with its first point");
+  expect_fault("throng = 1\nwalkable = 'LINESTRING (0 0, 4 0, 4 4)'",
+               "walkable: must be a POLYGON or a MULTIPOLYGON");
+  expect_fault("throng = 1\nareas.a = [[0, 0], [4, 4], [4, 0], [0, 4]]",
+               "s.toml:2:11: error: areas.a: is no polygon: Self-inter");
+}
+
+TEST(Crowd, IsRefusedWhereItLacksSomething) {
+  expect_fault(kFloor + "[[agents]]\nmodel = 'social_force'\nat = [1, 1]\n", "agents[0].goal: is missing");
+  expect_fault(kFloor + "[[agents]]\nmodel = 'social_forse'\ngoal = 'exit'\nat = [1, 1]\n",
+               "did you mean \"social_force\"?");
+  expect_fault(kFloor + "[[agents]]\nmodel = 'orca'\ngoal = 'exit'\nat = [1, 1]\n",
+               "not supported yet: agents[0].model");
+  expect_fault(kFloor + "[[agents]]\nmodel = 'social_force'\ngoal = 'exti'\nat = [1, 1]\n",
+               "there is no \"exti\" in [areas], did you mean \"exit\"?");
+  expect_fault("throng = 1\nareas.exit = [[0, 0], [4, 0], [4, 4]]\n" + kGroup + "at = [1, 1]\n",
+               "agents: need a floor to walk on");
+  expect_fault(kFloor + kGroup + "at = [1, 1]\ncollision_free_speed = { time_gap = 1 }\n",
+               "agents[0].collision_free_speed: belongs to another model");
+  expect_fault(kFloor + kGroup + "at = [1, 1]\nsocial_force = { mas = 70 }\n", "did you mean \"mass\"?");
+}
+
+TEST(Crowd, IsRefusedWhereItHasNoRoom) {
+  expect_fault(kFloor + kGroup + kRandom + "count = 300\n", "agents[0].place.random: agent ");
+  expect_fault(kFloor + kGroup + "at = [4.5, 2.5]\n",
+               "agents[0].at: an agent of radius 0.2 m at [4.5, 2.5] is not wholly on");
+  expect_fault(kFloor + kGroup + "at = [0.1, 2.5]\n",
+               "is not wholly on the walkable area, or overlaps a wall");
+  expect_fault(kFloor + "[[walls]]\nsegment = [[1, 0], [1, 5]]\n" + kGroup + "at = [1.1, 2.5]\n",
+               "or overlaps a wall");
+}
+
+TEST(Crowd, IsRefusedWhereAStepIsTooLongForItsModel) {
+  expect_fault(kFloor + "[time]\ndt = 0.05\n" + kGroup + "at = [1, 1]\n",
+               "agents[0].model: needs time.dt to be at most 0.0");
+}
+
+TEST(Crowd, IsRefusedWhereDistributionsMakeNoSense) {
+  const std::string group = kFloor + kGroup + "at = [1, 1]\n";
+  expect_fault(group + "radius = { uniform = [0.3, 0.2] }\n",
+               "agents[0].radius: must have its lower bound first");
+  expect_fault(group + "desired_speed = { normal = [1, 0.1], within = [3, 4] }\n",
+               "agents[0].desired_speed: must have a range");
+  expect_fault(group + "desired_speed = { mean = 1 }\n", "agents[0].desired_speed.mean: unknown key");
+  expect_fault(group + "desired_speed = -1\n", "agents[0].desired_speed: must be a number from 0");
+}
+
+TEST(Crowd, IsAloneInItsPlane) {
+  expect_fault(
+      kFloor + kGroup + "at = [1, 1]\n[shapes]\nb.disc.radius = 1\n[[bodies]]\nshape = 'b'\nat = [2, 2]\n",
+      "not supported yet: bodies beside agents");
+  expect_fault("throng = 1\nengine = 'box2d'\n" + kFloor.substr(11) + kGroup + "at = [1, 1]\n",
+               "engine: box2d: agents: ");
+}
+
+}  // namespace throng

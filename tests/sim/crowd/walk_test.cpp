@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+// Whole crowds: what the step must do with them, whatever their model.
+#include "sim/crowd/walk.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "sim/input_error.h"
+#include "sim/recording/checkpoint.h"
+#include "sim/simulation.h"
+#include "tests/sim/trial.h"
+
+namespace throng {
+namespace {
+
+/// A corridor 2 m wide and 42 m long, whose last 2 m are the goal.
+std::string corridor(const std::string& model, const std::string& agents) {
+  return "time = { dt = 0.02, until = 100 }\nwalkable = 'POLYGON ((0 0, 42 0, 42 2, 0 2, 0 0))'\n"
+         "areas.exit = [[40, 0], [42, 0], [42, 2], [40, 2]]\nareas.start = [[0, 0], [12, 0], [12, 2], [0, "
+         "2]]\n"
+         "[[agents]]\ngoal = 'exit'\nmodel = '" +
+         model + "'\n" + agents;
+}
+
+/// Rooms with a pillar and a narrow door, crowded.
+std::string rooms(const std::string& model) {
+  return "time = { dt = 0.02, until = 100 }\nseed = 3\n"
+         "walkable = 'POLYGON ((0 0, 6 0, 6 2.5, 6.2 2.5, 6.2 0, 12 0, 12 6, 6.2 6, 6.2 3.5, 6 3.5, 6 6, 0 "
+         "6, 0 0), "
+         "(4 2, 5 2, 5 4, 4 4, 4 2))'\n"
+         "areas.exit = [[11, 0], [12, 0], [12, 6], [11, 6]]\nareas.start = [[0, 0], [4, 0], [4, 6], [0, 6]]\n"
+         "[[agents]]\ngoal = 'exit'\ncount = 60\nplace = { random = { within = 'start' } }\n"
+         "desired_speed = { normal = [2, 0.5] }\nradius = { uniform = [0.15, 0.25] }\nmodel = '" +
+         model + "'\n";
+}
+
+const char* const kModels[] = {"constant_velocity", "social_force", "collision_free_speed"};
+
+TEST(Walk, TakesFortySecondsForFortyMetresAtOneMetreASecond) {  // IMO MSC.1/Circ.1533, test 1
+  for (const char* model : kModels) {
+    SCOPED_TRACE(model);
+    Trial run(corridor(model, "at = [0.5, 1]\ndesired_speed = 1\n"));
+    run.steps(2200);
+    EXPECT_EQ(run.state.id.size(), 0u);
+    EXPECT_EQ(run.state.crowd.arrived, 1);
+    EXPECT_NEAR(run.state.crowd.last_arrival * 0.02, 39.5, std::string(model) == "social_force" ? 0.6 : 0.05);
+    EXPECT_EQ(run.state.crowd.wall_corrections, 0);
+  }
+}
+
+TEST(Walk, RemovesWhoArrivesAndKeepsTheNamesOfTheOthers) {
+  Trial run(corridor("constant_velocity",
+                     "at = [30, 1]\n[[agents]]\nmodel = 'constant_velocity'\ngoal = 'exit'\nat = [39.9, 1]\n"
+                     "[[agents]]\nmodel = 'constant_velocity'\ngoal = 'exit'\nat = [20, 1]\n"));
+  run.steps(20);
+  EXPECT_EQ(run.state.id, (std::vector<std::uint32_t>{1, 3}));
+  EXPECT_NEAR(run.state.position[1].x(), 20 + 20 * 0.02 * 1.34, 1e-3);
+  EXPECT_EQ(run.state.crowd.arrived, 1);
+  EXPECT_EQ(run.state.crowd.stand.size(), 2u);
+}
+
+TEST(Walk, NobodyPassesAWall) {
+  for (const char* model : kModels) {
+    SCOPED_TRACE(model);
+    Trial run(rooms(model));
+    const Barriers barriers(barrier_lines(run.scene), 1.0);
+    for (int i = 0; i < 1500; ++i) {
+      run.steps(1);
+      for (std::size_t row = 0; row < run.state.id.size(); ++row) {
+        const Vec& p = run.state.position[row];
+        ASSERT_TRUE(contains(run.scene.crowd.walkable, p)) << "step " << i << " agent " << run.state.id[row];
+        const double radius = run.scene.bodies.radius[run.state.id[row] - 1];
+        const double core = model == std::string("social_force") ? 0.5 * radius : radius;
+        ASSERT_GE(barriers.distance(p, core), core * (1 - 1e-9))
+            << "step " << i << " agent " << run.state.id[row];
+      }
+    }
+    EXPECT_GT(run.state.crowd.arrived, 20);
+  }
+}
+
+TEST(Walk, EveryoneGetsThroughARoomWithAPillarAndADoor) {
+  Trial run(rooms("social_force"));
+  run.steps(5000);
+  EXPECT_EQ(run.state.crowd.arrived, 60);
+}
+
+TEST(Walk, GivesTheSameBitsForAnyNumberOfThreads) {
+  for (const char* model : kModels) {
+    Scene scene = scene_from(
+        "time = { dt = 0.02, until = 100 }\ndomain.box = [[0, 0], [60, 60]]\nareas.exit = [[58, 20], [60, "
+        "20], [60, 40], [58, 40]]\n"
+        "[[agents]]\ngoal = 'exit'\ncount = 1500\nplace = { random = { within = [[0, 0], [58, 60]] } "
+        "}\nmodel = '" +
+        std::string(model) + "'\n");
+    Trial one(scene), three(scene, 3);
+    one.steps(100), three.steps(100);
+    EXPECT_EQ(hash(one.state), hash(three.state)) << model;
+    EXPECT_EQ(one.state.crowd.wall_corrections, three.state.crowd.wall_corrections);
+    EXPECT_GT(one.state.crowd.arrived, 10);
+  }
+}
+
+TEST(Walk, GoesOnFromAStateWithTheBitsOfTheRunItself) {
+  const Scene scene = scene_from(rooms("collision_free_speed"));
+  const auto whole = simulation(scene), first = simulation(scene), second = simulation(scene);
+  for (int i = 0; i < 600; ++i) whole->step();
+  for (int i = 0; i < 400; ++i) first->step();
+  ASSERT_GT(first->state().crowd.arrived, 0);
+  ASSERT_TRUE(second->restore(first->state()));
+  for (int i = 0; i < 200; ++i) second->step();
+  EXPECT_EQ(hash(whole->state()), hash(second->state()));
+  EXPECT_EQ(whole->state().crowd.arrived, second->state().crowd.arrived);
+}
+
+TEST(Walk, ACheckpointKeepsAllOfACrowd) {
+  Trial run(rooms("collision_free_speed"));
+  run.steps(500);
+  ASSERT_GT(run.state.crowd.arrived, 0);
+  const std::string file = ::testing::TempDir() + "crowd.ckpt";
+  recording::write_checkpoint(file, {"1", "", 0, 0}, run.state);
+  const State read = recording::read_checkpoint(file).state;
+  EXPECT_EQ(hash(read), hash(run.state));
+  EXPECT_EQ(read.crowd.stand, run.state.crowd.stand);
+  EXPECT_EQ(read.crowd.stand_step, run.state.crowd.stand_step);
+  EXPECT_EQ(read.crowd.arrived, run.state.crowd.arrived);
+  EXPECT_EQ(read.crowd.last_arrival, run.state.crowd.last_arrival);
+  EXPECT_EQ(read.crowd.wall_corrections, run.state.crowd.wall_corrections);
+  std::remove(file.c_str());
+}
+
+TEST(Walk, SaysBeforeTheRunWhomNoWayLeadsToHisGoal) {
+  const Scene closed =
+      scene_from(corridor("social_force", "at = [3, 1]\n[[walls]]\nsegment = [[20, 0], [20, 2]]\n"));
+  try {
+    simulation(closed);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "agents[0]: no way wide enough leads from [3, 1], where agent 1 stands, to its goal \"exit\"");
+  }
+  const std::string door =
+      "[[walls]]\nsegment = [[20, 0], [20, 0.8]]\n[[walls]]\nsegment = [[20, 1.19], [20, 2]]\n";
+  EXPECT_THROW(simulation(scene_from(corridor("social_force", "at = [3, 1]\nradius = 0.2\n" + door))),
+               InputError);
+  EXPECT_NO_THROW(simulation(scene_from(corridor("social_force", "at = [3, 1]\nradius = 0.19\n" + door))));
+}
+
+TEST(Walk, ListsWhoIsStuckBehindOneWhoWantsToStand) {
+  Trial run(
+      corridor("collision_free_speed",
+               "at = [3, 1]\n[[agents]]\ngoal = 'exit'\nmodel = 'constant_velocity'\nat = [4, 1]\n"
+               "desired_speed = 0\n[[agents]]\ngoal = 'exit'\nmodel = 'constant_velocity'\nat = [8, 1]\n"
+               "[[walls]]\nsegment = [[0, 0.75], [7, 0.75]]\n[[walls]]\nsegment = [[0, 1.25], [7, 1.25]]\n"));
+  run.steps(499);
+  EXPECT_TRUE(stuck_agents(run.scene, run.state).empty()) << "nobody before 10 s";
+  run.steps(1000);
+  const std::vector<StuckAgent> stuck = stuck_agents(run.scene, run.state);
+  ASSERT_EQ(stuck.size(), 1u) << "2 wants nothing, 3 walks";
+  EXPECT_EQ(stuck[0].id, 1u);
+  EXPECT_NEAR(stuck[0].position.x(), 3.6 - 0.1 * std::log(8.0), 1e-3)
+      << "where turning away outweighs its way";
+}
+
+TEST(Walk, OverlapsAreMeasured) {
+  const std::string two =
+      "at = [5, 1]\n[[agents]]\ngoal = 'exit'\nmodel = 'constant_velocity'\nat = [5.3, 1]\n";
+  const Scene scene = scene_from(corridor("constant_velocity", two));
+  State state = initial_state(scene);
+  EXPECT_EQ(overlap(scene, state).pairs, 1u);
+  EXPECT_NEAR(overlap(scene, state).max, 0.1, 1e-12);
+  state.position[0].y() = 0.05;
+  EXPECT_EQ(overlap(scene, state).pairs, 1u) << "no longer each other, but the wall";
+  EXPECT_NEAR(overlap(scene, state).max, 0.15, 1e-12);
+}
+
+TEST(Walk, PlanSaysThatThereIsACrowd) {
+  EXPECT_TRUE(plan_for(scene_from(corridor("social_force", "at = [3, 1]\n"))).crowd);
+  EXPECT_FALSE(plan_for(scene_from("gravity = [0, -9.81]\n")).crowd);
+}
+
+}  // namespace
+}  // namespace throng
