@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <limits>
 #include <tuple>
 
@@ -18,13 +19,15 @@ class Bisection {
 
   Bisection(Pairs& pairs, const BisectOptions& options, BisectScratch& scratch, std::span<PathAnswer> answers)
       : pairs_(pairs), options_(options), scratch_(scratch), answers_(answers) {
-    assert(options.epsilon >= 0.0);  // a NaN would never end
+    assert(options.epsilon >= 0.0);
     scratch_.queue.clear();
     scratch_.left.clear();
     scratch_.pairs.assign(pairs_.size(), {0, std::numeric_limits<std::size_t>::max()});
     for (std::uint32_t s = 0; s < answers_.size(); ++s) answers_[s] = {}, answers_[s].segment = s;
-    for (std::uint32_t k = 0; k < scratch_.pairs.size(); ++k)
+    for (std::uint32_t k = 0; k < scratch_.pairs.size(); ++k) {
+      assert(std::isfinite(pairs_.duration(k)));
       scratch_.queue.push_back({pairs_.pace(k) * pairs_.duration(k), 0.0, pairs_.duration(k), k});
+    }
     std::make_heap(scratch_.queue.begin(), scratch_.queue.end(), comes_later);
   }
 
@@ -62,10 +65,10 @@ class Bisection {
 
   PathAnswer& answer(const Gap& gap) { return answers_[pairs_.segment(gap.pair)]; }
 
-  /// Never below what the ends of gaps are rounded by.
+  /// Never below what the ends of gaps are rounded by. Options come last, where NaN is passed over.
   double epsilon(std::uint32_t pair) const {
     const double rounding = 0x1p-44 * pairs_.pace(pair) * pairs_.duration(pair);
-    return std::max({options_.epsilon, pairs_.resolution(pair), rounding});
+    return std::max({pairs_.resolution(pair), rounding, options_.epsilon});
   }
 
   /// At the middle, and if that doesn't cover the whole path, at its ends.
@@ -84,12 +87,12 @@ class Bisection {
   void divide(const Gap& gap) {
     const Neighbourhood in = compute(gap.pair, gap.from + 0.5 * (gap.to - gap.from), gap.from, gap.to);
     if (in.hit || covers(in, gap.from, gap.to)) return;
-    if (gap.length <= epsilon(gap.pair)) {
-      leave(gap.pair, gap.from, in.from);
-      leave(gap.pair, in.to, gap.to);
-    } else {
+    if (gap.length > epsilon(gap.pair)) {
       push(gap.pair, gap.from, in.from);
       push(gap.pair, in.to, gap.to);
+    } else {
+      leave(gap.pair, gap.from, in.from);
+      leave(gap.pair, in.to, gap.to);
     }
   }
 

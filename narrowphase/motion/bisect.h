@@ -45,7 +45,7 @@ struct Neighbourhood {
 };
 
 struct BisectOptions {
-  double epsilon = 0.0;  ///< m, clearance below which "undecided" will do; the pairs' resolution is the least
+  double epsilon = 0.0;  ///< m, clearance below which "undecided" will do; at least the pairs' resolution
   std::vector<Neighbourhood>* covering = nullptr;  ///< appended to: all that was proven, for pictures
 };
 

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 
 namespace throng::narrowphase {
 namespace {
@@ -94,6 +95,37 @@ TEST(Bisect, SaysWhichIntervalIsInDoubt) {
     EXPECT_LE(answer.to - answer.from, std::max(1e-9, epsilon));
     EXPECT_LT(answer.evaluations, 100u);
   }
+}
+
+/// Strangers that a release build lets in: the pair's resolution is the least all the same.
+TEST(Bisect, EndsAlsoForAnEpsilonThatIsNoNumber) {
+  BisectOptions options;
+  options.epsilon = std::numeric_limits<double>::quiet_NaN();
+  PathAnswer answer;
+  answer.verdict = Verdict::undecided;
+  EXPECT_DEBUG_DEATH(answer = ask({{{doubt(M_PI / 10)}}}, options), "epsilon");
+  EXPECT_EQ(answer.verdict, Verdict::undecided);
+  EXPECT_LT(answer.evaluations, 100u);
+}
+
+TEST(Bisect, DoubtsAtOnceAboveAnInfiniteEpsilonAndYetTellsAHit) {
+  BisectOptions options;
+  options.epsilon = std::numeric_limits<double>::infinity();
+  const PathAnswer near = ask({{{doubt(M_PI / 10)}}}, options);
+  EXPECT_EQ(near.verdict, Verdict::undecided);
+  EXPECT_LT(near.evaluations, 10u);
+  EXPECT_EQ(ask({{{[](double) { return 0.6; }}}}, options).verdict, Verdict::free);
+  EXPECT_EQ(ask({{{[](double) { return -1.0; }}}}, options).verdict, Verdict::hit);
+}
+
+/// Half of forever is forever, where nobody knows what distances are.
+TEST(Bisect, EndsAlsoForAPathWithoutEnd) {
+  PathAnswer answer;
+  answer.verdict = Verdict::undecided;
+  const auto lost = [](double t) { return t > 1e308 ? 1e-300 : 1.0; };
+  EXPECT_DEBUG_DEATH(answer = ask({{{lost, std::numeric_limits<double>::infinity()}}}), "duration");
+  EXPECT_EQ(answer.verdict, Verdict::undecided);
+  EXPECT_LT(answer.evaluations, 2000u);
 }
 
 TEST(Bisect, DecidesAboveEpsilonAlways) {
