@@ -32,8 +32,7 @@ void check_outputs(std::span<const Output> outputs, const std::string& input, co
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const Output& output = outputs[i];
     if (output.name.empty()) continue;
-    if (are_one_file(output.name, input))
-      throw InputError("cannot write " + output.name + ": it is " + what);
+    if (are_one_file(output.name, input)) throw InputError("cannot write " + output.name + ": it is " + what);
     for (const Output& other : outputs.first(i))
       if (!other.name.empty() && are_one_file(output.name, other.name))
         throw InputError(std::string(other.option) + " and " + std::string(output.option) +

@@ -33,17 +33,44 @@ struct Look {
   double thickness;   ///< pixels
 };
 
-/// Outline first, twice as wide, then the filling: right for shapes of several parts, too.
-void draw_shape(cairo_t* cairo, const MotionShape& shape, const Pose& pose, const Look& look, double pixel) {
-  cairo_save(cairo);
-  const cairo_matrix_t matrix{pose.cos, pose.sin, -pose.sin, pose.cos, pose.position.x(), pose.position.y()};
-  cairo_transform(cairo, &matrix);
+/// The path that `shape` is, filled, and stroked upon it.
+void draw_plain(cairo_t* cairo, const MotionShape& shape, const Look& look, double width) {
   add_shape(cairo, shape);
   set_colour(cairo, look.colour, look.fill);
   cairo_fill_preserve(cairo);
   set_colour(cairo, shade(look.colour), look.line);
-  cairo_set_line_width(cairo, look.thickness * pixel);
+  cairo_set_line_width(cairo, width);
   cairo_stroke(cairo);
+}
+
+/// Of several parts no seams are shown: all outlines, twice as wide, of which then goes what lies inside.
+void draw_seamless(cairo_t* cairo, const MotionShape& shape, const Look& look, double width) {
+  double left, low, right, high;
+  cairo_set_line_width(cairo, 2 * width);
+  add_shape(cairo, shape);
+  cairo_stroke_extents(cairo, &left, &low, &right, &high);
+  cairo_new_path(cairo);
+  cairo_rectangle(cairo, left, low, right - left, high - low);
+  cairo_clip(cairo);
+  cairo_push_group(cairo);  // as large as the clip, no more
+  add_shape(cairo, shape);
+  set_colour(cairo, shade(look.colour), look.line);
+  cairo_stroke_preserve(cairo);
+  cairo_set_operator(cairo, CAIRO_OPERATOR_CLEAR);
+  cairo_fill_preserve(cairo);
+  cairo_set_operator(cairo, CAIRO_OPERATOR_OVER);
+  set_colour(cairo, look.colour, look.fill);
+  cairo_fill(cairo);
+  cairo_pop_group_to_source(cairo);
+  cairo_paint(cairo);
+}
+
+void draw_shape(cairo_t* cairo, const MotionShape& shape, const Pose& pose, const Look& look, double pixel) {
+  cairo_save(cairo);
+  const cairo_matrix_t matrix{pose.cos, pose.sin, -pose.sin, pose.cos, pose.position.x(), pose.position.y()};
+  cairo_transform(cairo, &matrix);
+  const bool plain = !shape.rings.empty() || shape.parts.size() == 1;
+  (plain ? draw_plain : draw_seamless)(cairo, shape, look, look.thickness * pixel);
   cairo_restore(cairo);
 }
 
@@ -150,9 +177,8 @@ void draw_words(cairo_t* cairo, const Page& page, const MotionSystem& system, co
         2.0 * page.unit, Align::right);
 }
 
-void draw_all(cairo_t* cairo, const Page& page, const MotionSystem& system, const MotionAnswer& answer) {
-  const MotionView view = view_of(system, answer);
-  const std::vector<Lane> rows = lanes(system, answer, kMostLanes);
+void draw_all(cairo_t* cairo, const Page& page, const MotionSystem& system, const MotionAnswer& answer,
+              const MotionView& view, const std::vector<Lane>& rows) {
   set_colour(cairo, {1, 1, 1});
   cairo_paint(cairo);
   cairo_save(cairo);
@@ -180,15 +206,16 @@ void draw_all(cairo_t* cairo, const Page& page, const MotionSystem& system, cons
 
 void write_motion_png(const MotionSystem& system, const MotionAnswer& answer, const std::string& output,
                       int width) {
-  const Page page(view_of(system, answer).extent, width);
-  const std::size_t rows = lanes(system, answer, kMostLanes).size();
-  const int height = page.height + static_cast<int>(std::ceil(timeline_height(rows, page.unit)));
+  const MotionView view = view_of(system, answer);
+  const std::vector<Lane> rows = lanes(system, answer, kMostLanes);
+  const Page page(view.extent, width);
+  const int height = page.height + static_cast<int>(std::ceil(timeline_height(rows.size(), page.unit)));
   const std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)> surface(
       cairo_image_surface_create(CAIRO_FORMAT_RGB24, page.width, height), cairo_surface_destroy);
   const std::unique_ptr<cairo_t, void (*)(cairo_t*)> cairo(cairo_create(surface.get()), cairo_destroy);
   if (const cairo_status_t status = cairo_status(cairo.get()); status != CAIRO_STATUS_SUCCESS)
     throw InputError("cannot draw " + output + ": " + cairo_status_to_string(status));
-  draw_all(cairo.get(), page, system, answer);
+  draw_all(cairo.get(), page, system, answer, view, rows);
   replace_file(output, [&](const std::string& name) {
     const cairo_status_t status = cairo_surface_write_to_png(surface.get(), name.c_str());
     if (status != CAIRO_STATUS_SUCCESS)
