@@ -44,7 +44,7 @@ All bodies and robots move at once, straight and evenly from waypoint to waypoin
 The answer is one JSON object:
   "verdict"      of all segments together, the worst: free, undecided, hit
   "evaluations"  how often a distance was computed
-  "segments"     of each of them
+  "segments"     of each of them; with --any of a hit only that in which it was found
     "segment"    its number, from 0
     "verdict"    free: nothing touches, which is proven; hit: something does; undecided: something comes so near
                  that rounding decides, or that --epsilon leaves open
@@ -53,9 +53,10 @@ The answer is one JSON object:
     "in_doubt"   of what is undecided: nothing touches before the first fraction
     "time", "time_bracket", "time_in_doubt"
                  the same in seconds since the start, where the file has durations
-    "pair"       who, by their names
+    "pair"       who, by their names; of what is undecided the second may be "obstacles", whichever of them
     "point", "normal"
                  of the contact, the normal from the first to the second
+    "evaluations" how many of them this segment took; not with --any, which asks all segments at once
 An answer is an answer: the exit code is 0 for each verdict, and 2 where the file or the command line is faulty.
 Examples: throng motion scenarios/motions/sofa.toml --html sofa.html
           throng motion scenarios/motions/arm.toml --any)";

@@ -48,13 +48,15 @@ An answer is one line of
               they are as far apart as "upper" says
   "manifold"  of convex shapes that touch or overlap: one or two contact points, each with its "separation"
   "motion"    with "until": "hit" where the two touch at the start or on the way, "free" where they surely don't,
-              "undecided" where their gap is 0 within rounding. What stands above is of the start
+              "undecided" where their gap is 0 within rounding, or stays so small that the computations run out.
+              What stands above is of the start
   "time_of_impact"
               of a hit: the first contact, 0 where they touch at the start
   "time_bracket"
               [t, u], of a hit: nothing touches before t, that is certain, the two overlap at u, the time of impact;
               what moves goes 1e-12 of its size between them, or what rounding takes where that is more.
-              Undecided: nothing touches before t, the gap is 0 within rounding until u, what comes then is not known
+              Undecided: nothing touches before t, what comes then is not known; the gap is 0 within rounding until u,
+              or the computations ran out there
   "impact_point", "impact_normal"
               of a hit: where the two touch, midway between them, and the unit normal from a to b
   "repairs"   what was mended in a polygon; only where something was

@@ -3,6 +3,8 @@
 
 #include <numeric>
 
+#include "tools/answer_json.h"
+
 namespace throng::tools {
 
 namespace {
@@ -36,17 +38,6 @@ void hand_out(const std::vector<Neighbourhood>& covering, std::size_t pairs, Mot
   }
 }
 
-MotionAnswer answer_any(const MotionSystem& system, LinkageChecker& checker,
-                        const narrowphase::BisectOptions& options) {
-  const LinkageAnswer found = checker.check_path(system.path(), options);
-  MotionAnswer answer{found.verdict, std::vector<SegmentAnswer>(system.segments()), found.evaluations};
-  if (found.verdict == Verdict::free)
-    for (SegmentAnswer& segment : answer.segments) segment.verdict = Verdict::free;
-  else
-    answer.segments[found.segment] = named(system, found);
-  return answer;
-}
-
 /// The first contact on the segment of one that was found; that one, where rounding decides whether another
 /// comes before it.
 LinkageAnswer first_contact(const MotionSystem& system, LinkageChecker& checker, const LinkageAnswer& found) {
@@ -73,8 +64,22 @@ MotionAnswer answer_all(const MotionSystem& system, LinkageChecker& checker,
   return answer;
 }
 
-Json json(const Vec& v) {
-  return {v.x(), v.y()};
+/// All segments where they are asked to their ends, as they are without a hit.
+MotionAnswer answer_any(const MotionSystem& system, LinkageChecker& checker,
+                        const narrowphase::BisectOptions& options) {
+  const LinkageAnswer found = checker.check_path(system.path(), options);
+  if (found.verdict == Verdict::undecided) {
+    if (options.covering) options.covering->clear();
+    MotionAnswer answer = answer_all(system, checker, options);
+    answer.evaluations += found.evaluations;
+    return answer;
+  }
+  MotionAnswer answer{found.verdict, std::vector<SegmentAnswer>(system.segments()), found.evaluations};
+  if (found.verdict == Verdict::free)
+    for (SegmentAnswer& segment : answer.segments) segment.verdict = Verdict::free;
+  else
+    answer.segments[found.segment] = named(system, found);
+  return answer;
 }
 
 /// A time, or both ends of an interval.
@@ -103,10 +108,6 @@ Json to_json(const MotionTask& task, std::size_t segment, const SegmentAnswer& a
 }
 
 }  // namespace
-
-const char* word(Verdict verdict) {
-  return verdict == Verdict::free ? "free" : verdict == Verdict::hit ? "hit" : "undecided";
-}
 
 std::optional<double> seconds(const MotionTask& task, std::size_t segment, double fraction) {
   if (task.durations.empty()) return std::nullopt;

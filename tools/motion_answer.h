@@ -38,8 +38,6 @@ struct MotionQuestion {
 
 MotionAnswer answer_motion(const MotionSystem& system, const MotionQuestion& question);
 
-const char* word(narrowphase::Verdict verdict);
-
 /// Seconds since the start of the path, where the task has durations.
 std::optional<double> seconds(const MotionTask& task, std::size_t segment, double fraction);
 

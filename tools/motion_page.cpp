@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "sim/input_error.h"
+#include "tools/answer_json.h"
 #include "tools/embeddable.h"
 #include "tools/motion_lanes.h"
 #include "tools/replace_file.h"
@@ -21,10 +22,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kGiven = "@GIVEN@";
 constexpr std::size_t kMostLanes = 12;
-
-Json json(const Vec& v) {
-  return {v.x(), v.y()};
-}
 
 std::string css(const Colour& colour) {
   const auto byte = [](double part) { return std::to_string(std::lround(255 * part)); };

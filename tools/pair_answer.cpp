@@ -11,6 +11,7 @@
 #include "narrowphase/manifold.h"
 #include "narrowphase/motion/first_contact_parts.h"
 #include "sim/input_error.h"
+#include "tools/answer_json.h"
 
 namespace throng::tools {
 
@@ -61,10 +62,6 @@ WayOut way_out(const Solid& a, const Solid& b, const Vec& normal) {
   for (const Convex& part : b.parts)
     for (const Vec& n : part.normals) try_along(-b.pose.rotate(n));
   return shortest;
-}
-
-Json json(const Vec& v) {
-  return {v.x(), v.y()};
 }
 
 Json json(const narrowphase::Manifold& m) {
@@ -119,7 +116,7 @@ int add_motion(const PairQuery& q, const narrowphase::Separation& start, Json& r
   using narrowphase::Verdict;
   const narrowphase::FirstPartsContact found = first_contact(q, start);
   const Verdict verdict = found.contact.verdict;
-  result["motion"] = verdict == Verdict::free ? "free" : verdict == Verdict::hit ? "hit" : "undecided";
+  result["motion"] = word(verdict);
   if (verdict == Verdict::hit) add_impact(q, found, start, result);
   if (verdict != Verdict::free) result["time_bracket"] = {found.contact.t_lo, found.contact.t_hi};
   return found.contact.evaluations;

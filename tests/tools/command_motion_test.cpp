@@ -209,6 +209,24 @@ waypoints = [[-3, 0, 0], [4, 0, 10.995574287564276]]
   EXPECT_FALSE(segment.contains("point"));
 }
 
+const std::string kTwoDoubts = R"(shapes.ball.disc.radius = 0.5
+[[obstacles]]
+shape = "ball"
+at = [0, 1.0001]
+[[bodies]]
+shape = "ball"
+waypoints = [[-3, 0], [3, 0], [-3, 0], [-4, 0]]
+)";
+
+// There and back, without a hit that would end it: all was asked, and all is told.
+TEST_F(MotionCommand, TellsOfAllSegmentsInDoubtWhereAnyContactWillDo) {
+  const json answer = ask(kTwoDoubts, "--any --epsilon 0.01");
+  EXPECT_EQ(answer.at("verdict"), "undecided");
+  std::vector<std::string> verdicts;
+  for (const json& segment : answer.at("segments")) verdicts.push_back(segment.at("verdict"));
+  EXPECT_THAT(verdicts, testing::ElementsAre("undecided", "undecided", "free"));
+}
+
 TEST_F(MotionCommand, SaysAtOnceWhatTouchesAtTheStart) {
   const json answer = ask(R"(shapes.ball.disc.radius = 1
 [[bodies]]
