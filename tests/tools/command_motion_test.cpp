@@ -315,6 +315,15 @@ INSTANTIATE_TEST_SUITE_P(All, MotionExample,
                                          std::pair("crossing", "hit"), std::pair("gears", "free")),
                          [](const auto& example) { return std::string(example.param.first); });
 
+// The bar comes as near as 0.1 mm while it turns: no bound that forgets how it turns can tell.
+TEST_F(MotionCommand, TellsAClearanceOfATenthOfAMillimetre) {
+  const json answer = ask_file(kExamples + "post.toml");
+  EXPECT_EQ(answer.at("verdict"), "free");
+  EXPECT_GT(answer.at("evaluations"), 3);
+  const LoadedMotion loaded = load_motion(kExamples + "post.toml");
+  EXPECT_NEAR(least_distance(loaded.task, 0, 2.0 / 3), 1e-4, 1e-9);
+}
+
 // --- files ---
 
 const std::string kHostile = R"(name = "</script><script>alert(1)</script><b>&"
