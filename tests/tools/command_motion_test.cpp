@@ -350,6 +350,27 @@ TEST_F(MotionCommand, DrawsAPicture) {
   EXPECT_EQ(read(png).substr(1, 3), "PNG");
 }
 
+json given(const std::string& page) {
+  const std::string opening = "<script id=\"given\" type=\"application/json\">";
+  const std::size_t begin = page.find(opening) + opening.size();
+  return json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+}
+
+TEST_F(MotionCommand, ShowsTheFirstOfSeveralDoubts) {
+  ask("name = 'x'\n" + kTwoDoubts, "--epsilon 0.01 --html " + path("m.html"));
+  EXPECT_THAT(given(read(path("m.html"))).at("summary"), HasSubstr("of segment 0"));
+}
+
+// It happened: of more than 2048 segments each second waypoint was looked at.
+TEST_F(MotionCommand, FramesEveryWaypointOfALongPath) {
+  std::string waypoints;
+  for (int i = 0; i < 3001; ++i) waypoints += i == 1501 ? "[0, 50]," : "[0, 0],";
+  ask("shapes.ball.disc.radius = 0.5\n[[bodies]]\nshape = 'ball'\nwaypoints = [" + waypoints + "]\n",
+      "--html " + path("m.html"));
+  const json extent = given(read(path("m.html"))).at("extent");
+  EXPECT_GE(extent.at(3).get<double>() - extent.at(1).get<double>(), 51.0);
+}
+
 TEST_F(MotionCommand, WritesAPageInWhichStrangersWordsAreOnlyText) {
   const std::string file = path("m.html");
   ask(kHostile, "--html " + file);
@@ -357,9 +378,7 @@ TEST_F(MotionCommand, WritesAPageInWhichStrangersWordsAreOnlyText) {
   EXPECT_THAT(page, Not(HasSubstr("<script>alert")));
   EXPECT_THAT(page, Not(HasSubstr("<img")));
   EXPECT_THAT(page, Not(HasSubstr("<u>")));
-  const std::string opening = "<script id=\"given\" type=\"application/json\">";
-  const std::size_t begin = page.find(opening) + opening.size();
-  const json given = json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+  const json given = throng::given(page);
   EXPECT_EQ(given.at("name"), "</script><script>alert(1)</script><b>&");
   EXPECT_EQ(given.at("segments").at(0).at("pair"), json({"<u>ball</u>", "<i>post</i>"}));
   EXPECT_EQ(given.at("obstacles").size(), 1u);
