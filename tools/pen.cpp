@@ -7,8 +7,6 @@
 
 namespace throng::tools {
 
-namespace {
-
 using narrowphase::Convex;
 using narrowphase::Vec;
 
@@ -17,8 +15,6 @@ std::string number(double value) {
   std::snprintf(text, sizeof text, "%.4g", value);
   return text;
 }
-
-}  // namespace
 
 void set_colour(cairo_t* cairo, const Colour& c, double opacity) {
   cairo_set_source_rgba(cairo, c.red, c.green, c.blue, opacity);

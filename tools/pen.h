@@ -24,6 +24,9 @@ void write(cairo_t* cairo, const std::string& text, double x, double y, Align al
 /// The text, cut so that it is at most so wide.
 std::string fitting(cairo_t* cairo, std::string text, double width);
 
+/// A number for people: four digits.
+std::string number(double value);
+
 /// A length for people: "20 cm".
 std::string length_text(double metres);
 

@@ -20,12 +20,6 @@ constexpr Colour kDomain{0.55, 0.57, 0.60};
 
 using Context = std::unique_ptr<cairo_t, void (*)(cairo_t*)>;
 
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
-}
-
 void draw_domain(cairo_t* cairo, const Domain& domain, double pixel) {
   if (domain.kind == DomainKind::unbounded) return;
   const Vec size = domain.max - domain.min;
