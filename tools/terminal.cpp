@@ -35,7 +35,8 @@ bool write_all(std::string_view text) {
   return true;
 }
 
-bool echoes = false;  // where the standard input is the terminal too
+bool echoes = false;   // where the standard input is a terminal too
+bool listens = false;  // and as long as something can be typed there
 termios loud, silent;
 
 void enter() {
@@ -75,6 +76,7 @@ Terminal::Terminal(const char* what) {
     throw InputError(std::string(what) + " shows a picture in a terminal, and this one can't (TERM is " +
                      (kind ? kind : "not set") + ")");
   echoes = tcgetattr(STDIN_FILENO, &loud) == 0;
+  listens = echoes;
   silent = loud;
   silent.c_lflag &= ~static_cast<tcflag_t>(ECHO | ICANON);
   struct sigaction action = {};
@@ -109,14 +111,15 @@ bool Terminal::was_cleared() {
 }
 
 std::string Terminal::typed(double seconds) {
-  pollfd input{echoes ? STDIN_FILENO : -1, POLLIN, 0};  // poll waits for nothing at a descriptor below 0
+  pollfd input{listens ? STDIN_FILENO : -1, POLLIN, 0};  // poll waits for nothing at a descriptor below 0
   const auto most = static_cast<int>(std::ceil(1e3 * std::max(0.0, seconds)));
   if (poll(&input, 1, most) <= 0 || (input.revents & POLLIN) == 0) {
-    if ((input.revents & (POLLHUP | POLLERR)) != 0) echoes = false;  // else the poll would wait no more
+    if ((input.revents & (POLLHUP | POLLERR)) != 0) listens = false;  // else the poll would wait no more
     return {};
   }
   char bytes[64];
   const ssize_t count = read(STDIN_FILENO, bytes, sizeof bytes);
+  if (count == 0 || (count < 0 && errno != EINTR && errno != EAGAIN)) listens = false;  // it was hung up
   return {bytes, static_cast<std::size_t>(std::max<ssize_t>(0, count))};
 }
 

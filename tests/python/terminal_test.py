@@ -329,6 +329,31 @@ class Terminal(Program):
             self.assertEqual(code, 130 if number == signal.SIGTERM else -number)
             self.assertFalse(left.cursor.hidden, number)
 
+    def test_rests_where_the_terminal_that_it_listens_to_is_hung_up(self):
+        """It happened: such a terminal has always something to read, which is nothing, and a processor was busy with it."""
+        self.two()
+        shown, screen = pty.openpty()
+        typed, keys = pty.openpty()
+        process = subprocess.Popen([PROGRAM, "replay", "two.h5", "--speed", "0.0001"], cwd=self.folder, stdin=keys, stdout=screen,
+                                   start_new_session=True, env={**os.environ, "TERM": "xterm"})
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        os.close(keys)
+        said = b""
+        while b"t = 0.000" not in said:
+            said += os.read(shown, 1 << 16)
+        os.close(typed)
+        before = self.seconds_busy(process)
+        time.sleep(2)
+        self.assertIsNone(process.poll())
+        self.assertLess(self.seconds_busy(process) - before, 0.3)
+        os.close(screen)
+        os.close(shown)
+
+    def seconds_busy(self, process):
+        with open(f"/proc/{process.pid}/stat", encoding="utf8") as stat:
+            return sum(map(int, stat.read().rsplit(")", 1)[1].split()[11:13])) / os.sysconf("SC_CLK_TCK")
+
     def test_needs_a_terminal(self):
         self.two()
         code, error = self.throng("replay", "two.h5", "--speed", "1")
