@@ -18,7 +18,8 @@ constexpr std::size_t kMostInShapes = 1'000'000;  ///< vertices and discs of all
 
 constexpr std::size_t kMostLinks = 1'000;  ///< of all robots and bodies of a motion
 constexpr std::size_t kMostWaypoints = 10'000;
-constexpr std::size_t kMostMayTouch = 10'000;  ///< pairs of names
+constexpr std::size_t kMostMayTouch = 10'000;    ///< pairs of names
+constexpr std::size_t kMostAtOnce = 10'000'000;  ///< links and pairs of a motion, times its segments: 2 GB
 
 constexpr double kFarthest = 1e9;        ///< m, any coordinate
 constexpr double kShortest = 1e-9;       ///< m, any radius

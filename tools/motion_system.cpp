@@ -5,6 +5,8 @@
 #include <set>
 
 #include "narrowphase/distance.h"
+#include "scenarios/limits.h"
+#include "sim/input_error.h"
 
 namespace throng::tools {
 
@@ -42,6 +44,7 @@ MotionSystem::MotionSystem(const MotionTask& task) : task_(task) {
   scene_.linkage = linkage_;
   add_pairs();
   scene_.pairs = pairs_;
+  check_size();
   for (std::size_t i = 0; i < task.waypoints(); ++i) {
     for (const Mover& mover : task.movers)
       path_.insert(path_.end(), mover.waypoints[i].begin(), mover.waypoints[i].end());
@@ -129,6 +132,15 @@ void MotionSystem::add_pairs() {
   for (std::uint32_t a = 0; a < moving_; ++a)
     for (std::uint32_t k = 0; k < obstacle_links_.size(); ++k)
       if (linkage_[a].shape && !may_touch.contains({a, moving_ + k})) pairs_.push_back({a, moving_ + k});
+}
+
+void MotionSystem::check_size() const {
+  const std::size_t all = linkage_.size() + pairs_.size(), most = scenarios::kMostAtOnce;
+  if (all > most / segments())
+    throw InputError(std::to_string(linkage_.size()) + " links and " + std::to_string(pairs_.size()) +
+                     " pairs that may not touch, times " + std::to_string(segments()) +
+                     " segments, are more than " + std::to_string(most) +
+                     ": ask in several files, or let touch who may");
 }
 
 std::span<const double> MotionSystem::waypoint(std::size_t i) const {

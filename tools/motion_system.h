@@ -17,6 +17,7 @@ namespace throng::tools {
 class MotionSystem {
  public:
   /// Expects a task without faults, which must outlive this. As costly as `pairs_to_check`.
+  /// Throws InputError where pairs and segments are too many to be asked at once.
   explicit MotionSystem(const MotionTask& task);
   MotionSystem(const MotionSystem&) = delete;
   MotionSystem& operator=(const MotionSystem&) = delete;
@@ -53,6 +54,7 @@ class MotionSystem {
   std::vector<std::uint32_t> links_of(const Solids& solids) const;  // all obstacles: kWorld, too
   LinkPairs pairs_that_may_touch() const;                           // the lower one first
   void add_pairs();
+  void check_size() const;
   std::string link_name(std::uint32_t link) const;
 
   const MotionTask& task_;

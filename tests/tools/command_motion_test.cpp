@@ -437,6 +437,19 @@ TEST_F(MotionCommand, RefusesABadFileWithItsFaults) {
   }
 }
 
+// 60 bodies are 1770 pairs and 180 links; a small file could take all memory.
+TEST_F(MotionCommand, RefusesMoreThanFitsIntoMemory) {
+  std::string text = "motion = 1\nshapes.ball.disc.radius = 0.1\n";
+  for (int i = 0; i < 60; ++i) {
+    text += "[[bodies]]\nshape = 'ball'\nwaypoints = [";
+    for (int k = 0; k < (i == 0 ? 5130 : 1); ++k) text += "[" + std::to_string(i) + ", 0],";
+    text += "]\n";
+  }
+  const Result result = throng("motion " + write("m.toml", text), "timeout 60 ");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("180 links and 1770 pairs that may not touch, times 5129 segments"));
+}
+
 TEST_F(MotionCommand, PrintsItsFieldsAndItsSchema) {
   EXPECT_THAT(throng("motion --fields").out, HasSubstr("\nrobots[].links[].joint "));
   EXPECT_EQ(throng("motion --schema").out, read(kExamples + "motion.schema.json"));
