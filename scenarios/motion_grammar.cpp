@@ -46,8 +46,7 @@ Table body_table() {
 
 Table link_table() {
   return {{{"shape", name_in("shapes"), "Name of a shape; absent: nothing that could touch."},
-           {"name", text(64, "a name of at most 64 bytes"),
-            "What answers call it, ROBOT.NAME; ROBOT.links[0] and so on when absent."},
+           {"name", name(), "What answers call it, ROBOT.NAME; ROBOT.links[0] and so on when absent."},
            {"parent", either({name(), integer(0, kMostLinks)}),
             "The link that it hangs on: a name, a number from 0, or \"base\". Absent: the link before; of "
             "the first, the base."},
@@ -86,7 +85,8 @@ Table root_table() {
            {"obstacles", tables(obstacle_table()), "What stands still."},
            {"walls", tables(wall_lines()), "Thin walls with two sides."},
            {"surroundings", text(4096, "the name of a scenario file"),
-            "A scenario, beside this file, whose bodies, where they start, and walls are obstacles too."},
+            "A scenario, beside this file, whose bodies, where they start, and walls are obstacles too: "
+            "surroundings.bodies[0], each body counted, surroundings.walls[0] and so on."},
            {"bodies", tables(body_table()),
             "Rigid bodies. All move at once, straight and evenly from waypoint to waypoint."},
            {"robots", tables(robot_table()),

@@ -5,6 +5,9 @@ namespace throng::scenarios {
 
 void Names::add(const std::string& name, Solids solids, const toml::node& node, const Path& path,
                 Report& report) {
+  if (name == kObstacles)
+    return report.error(node, path.text(),
+                        "is called " + in_quotes(name) + ", which stands for all obstacles");
   if (solids_.emplace(name, solids).second) return;
   report.error(node, path.text(), "is called " + in_quotes(name) + ", as something before it");
 }

@@ -14,10 +14,11 @@ namespace throng::scenarios {
 /// What the things of a motion file are called.
 class Names {
  public:
-  static constexpr const char* kObstacles = "obstacles";  ///< all of them
-
-  /// Reports a name that something else has.
+  /// Reports a name that something else has, or that all obstacles have together.
   void add(const std::string& name, Solids solids, const toml::node& node, const Path& path, Report& report);
+
+  /// All of them together, as "obstacles".
+  void add_obstacles(Solids solids) { solids_.emplace(kObstacles, solids); }
 
   /// Null where nothing is called so.
   const Solids* find(const std::string& name) const;
@@ -26,6 +27,8 @@ class Names {
   std::vector<std::string> some() const;
 
  private:
+  static constexpr const char* kObstacles = "obstacles";
+
   std::map<std::string, Solids> solids_;
 };
 

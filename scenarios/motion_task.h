@@ -40,7 +40,6 @@ struct MotionLink {
 /// shape.
 struct Mover {
   std::string name;
-  bool body = false;
   Vec base{0.0, 0.0};       ///< m
   double base_angle = 0.0;  ///< rad
   std::vector<MotionLink> links;
@@ -66,6 +65,13 @@ struct MotionTask {
   std::vector<Obstacle> obstacles;
   std::vector<std::pair<Solids, Solids>> may_touch;
   std::vector<double> durations;  ///< s, of the segments; empty where the file has none
+
+  /// Of all movers. O(movers).
+  std::uint32_t links() const {
+    std::uint32_t count = 0;
+    for (const Mover& mover : movers) count += static_cast<std::uint32_t>(mover.links.size());
+    return count;
+  }
 
   /// All movers have as many, two or more.
   std::size_t waypoints() const { return movers.empty() ? 0 : movers[0].waypoints.size(); }

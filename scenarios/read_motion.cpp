@@ -15,13 +15,7 @@ using namespace scenarios;
 
 namespace {
 
-std::size_t count_links(const MotionTask& task) {
-  std::size_t count = 0;
-  for (const Mover& mover : task.movers) count += mover.links.size();
-  return count;
-}
-
-/// Who has one waypoint stays there; all others must have as many as each other.
+/// Who has one waypoint stays there; all others must have as many as each other. Expects no faults so far.
 void match_waypoints(const toml::table& root, MotionTask& task, Report& report) {
   const auto longest = std::max_element(
       task.movers.begin(), task.movers.end(),
@@ -31,14 +25,17 @@ void match_waypoints(const toml::table& root, MotionTask& task, Report& report) 
   const std::size_t count = longest->waypoints.size();
   if (count < 2)
     return report.error(root, "bodies", "nothing moves: one of them needs two waypoints or more");
-  for (Mover& mover : task.movers) {
-    const std::size_t own = mover.waypoints.size();
-    if (own != 1 && own != count)
-      report.error(*root.get(mover.body ? "bodies" : "robots"), mover.name + ".waypoints",
-                   "must be 1, or " + std::to_string(count) + " as those of " + longest->name + ", and are " +
-                       std::to_string(own));
-    mover.waypoints.resize(count, mover.waypoints[0]);
-  }
+  auto mover = task.movers.begin();
+  for (const char* key : {"bodies", "robots"})
+    for_each_table(root, key, report, [&](const toml::table& table, const Path& path) {
+      const std::size_t own = mover->waypoints.size();
+      if (own != 1 && own != count)
+        report.error(*table.get("waypoints"), Path(path, "waypoints").text(),
+                     "must be 1, or " + std::to_string(count) + " as those of " + longest->name +
+                         ", and are " + std::to_string(own));
+      mover->waypoints.resize(count, mover->waypoints[0]);
+      ++mover;
+    });
 }
 
 void read_durations(const toml::table& root, MotionTask& task, Report& report) {
@@ -60,7 +57,7 @@ void read_all(const toml::table& root, const std::string& file, MotionTask& task
   read_motion_shapes(root, task, report);
   read_moving_bodies(root, task, names, report);
   read_robots(root, task, names, report);
-  if (count_links(task) > kMostLinks)
+  if (task.links() > kMostLinks)
     report.error(root, "robots", "make more than " + std::to_string(kMostLinks) + " links, three a body");
   read_obstacles(root, file, task, names, report);
   if (report.errors() > 0) return;

@@ -5,12 +5,6 @@ namespace throng::scenarios {
 
 namespace {
 
-std::uint32_t links_so_far(const MotionTask& task) {
-  std::uint32_t count = 0;
-  for (const Mover& mover : task.movers) count += static_cast<std::uint32_t>(mover.links.size());
-  return count;
-}
-
 MotionLink slide(const std::string& name, const Vec& axis, std::uint32_t parent) {
   MotionLink link;
   link.name = name, link.joint = narrowphase::Joint::prismatic, link.axis = axis, link.parent = parent;
@@ -37,17 +31,19 @@ std::vector<double> pose_values(const toml::node& node, double fallback) {
 }
 
 void read_moving_bodies(const toml::table& root, MotionTask& task, Names& names, Report& report) {
+  std::uint32_t first = task.links();
   for_each_table(root, "bodies", report, [&](const toml::table& table, const Path& path) {
     Mover mover;
     mover.name = name_or(table, path.text());
-    mover.body = true;
     mover.links = body_links(mover.name, shape_row(task, text(table, "shape", "")));
     double angle = 0.0;
     for (const toml::node& waypoint : *table.get("waypoints")->as_array()) {
       mover.waypoints.push_back(pose_values(waypoint, angle));
       angle = mover.waypoints.back()[2];
     }
-    names.add(mover.name, {links_so_far(task), 3}, table, path, report);
+    const auto count = static_cast<std::uint32_t>(mover.links.size());
+    names.add(mover.name, {first, count}, table, path, report);
+    first += count;
     task.movers.push_back(std::move(mover));
   });
 }

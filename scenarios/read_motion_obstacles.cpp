@@ -31,9 +31,7 @@ MotionShape body_shape(const Scene& scene, std::size_t row) {
 class ObstacleReader {
  public:
   ObstacleReader(MotionTask& task, Names& names, Report& report)
-      : task_(task), names_(names), report_(report) {
-    for (const Mover& mover : task.movers) links_ += static_cast<std::uint32_t>(mover.links.size());
-  }
+      : task_(task), names_(names), report_(report), links_(task.links()) {}
 
   void add(Obstacle obstacle, const toml::node& node, const Path& path) {
     const auto solid = static_cast<std::uint32_t>(links_ + task_.obstacles.size());
@@ -58,26 +56,23 @@ class ObstacleReader {
     if (scene.domain.kind == DomainKind::periodic)
       return report_.error(node, path.text(), "must have no domain.periodic: its sides would be no walls");
     for (std::size_t row = 0; row < scene.bodies.size(); ++row)
-      add(body_shape(scene, row), "surroundings body " + std::to_string(row + 1), scene.bodies.position[row],
-          scene.bodies.angle[row], node, path);
-    add_walls(scene.walls, "surroundings ", node, path);
+      add(body_shape(scene, row), "surroundings.bodies[" + std::to_string(row) + "]",
+          scene.bodies.position[row], scene.bodies.angle[row], node, path);
+    add_walls(scene.walls, "surroundings.", node, path);
     if (scene.domain.kind != DomainKind::box) return;
     const Vec &low = scene.domain.min, &high = scene.domain.max;
-    add(line_shape({low, {high.x(), low.y()}, high, {low.x(), high.y()}}, true), "surroundings box",
+    add(line_shape({low, {high.x(), low.y()}, high, {low.x(), high.y()}}, true), "surroundings.box",
         {0.0, 0.0}, 0.0, node, path);
   }
 
   /// All obstacles by one name.
-  void close(const toml::table& root) {
-    names_.add(Names::kObstacles, {links_, static_cast<std::uint32_t>(task_.obstacles.size())}, root, Path(),
-               report_);
-  }
+  void close() { names_.add_obstacles({links_, static_cast<std::uint32_t>(task_.obstacles.size())}); }
 
  private:
   MotionTask& task_;
   Names& names_;
   Report& report_;
-  std::uint32_t links_ = 0;
+  std::uint32_t links_;
 };
 
 /// The first error of a scenario that can't be used, and how many there are.
@@ -118,7 +113,7 @@ void read_obstacles(const toml::table& root, const std::string& file, MotionTask
     obstacles.add_walls(lines.walls, "", *walls, Path(Path(), "walls"));
   if (const toml::node* node = good(root, "surroundings", report))
     read_surroundings(*node, file, obstacles, report);
-  obstacles.close(root);
+  obstacles.close();
 }
 
 void read_may_touch(const toml::table& root, MotionTask& task, const Names& names, Report& report) {

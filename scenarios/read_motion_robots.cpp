@@ -144,8 +144,7 @@ void add_names(const Mover& mover, std::uint32_t first, const toml::table& table
 }  // namespace
 
 void read_robots(const toml::table& root, MotionTask& task, Names& names, Report& report) {
-  std::uint32_t first = 0;
-  for (const Mover& mover : task.movers) first += static_cast<std::uint32_t>(mover.links.size());
+  std::uint32_t first = task.links();
   for_each_table(root, "robots", report, [&](const toml::table& table, const Path& path) {
     Mover mover = RobotReader(table, path, task, report).read();
     add_names(mover, first, table, path, names, report);

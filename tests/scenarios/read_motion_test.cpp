@@ -172,10 +172,10 @@ waypoints = [[0, 0], [1, 1]]
   ASSERT_EQ(faults(loaded), "");
   const std::vector<Obstacle>& obstacles = loaded.task.obstacles;
   ASSERT_EQ(obstacles.size(), 53u);
-  EXPECT_EQ(obstacles[50].name, "surroundings body 51");
+  EXPECT_EQ(obstacles[50].name, "surroundings.bodies[50]");
   EXPECT_EQ(obstacles[50].at, Vec(7, 7));  // of the centre of mass, as scenarios have it
   EXPECT_EQ(loaded.task.shapes[obstacles[50].shape].rings[0][0], Vec(-1, -1));
-  EXPECT_EQ(obstacles[51].name, "surroundings walls[0]");
+  EXPECT_EQ(obstacles[51].name, "surroundings.walls[0]");
   EXPECT_EQ(loaded.task.shapes[obstacles[52].shape].parts.size(), 4u);
   std::ofstream(folder / "room.toml") << "throng = 2\n";
   EXPECT_NE(faults(load_motion((folder / "m.toml").string()))
@@ -223,7 +223,7 @@ const Case kCases[] = {
     {BALL "name = 'x'\nwaypoints = [[0, 0], [1, 1]]\n" BALL "name = 'x'\nwaypoints = [[0, 0], [1, 1]]",
      "m.toml:9:1: error: bodies[1]: is called \"x\", as something before it"},
     {BALL "name = 'obstacles'\nwaypoints = [[0, 0], [1, 1]]",
-     "is called \"obstacles\", as something before it"},
+     "m.toml:5:1: error: bodies[0]: is called \"obstacles\", which stands for all obstacles"},
     // counts
     {"", "error: bodies: is missing: what moves, as [[bodies]] or [[robots]]"},
     {BALL "waypoints = []", "bodies[0].waypoints: must be a list of 1 to 10000 poses"},
@@ -233,7 +233,14 @@ const Case kCases[] = {
      "1"},
     {BALL "waypoints = [[0, 0], [1, 2, 3, 4]]", "must be a pose [x, y] or [x, y, angle], and is a list of 4"},
     {BALL "waypoints = [[0, 0], [1, 1]]\n" BALL "waypoints = [[0, 0], [1, 1], [2, 2]]",
-     "error: bodies[0].waypoints: must be 1, or 3 as those of bodies[1], and are 2"},
+     "m.toml:7:13: error: bodies[0].waypoints: must be 1, or 3 as those of bodies[1], and are 2"},
+    {BALL "waypoints = [[0, 0], [1, 1], [2, 2]]\n" BALL "name = 'bar'\nwaypoints = [[0, 0], [1, 1]]",
+     "m.toml:11:13: error: bodies[1].waypoints: must be 1, or 3 as those of bodies[0], and are 2"},
+    {ROBOT "waypoints = [[0, 0], [1, 1], [0, 0]]\n" BALL "waypoints = [[0, 0], [1, 1]]",
+     "m.toml:10:13: error: bodies[0].waypoints: must be 1, or 3 as those of robots[0], and are 2"},
+    {BALL
+     "waypoints = [[0, 0], [1, 1], [2, 2]]\n[[robots]]\nname = 'arm'\nlinks = [{}]\nwaypoints = [[0], [1]]",
+     "m.toml:11:13: error: robots[0].waypoints: must be 1, or 3 as those of bodies[0], and are 2"},
     {"durations = [1, 2]\n" BALL "waypoints = [[0, 0], [1, 1]]",
      "m.toml:5:13: error: durations: must be as many as segments: 1, and are 2"},
     {"durations = [0]\n" BALL "waypoints = [[0, 0], [1, 1]]", "durations[0]: must be a number from 1e-12"},
