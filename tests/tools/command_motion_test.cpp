@@ -212,7 +212,7 @@ waypoints = [[-3, 0, 0], [4, 0, 10.995574287564276]]
 const std::string kTwoDoubts = R"(shapes.ball.disc.radius = 0.5
 [[obstacles]]
 shape = "ball"
-at = [0, 1.0001]
+at = [0.1, 1]
 [[bodies]]
 shape = "ball"
 waypoints = [[-3, 0], [3, 0], [-3, 0], [-4, 0]]
