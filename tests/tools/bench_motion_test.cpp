@@ -5,6 +5,7 @@
 
 #include <map>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "tests/tools/program.h"
 
@@ -17,8 +18,16 @@ TEST_F(BenchMotion, AsksEveryEngineAboutEveryCaseAndFindsTheExactOnesRight) {
   const Result result = throng("bench motion --quick --blocks 1 --json " + path("rows.json"));
   ASSERT_EQ(result.exit_code, 0) << result.err;
   std::map<std::string, std::map<std::string, nlohmann::json>> errors;
+  std::map<std::string, double> asked;
+  int asked_less = 0;
   for (const auto& row : nlohmann::json::parse(read(path("rows.json")))) {
     errors[row["case"]][row["engine"]] = row["error"];
+    const double work = row["work"], all = asked.try_emplace(row["case"], work).first->second;
+    if (work < all) ++asked_less, EXPECT_EQ(row["error"].at("asked"), work / all) << row;
+    EXPECT_EQ(row["error"].contains("first_ns"), work < all) << "for a ratio of the same queries: " << row;
+    if (row["case"] == "octagons, random")
+      EXPECT_TRUE(std::regex_match(std::string(row["check"]), std::regex("(1[5-9]|2[0-9]|3[0-5]) of 50 hit")))
+          << row;
     EXPECT_EQ(row["bench"], "motion");
     for (const char* key : {"evaluations", "missed", "false_hits", "undecided", "ns"})
       EXPECT_TRUE(row["error"].contains(key)) << row;
@@ -34,6 +43,7 @@ TEST_F(BenchMotion, AsksEveryEngineAboutEveryCaseAndFindsTheExactOnesRight) {
         "arm of 10 links, itself alone, random"})
     for (const char* engine : {"bisection", "first contact"})
       EXPECT_EQ(errors[name][engine]["missed"], 0) << name << ", " << engine;
+  EXPECT_GT(asked_less, 0) << "some of the finest samples take too long to be asked about all";
   const auto& near = errors["bar past post, clearance 0.0001"];
   EXPECT_LE(near.at("bisection")["evaluations"], 700.0);
   EXPECT_LE(near.at("bisection")["growth"], 0.5) << "by a power of the clearance";

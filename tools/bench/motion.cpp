@@ -2,12 +2,13 @@
 // throng bench motion: do moving solids meet, and when first; run time against error.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "tools/bench/benchmarks.h"
-#include "tools/bench/interleave.h"
 #include "tools/bench/motion_engines.h"
 #include "tools/bench/motion_linkage.h"
+#include "tools/bench/motion_timing.h"
 #include "tools/bench/motion_truth.h"
 
 namespace throng::bench {
@@ -17,7 +18,7 @@ namespace {
 using namespace narrowphase;
 using Truth = std::vector<std::optional<double>>;
 
-volatile double sink;  // so that no answer is left out
+constexpr double kAllOfThem = std::numeric_limits<double>::infinity();  // s, that asking may take
 
 /// What an engine said, query by query, as far as there was time for it.
 struct Answers {
@@ -25,16 +26,13 @@ struct Answers {
   double evaluations = 0.0;  ///< mean
 };
 
-Answers ask_all(const MotionEngine& engine, std::size_t queries, bool quick) {
-  const std::chrono::duration<double> affordable(quick ? 0.005 : 0.02);
-  const auto begin = std::chrono::steady_clock::now();
+Answers ask_all(const MotionEngine& engine, std::size_t queries, double seconds) {
   Answers answers;
   double evaluations = 0.0;
-  for (std::size_t i = 0; i < queries; ++i) {
+  ask_in_turn(queries, seconds, [&](std::size_t i) {
     answers.told.push_back(engine.ask(i));
     evaluations += static_cast<double>(answers.told.back().evaluations);
-    if (std::chrono::steady_clock::now() - begin > affordable) break;
-  }
+  });
   answers.evaluations = evaluations / static_cast<double>(answers.told.size());
   return answers;
 }
@@ -96,37 +94,30 @@ double share(const Answers& mine, const Answers& other, const Truth& truth) {
   return shares.empty() ? 0.0 : median(std::move(shares));
 }
 
-/// The same queries each time.
-std::function<void()> block(const MotionEngine& engine, std::size_t queries) {
-  return [&engine, queries] {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < queries; ++i) sum += engine.ask(i).time;
-    sink = sum;
-  };
+/// Whether an engine goes from contact-free time to contact-free time, as the bisection doesn't.
+bool is_sequential(const MotionEngine& engine) {
+  return engine.name == "first contact" || engine.name.ends_with("advancement");
 }
 
+/// The first engine is the bisection, which answers everything.
 std::vector<Row> run(MotionCase c, const Options& options) {
   const Truth times = truth(c);
   const std::vector<MotionEngine> engines = motion_engines(c, options.quick);
   std::vector<Row> rows;
-  std::vector<Answers> answers;
-  std::vector<Contestant> contestants;
+  Answers first;
+  std::vector<AskOne> ask;
   for (const MotionEngine& engine : engines) {
-    answers.push_back(ask_all(engine, c.queries.size(), options.quick));
-    rows.push_back(row(c, engine, answers.back(), times));
-    contestants.push_back({engine.name, block(engine, answers.back().told.size())});
+    const double seconds = rows.empty() ? kAllOfThem : options.quick ? 0.005 : 0.02;
+    Answers answers = ask_all(engine, c.queries.size(), seconds);
+    rows.push_back(row(c, engine, answers, times));
+    ask.push_back([&engine](std::size_t i) { return engine.ask(i).time; });
+    if (rows.size() == 1)
+      first = std::move(answers);
+    else if (const double part = share(first, answers, times); is_sequential(engine) && part > 0.0)
+      rows[0].error["of " + engine.name] = part;
   }
-  for (std::size_t i = 0; i < engines.size(); ++i)
-    for (std::size_t k = 0; k < i; ++k)
-      if (const double part = share(answers[k], answers[i], times);
-          engines[i].name.ends_with("advancement") && engines[k].name == "bisection" && part > 0.0)
-        rows[k].error["of " + engines[i].name] = part;
   expect_agreement(rows);
-  interleave(contestants, options.blocks, 1.0);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    for (const double ms : contestants[i].ms) rows[i].ms.push_back(ms / rows[i].work);
-    rows[i].error["ns"] = 1e6 * median(rows[i].ms);
-  }
+  time_rows(rows, ask, options.blocks);
   return rows;
 }
 

@@ -2,12 +2,14 @@
 // The cases of throng bench motion that are about robots.
 #include "tools/bench/motion_linkage.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <limits>
 #include <memory>
 
+#include "narrowphase/exhaustive.h"
 #include "narrowphase/linkage/sampled_linkage.h"
-#include "tools/bench/interleave.h"
+#include "tools/bench/motion_timing.h"
 #include "tools/bench/outlines.h"
 
 namespace throng::bench {
@@ -18,8 +20,6 @@ using namespace narrowphase;
 
 constexpr double kArm = 5.0;                                            // m, stretched
 constexpr double kAllOfThem = std::numeric_limits<double>::infinity();  // s, that asking may take
-
-volatile double sink;  // so that no answer is left out
 
 /// An arm, what stands around it, and straight motions from free configurations.
 struct ArmCase {
@@ -119,36 +119,64 @@ std::vector<ArmEngine> arm_engines(const ArmCase& c) {
   return engines;
 }
 
+/// Whether what an answer calls a hit is one: the two parts it names, where it says, by the definition of
+/// distance.
+bool is_contact(const ArmCase& c, std::size_t i, const LinkageAnswer& hit) {
+  std::vector<double> values;
+  for (std::size_t k = 0; k < c.arm.size(); ++k)
+    values.push_back(c.from[i][k] + hit.to * (c.to[i][k] - c.from[i][k]));
+  std::vector<Pose> poses(c.arm.size());
+  place_links(c.arm, values, poses);
+  const bool post = hit.pair.b == kWorld;
+  const Convex& other = post ? c.obstacles[hit.part_b] : c.beam[hit.part_b];
+  return exhaustive_separation(c.beam[hit.part_a], poses[hit.pair.a], other,
+                               post ? Pose{} : poses[hit.pair.b])
+             .distance <= 1e-12 * kArm;
+}
+
 struct Asked {
   std::vector<Verdict> verdicts;
+  std::vector<bool> proven;  ///< by a contact that `is_contact`
   double evaluations = 0.0;  ///< mean
 };
 
 Asked ask_all(const ArmCase& c, const ArmEngine& engine, double seconds) {
-  const std::chrono::duration<double> affordable(seconds);
-  const auto begin = std::chrono::steady_clock::now();
   Asked asked;
-  double evaluations = 0.0;
-  for (std::size_t i = 0; i < c.from.size(); ++i) {
-    const LinkageAnswer answer = engine.ask(i);
+  std::vector<LinkageAnswer> answers;
+  ask_in_turn(c.from.size(), seconds, [&](std::size_t i) { answers.push_back(engine.ask(i)); });
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    const LinkageAnswer& answer = answers[i];
     asked.verdicts.push_back(answer.verdict);
-    evaluations += static_cast<double>(answer.evaluations);
-    if (std::chrono::steady_clock::now() - begin > affordable) break;
+    asked.proven.push_back(answer.verdict == Verdict::hit && is_contact(c, i, answer));
+    asked.evaluations += static_cast<double>(answer.evaluations) / static_cast<double>(answers.size());
   }
-  asked.evaluations = evaluations / static_cast<double>(asked.verdicts.size());
   return asked;
 }
 
-/// Against the bisection's verdicts, which the first contacts must repeat and samples never contradict.
-Row row(const ArmCase& c, const ArmEngine& engine, const Asked& asked, const Asked& truth) {
-  int missed = 0, false_hits = 0, undecided = 0, hits = 0;
-  for (const Verdict verdict : truth.verdicts) hits += verdict == Verdict::hit;
+/// Which motions hit: in a configuration of many, `step` of the arm apart, or where an engine has proven it.
+std::vector<bool> truth(const ArmCase& c, const std::vector<Asked>& asked, double step) {
+  LinkageChecker checker(c.scene());
+  std::vector<bool> hits;
+  for (std::size_t i = 0; i < c.from.size(); ++i) {
+    const LinkageAnswer sampled = sample_motion(checker, c.from[i], c.to[i], step * kArm);
+    hits.push_back(sampled.verdict == Verdict::hit && is_contact(c, i, sampled));
+  }
+  for (const Asked& one : asked)
+    for (std::size_t i = 0; i < one.proven.size(); ++i)
+      if (one.proven[i]) hits[i] = true;
+  return hits;
+}
+
+/// Samples may miss; nobody may tell of a contact that isn't.
+Row row(const ArmCase& c, const ArmEngine& engine, const Asked& asked, const std::vector<bool>& hits) {
+  int missed = 0, false_hits = 0, undecided = 0;
   for (std::size_t i = 0; i < asked.verdicts.size(); ++i) {
-    missed += asked.verdicts[i] == Verdict::free && truth.verdicts[i] == Verdict::hit;
-    false_hits += asked.verdicts[i] == Verdict::hit && truth.verdicts[i] == Verdict::free;
+    missed += asked.verdicts[i] == Verdict::free && hits[i];
+    false_hits += asked.verdicts[i] == Verdict::hit && !asked.proven[i];
     undecided += asked.verdicts[i] == Verdict::undecided;
   }
-  std::string check = std::to_string(hits) + " of " + std::to_string(c.from.size()) + " hit";
+  std::string check =
+      std::to_string(std::ranges::count(hits, true)) + " of " + std::to_string(c.from.size()) + " hit";
   if (false_hits > 0 || (engine.exact && missed > 0)) check += ", but " + engine.name + " says otherwise";
   Row result{"motion", c.name, engine.name, 1, {}, static_cast<double>(asked.verdicts.size()), check};
   result.error = {{"evaluations", asked.evaluations},
@@ -160,26 +188,17 @@ Row row(const ArmCase& c, const ArmEngine& engine, const Asked& asked, const Ask
 
 std::vector<Row> run(const ArmCase& c, const Options& options) {
   const std::vector<ArmEngine> engines = arm_engines(c);
-  std::vector<Row> rows;
-  std::vector<Contestant> contestants;
-  Asked truth;
+  std::vector<Asked> asked;
+  std::vector<AskOne> ask;
   for (const ArmEngine& engine : engines) {
-    const bool first = rows.empty();
-    const Asked asked = ask_all(c, engine, first ? kAllOfThem : options.quick ? 0.005 : 0.02);
-    if (first) truth = asked;
-    rows.push_back(row(c, engine, asked, truth));
-    contestants.push_back({engine.name, [&engine, n = asked.verdicts.size()] {
-                             double sum = 0.0;
-                             for (std::size_t i = 0; i < n; ++i) sum += engine.ask(i).from;
-                             sink = sum;
-                           }});
+    asked.push_back(ask_all(c, engine, asked.empty() ? kAllOfThem : options.quick ? 0.005 : 0.02));
+    ask.push_back([&engine](std::size_t i) { return engine.ask(i).from; });
   }
+  const std::vector<bool> hits = truth(c, asked, options.quick ? 1e-4 : 1e-5);
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < engines.size(); ++i) rows.push_back(row(c, engines[i], asked[i], hits));
   expect_agreement(rows);
-  interleave(contestants, options.blocks, 1.0);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    for (const double ms : contestants[i].ms) rows[i].ms.push_back(ms / rows[i].work);
-    rows[i].error["ns"] = 1e6 * median(rows[i].ms);
-  }
+  time_rows(rows, ask, options.blocks);
   return rows;
 }
 

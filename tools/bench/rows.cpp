@@ -47,7 +47,8 @@ void print_table(const std::vector<Row>& rows) {
   std::map<std::string, double> first;
   for (const Row& row : rows) {
     const double ms = median(row.ms);
-    const double reference = first.try_emplace(row.name, ms).first->second;
+    const double of_first = first.try_emplace(row.name, ms).first->second;
+    const double reference = row.reference_ms > 0.0 ? row.reference_ms : of_first;
     std::printf("%-34s %-12s %10.5g %10.5g %8.2f  %s\n", row.name.c_str(), row.engine.c_str(), ms,
                 minimum(row.ms), ms / reference, short_text(row.error).c_str());
   }

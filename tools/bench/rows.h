@@ -15,6 +15,7 @@ struct Row {
   double work = 0.0;       ///< pairs, queries or steps behind one figure
   std::string check;       ///< what all engines of a case must agree on
   nlohmann::ordered_json error = nlohmann::ordered_json::object();
+  double reference_ms = 0.0;  ///< what the ratio is to; 0: the median of the case's first row
 };
 
 double median(std::vector<double> values);
@@ -23,7 +24,7 @@ double minimum(const std::vector<double>& values);
 /// Throws std::runtime_error naming the case where two engines' checks differ.
 void expect_agreement(const std::vector<Row>& rows);
 
-/// The table, on stdout; ratios are to the first row of the same case, by medians.
+/// The table, on stdout; ratios are of medians, to the row's reference.
 void print_table(const std::vector<Row>& rows);
 
 /// Writes the rows as a JSON list. Throws InputError where the file can't be written.
