@@ -73,7 +73,10 @@ class Advance {
     }
   }
 
+  /// Of an earlier hit the bracket stays open at its beginning: up to there alone is its pair known to be
+  /// free.
   void touch(std::uint32_t k, double from, double to, const SafeTime& safe) {
+    if (contact_.verdict == Verdict::hit) from = std::min(from, contact_.from);
     contact_ = {Verdict::hit, from, to, 0, k, safe.part_a, safe.part_b, 0};
     limit_ = to;
     progress_[k].time = 1.0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "linkage_world.h"
@@ -55,6 +56,62 @@ TEST(LinkageFirstContact, TheFasterOfTwoRobotsIsTold) {
       world.checker().first_contact(std::vector{0.0, 0.0}, std::vector{kPi, 2 * kPi});
   EXPECT_EQ(answer.pair, (LinkPair{1, kWorld}));
   EXPECT_NEAR(answer.to, 0.25 - std::asin(0.1) / (2 * kPi), 1e-10);
+}
+
+/// Discs of radius 0.5, each on a track of its own that ends at a wall.
+World sliders(const std::vector<double>& walls) {
+  World world;
+  std::vector<Convex> solid;
+  for (std::uint32_t k = 0; k < walls.size(); ++k) {
+    const double track = 10.0 * k;
+    Link slider;
+    slider.joint = Joint::prismatic, slider.at = {0.0, track};
+    slider.shape = world.shapes.add({disc(0.5)});
+    world.linkage.push_back(slider);
+    world.pairs.push_back({k, kWorld});
+    solid.push_back(segment({walls[k], track - 1.0}, {walls[k], track + 1.0}));
+  }
+  world.obstacles = world.shapes.add(std::move(solid));
+  return world;
+}
+
+TEST(LinkageFirstContact, SecondHitWithinTheFirstsWidthDoesNotMakeItsBeginningCertain) {
+  for (bool swapped : {false, true}) {
+    std::vector<double> walls{3.0, 3.002};  // met at 0.625 and at 0.6255
+    if (swapped) std::swap(walls[0], walls[1]);
+    World world = sliders(walls);
+    const LinkageAnswer answer =
+        world.checker().first_contact(std::vector{0.0, 0.0}, std::vector{4.0, 4.0}, 0.01);
+    EXPECT_EQ(answer.verdict, Verdict::hit);
+    EXPECT_LE(answer.from, 0.625) << (swapped ? "the later first" : "the earlier first");
+    EXPECT_GE(answer.to, 0.625);
+    EXPECT_LE(answer.to - answer.from, 0.01 / 4.0 + 1e-15);
+  }
+}
+
+TEST(LinkageFirstContact, BeginsBeforeEachPairsOwnContact) {
+  Random random(18);
+  int close = 0;
+  for (int i = 0; i < 300; ++i) {
+    const double width = i % 2 ? 1e-2 : 0.0, spread = i % 2 ? 1e-2 : 1e-12;
+    std::vector<double> walls;
+    while (walls.size() < 4) walls.push_back(3.0 + uniform(random, 0.0, spread));
+    World world = sliders(walls);
+    const std::vector<double> from(4, 0.0), to(4, 4.0);
+    const LinkageAnswer first = world.checker().first_contact(from, to, width);
+    double least_from = 1.0, least_to = 1.0;
+    for (const LinkPair& pair : world.pairs) {
+      const LinkageAnswer alone =
+          LinkageChecker({world.linkage, {&pair, 1}, world.obstacles}).first_contact(from, to, width);
+      least_from = std::min(least_from, alone.from), least_to = std::min(least_to, alone.to);
+    }
+    const double contact = (*std::min_element(walls.begin(), walls.end()) - 0.5) / 4.0;
+    EXPECT_LE(first.from, std::nextafter(contact, 1.0)) << "seed 18, world " << i;
+    EXPECT_GE(first.to, std::nextafter(contact, 0.0)) << "seed 18, world " << i;
+    EXPECT_LE(first.to, least_to) << "seed 18, world " << i;
+    close += first.from <= least_from;
+  }
+  EXPECT_GT(close, 290) << "mostly the earliest that one of them is known to be free up to";
 }
 
 TEST(LinkageFirstContact, GrazingPathsAreFreeOrHitAsTheyAre) {
