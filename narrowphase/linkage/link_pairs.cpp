@@ -17,13 +17,14 @@ bool moves(const Link& link) {
   return link.lower < link.upper;
 }
 
-/// The joints between two links that move: those of one that does not hang on their common ancestor with it.
-std::uint32_t moving_joints(std::span<const Link> linkage, LinkPair links) {
+/// Of one robot, and at most one joint moves of those that lead from one to the other.
+bool share_a_joint(std::span<const Link> linkage, const LinkPair& links) {
   const std::uint32_t ancestor = nearest_common_ancestor(linkage, links);
-  std::uint32_t count = 0;
+  if (ancestor == kWorld) return false;
+  int moving = 0;
   for (std::uint32_t end : {links.a, links.b})
-    for (; end != ancestor; end = linkage[end].parent) count += moves(linkage[end]);
-  return count;
+    for (; end != ancestor; end = linkage[end].parent) moving += moves(linkage[end]);
+  return moving <= 1;
 }
 
 bool comes_before(const LinkPair& x, const LinkPair& y) {
@@ -56,12 +57,14 @@ std::vector<LinkPair> pairs_to_check(std::span<const Link> linkage, bool with_ob
   const auto is_asked = [&](const LinkPair& pair) {
     return !std::binary_search(left_out.begin(), left_out.end(), pair, comes_before);
   };
+  const auto may_meet = [&](const LinkPair& pair) {
+    return is_asked(pair) && !share_a_joint(linkage, pair) && !limits_keep_apart(linkage, pair, effort);
+  };
   for (std::uint32_t a = 0; with_obstacles && a < count; ++a)
     if (linkage[a].shape != nullptr && is_asked({a, kWorld})) pairs.push_back({a, kWorld});
   for (std::uint32_t a = 0; a < count; ++a)
     for (std::uint32_t b = a + 1; b < count; ++b)
-      if (linkage[a].shape != nullptr && linkage[b].shape != nullptr && is_asked({a, b}) &&
-          moving_joints(linkage, {a, b}) > 1 && !limits_keep_apart(linkage, {a, b}, effort))
+      if (linkage[a].shape != nullptr && linkage[b].shape != nullptr && may_meet({a, b}))
         pairs.push_back({a, b});
   return pairs;
 }

@@ -14,7 +14,8 @@ struct LinkPair {
 /// The pairs of which a motion must be asked whether they meet: links against obstacles first, then links of
 /// one robot and of several, each ascending. Left out are
 ///   - links without shape, and the pairs in `may_touch` (in either order; with kWorld: the obstacles);
-///   - links that share a joint: at most one joint that moves lies between them;
+///   - links of one robot that share a joint: at most one joint that moves lies between them. Of two robots
+///     none are: an arm may well meet a post that is a robot of its own;
 ///   - links that the joint limits keep apart, where that is proven in `effort` distances: boxes of joint
 ///     values are halved until the distance at each centre exceeds what the joints between the two can move
 ///     them within the box. A revolute joint without limits goes once round, prismatic ones prove nothing.

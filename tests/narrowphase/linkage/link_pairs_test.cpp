@@ -45,6 +45,34 @@ TEST(PairsToCheck, TwoRobotsMayMeet) {
   EXPECT_THAT(pairs_to_check(both, false), ElementsAre(LinkPair{0, 1}));
 }
 
+TEST(PairsToCheck, BarMayMeetAPostThatIsARobotOfItsOwn) {
+  ShapeStore shapes;
+  Linkage post(1);
+  post[0].shape = shapes.add({disc(0.1)}), post[0].lower = post[0].upper = 0.0;
+  for (bool post_first : {false, true}) {
+    Linkage both = post_first ? Linkage{} : arm(shapes, 1, 2.0, 0.1);
+    mount(both, post, {0.0, 1.0}, 0.0);
+    if (post_first) mount(both, arm(shapes, 1, 2.0, 0.1), {0.0, 0.0}, 0.0);
+    EXPECT_THAT(pairs_to_check(both, false), ElementsAre(LinkPair{0, 1})) << post_first;
+    EXPECT_THAT(pairs_to_check(both, false, std::vector<LinkPair>{{1, 0}}), IsEmpty()) << post_first;
+  }
+}
+
+TEST(PairsToCheck, RobotsThatStandStillAreAskedWhereTheyTouch) {
+  ShapeStore shapes;
+  Linkage post(1), all;
+  post[0].shape = shapes.add({disc(0.5)}), post[0].lower = post[0].upper = 0.0;
+  for (double at : {0.0, 0.9, 3.0}) mount(all, post, {at, 0.0}, 0.0);
+  EXPECT_THAT(pairs_to_check(all, false), ElementsAre(LinkPair{0, 1}));
+}
+
+TEST(PairsToCheck, LinksOnOneFootShareItsJoint) {
+  ShapeStore shapes;
+  Linkage robot = arm(shapes, 2, 1.0, 0.1);
+  robot[0].lower = robot[0].upper = 0.0;
+  EXPECT_THAT(pairs_to_check(robot, false), IsEmpty());
+}
+
 TEST(PairsToCheck, TwoRobotsTooFarFromEachOtherNever) {
   ShapeStore shapes;
   Linkage both = arm(shapes, 1, 1.0, 0.1);
