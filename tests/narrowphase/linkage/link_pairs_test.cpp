@@ -110,6 +110,19 @@ TEST(LimitsKeepApart, ASliderThatEndsBeforeTheOther) {
   EXPECT_FALSE(limits_keep_apart(robot, {0, 1}, 1000));
 }
 
+/// A telescope that turns and comes out far enough for a post aside.
+TEST(LimitsKeepApart, CountsHowFarASliderCarriesWhatTurns) {
+  ShapeStore shapes;
+  Linkage robot(3);
+  robot[0].at = 10.0 * pose({0, 0}, 1.2).rotate({1, 0}), robot[0].lower = robot[0].upper = 0.0;
+  robot[1].lower = -1.6, robot[1].upper = 1.6;
+  robot[2].parent = 1, robot[2].joint = Joint::prismatic, robot[2].lower = 0.0, robot[2].upper = 8.5;
+  robot[0].shape = robot[2].shape = shapes.add({disc(1.0)});
+  EXPECT_FALSE(limits_keep_apart(robot, {0, 2}, 1000));
+  robot[2].upper = 5.0;
+  EXPECT_TRUE(limits_keep_apart(robot, {0, 2}, 1000));
+}
+
 TEST(LimitsKeepApart, NeverWhereSamplesMeet) {
   Random random(9);
   int proven = 0, met = 0;

@@ -136,6 +136,24 @@ TEST(LinkageFirstContact, StandsAtZeroWhereTheStartTouches) {
   }
 }
 
+/// A disc that slides past others by less than rounding tells from touching.
+TEST(LinkageFirstContact, TellsTheFirstDoubtAndNoHitWithoutIt) {
+  World world;
+  world.linkage.assign(1, Link{});
+  world.linkage[0].joint = Joint::prismatic;
+  world.linkage[0].shape = world.shapes.add({disc(0.5)});
+  std::vector<Convex> posts{disc(0.5, {3.0, std::nextafter(1.0, 2.0)}),
+                            disc(0.5, {4.5, std::nextafter(1.0, 2.0)})};
+  for (const bool wall : {false, true}) {
+    if (wall) posts.push_back(segment({5.75, -1.0}, {5.75, 0.25}));
+    world.obstacles = world.shapes.add(posts);
+    const LinkageAnswer answer = world.checker().first_contact(std::vector{0.0}, std::vector{6.0});
+    EXPECT_EQ(answer.verdict, wall ? Verdict::hit : Verdict::undecided);
+    EXPECT_NEAR(answer.from, 0.5, 1e-6);
+    EXPECT_NEAR(answer.to, wall ? 5.25 / 6.0 : 0.5, 1e-6);
+  }
+}
+
 TEST(LinkageFirstContact, NoMotionIsFreeAtOnce) {
   World world = bar_and_post(2.0, {0.0, 1.0}, 0.1);
   const LinkageAnswer answer = world.checker().first_contact(std::vector{0.3}, std::vector{0.3});

@@ -98,5 +98,15 @@ TEST(BeyondLimits, FindsTheFirstJoint) {
   EXPECT_EQ(beyond_limits(robot, std::vector<double>{9, NAN, 9}), 1u);
 }
 
+TEST(Mount, TurnsTheWayOfASlider) {
+  Linkage robot(1), all;
+  robot[0].joint = Joint::prismatic;
+  mount(all, robot, {1, 2}, M_PI / 2);
+  std::vector<Pose> poses(1);
+  place_links(all, std::vector{3.0}, poses);
+  EXPECT_NEAR(poses[0].position.x(), 1.0, 1e-15);
+  EXPECT_NEAR(poses[0].position.y(), 5.0, 1e-15);
+}
+
 }  // namespace
 }  // namespace throng::narrowphase

@@ -128,6 +128,17 @@ TEST(Bisect, EndsAlsoForAPathWithoutEnd) {
   EXPECT_LT(answer.evaluations, 2000u);
 }
 
+/// On whichever side of the last computation it lies.
+TEST(Bisect, HoldsTheDoubtInItsInterval) {
+  BisectOptions options;
+  options.epsilon = 1e-3;
+  for (int i = 1; i < 1000; ++i) {
+    const PathAnswer answer = ask({{{doubt(i * 1e-3)}}}, options);
+    EXPECT_LE(answer.from, i * 1e-3);
+    EXPECT_GE(answer.to, i * 1e-3);
+  }
+}
+
 TEST(Bisect, DecidesAboveEpsilonAlways) {
   BisectOptions options;
   options.epsilon = 1e-3;
@@ -172,6 +183,7 @@ TEST(Bisect, OfAnInstantIsWhatItsDistanceSays) {
   };
   EXPECT_EQ(verdict(1.0), Verdict::free);
   EXPECT_EQ(verdict(0.0), Verdict::hit);
+  EXPECT_EQ(verdict(1e-300), Verdict::undecided);
 }
 
 TEST(BisectAll, AnswersEverySegmentAndTellsTheWorst) {
@@ -197,6 +209,60 @@ TEST(Bisect, BeginsWithTheLongest) {
   for (int k = 0; k < 100; ++k)
     many.pairs.push_back({[=](double) { return k == 37 ? -1.0 : 1.0; }, k == 37 ? 3.0 : 2.0});
   EXPECT_EQ(ask(many).evaluations, 1u);
+}
+
+/// What `Distances` proves of this is `d` to the bit.
+double exactly(double d) {
+  return d + 1e-15;
+}
+
+TEST(Bisect, OfEqualPairsBeginsWithTheFirst) {
+  const std::vector<Distances::Pair> equal(5, {[](double) { return -1.0; }});
+  EXPECT_EQ(ask({equal}).pair, 0u);
+}
+
+/// Two gaps of one length are left, with a hit in the middle of each.
+TEST(Bisect, OfEqualGapsBeginsWithTheEarliest) {
+  const auto distance = [](double t) {
+    if (t == 0.5) return exactly(0.25);
+    return t == 0.0 || t == 1.0 ? exactly(0.125) : 0.0;
+  };
+  const PathAnswer answer = ask({{{distance}}});
+  EXPECT_EQ(answer.verdict, Verdict::hit);
+  EXPECT_EQ(answer.from, 0.1875);
+}
+
+/// The first computation says that the pair is in doubt; the hundredth that it hits.
+TEST(Bisect, SearchesAPairInDoubtForAHit) {
+  const auto distance = [](double t) { return t > 0.7 && t < 0.705 ? 0.0 : 1e-300; };
+  const PathAnswer answer = ask({{{distance}}});
+  EXPECT_EQ(answer.verdict, Verdict::hit);
+  EXPECT_GT(answer.evaluations, 30u);
+}
+
+/// Answers no longer than asked for, as distances of solids are.
+struct AsLongAsAsked : Distances {
+  SafeTime safe_time(std::uint32_t k, double time, const SafeTimeQuestion& question) const {
+    SafeTime safe = Distances::safe_time(k, time, question);
+    safe.before = std::min(safe.before, question.before), safe.after = std::min(safe.after, question.after);
+    return safe;
+  }
+};
+
+/// A gap whose ends and middle are rounded is covered by its middle, and no splinter is left.
+TEST(Bisect, LeavesNoSplinterBesideWhatIsWanted) {
+  for (int i = 1; i <= 1000; ++i) {
+    const double duration = 0.7 + i * 1e-3;
+    const auto distance = [=](double t) {
+      return t == 0.0 || t == duration || t == 0.5 * duration ? 0.1 + i * 1e-5 : 9.0;
+    };
+    AsLongAsAsked pairs;
+    pairs.pairs = {{distance, duration}};
+    BisectScratch scratch;
+    const PathAnswer answer = bisect(pairs, {}, scratch);
+    EXPECT_EQ(answer.verdict, Verdict::free) << i;
+    EXPECT_EQ(answer.evaluations, 5u) << i;
+  }
 }
 
 }  // namespace

@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "moving_solids.h"
+#include "narrowphase/distance.h"
 #include "narrowphase/motion/first_contact_parts.h"
+#include "narrowphase/relative.h"
 
 namespace throng::narrowphase {
 namespace {
@@ -60,12 +62,25 @@ TYPED_TEST(FirstOutlineContact, IsAtOnceWhereOneHoldsTheOtherOrTheyTouch) {
 
 TYPED_TEST(FirstOutlineContact, OfWhatMovesInAHoleIsItsFarSide) {
   const std::vector<Ring> rings{square(5.0), {{-3, -3}, {-3, 3}, {3, 3}, {3, -3}}};
-  const auto frame = outline<TypeParam>(rings), wedge = solid<TypeParam>({{0.5, 0}, {-0.5, 0.3}, {-0.5, -0.3}});
+  const auto frame = outline<TypeParam>(rings),
+             wedge = solid<TypeParam>({{0.5, 0}, {-0.5, 0.3}, {-0.5, -0.3}});
   const FirstPartsContact found = first_contact(wedge, {{0, 0}, 0, {5, 1}, 0}, frame, {}, 1.0);
   ASSERT_EQ(found.contact.verdict, Verdict::hit);
   EXPECT_NEAR(found.contact.t_lo, 0.5, 1e-12);
   EXPECT_EQ(found.part_b, 6u) << "the hole's right side";
   EXPECT_EQ(first_contact(wedge, {{0, 0}, 0, {2, 1}, 1}, frame, {}, 1.0).contact.verdict, Verdict::free);
+}
+
+/// How far the two edges that it names are from each other at its end.
+double between_named(const Ring& a, const Motion& motion_a, const Ring& b, const Motion& motion_b,
+                     const FirstPartsContact& found) {
+  const auto edge = [](const Ring& ring, std::uint32_t i) {
+    return segment(ring[i], ring[next(i, ring.size())]);
+  };
+  const double time = found.contact.t_hi;
+  return separation(edge(a, found.part_a), pose_at(motion_a, time), edge(b, found.part_b),
+                    pose_at(motion_b, time))
+      .distance;
 }
 
 /// The same polygons as unions of convex pieces, which overlap where outlines only cross.
@@ -81,7 +96,8 @@ TYPED_TEST(FirstOutlineContact, IsThatOfThePolygonsParts) {
     const std::vector<Convex> parts_a = decompose(ring_a, 0.0), parts_b = decompose(ring_b, 0.0);
     const auto a = solid<TypeParam>(ring_a), b = solid<TypeParam>(ring_b);
     const Motion motion_a = random_motion(random), motion_b = random_motion(random);
-    const FirstContact found = first_contact(a, motion_a, b, motion_b, 1.0).contact;
+    const FirstPartsContact told = first_contact(a, motion_a, b, motion_b, 1.0);
+    const FirstContact& found = told.contact;
     const FirstContact expected =
         first_contact(parts_bvh(parts_a), motion_a, parts_bvh(parts_b), motion_b, 1.0).contact;
     ASSERT_EQ(found.verdict, expected.verdict);
@@ -93,8 +109,14 @@ TYPED_TEST(FirstOutlineContact, IsThatOfThePolygonsParts) {
     ASSERT_GE(swapped.t_hi, found.t_lo);
     hits += found.verdict == Verdict::hit, inside += found.evaluations == 0 && found.verdict == Verdict::hit;
     if (found.verdict != Verdict::hit) continue;
+    const Pose pose_a = pose_at(motion_a, found.t_hi), pose_b = pose_at(motion_b, found.t_hi);
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> meetings;
+    find_meetings(a, pose_a, b, pose_b, meetings);
+    if (!meetings.empty()) {
+      ASSERT_LE(between_named(ring_a, motion_a, ring_b, motion_b, told), 1e-12);
+    }
     ASSERT_LE(found.t_hi - found.t_lo, 1e-9);
-    ASSERT_TRUE(collide(a, pose_at(motion_a, found.t_hi), b, pose_at(motion_b, found.t_hi)));
+    ASSERT_TRUE(collide(a, pose_a, b, pose_b));
   }
   std::printf("seed %llu: %d of 1000 hit, %d of these at the start\n", static_cast<unsigned long long>(kSeed),
               hits, inside);

@@ -116,5 +116,14 @@ TEST(SafeTime, IsTheLeastOverAllPairsOfParts) {
   EXPECT_LT(apart, 1700);
 }
 
+TEST(SafeTime, OfOutlinesIsAHitWhereEitherHoldsTheOther) {
+  const std::vector<std::vector<Vec>> large{{{-3, -3}, {3, -3}, {3, 3}, {-3, 3}}},
+      small{{{0, 0}, {1, 0}, {0, 1}}};
+  const auto a = outline<Box<2>>(large), b = outline<Box<2>>(small);
+  EXPECT_TRUE(safe_time(a, Pose{}, b, Pose{{1, 1}}, {1, 1, 1}, {}).hit);
+  EXPECT_TRUE(safe_time(b, Pose{{1, 1}}, a, Pose{}, {1, 1, 1}, {}).hit);
+  EXPECT_FALSE(safe_time(b, Pose{{4, 1}}, a, Pose{}, {1, 1, 1}, {}).hit);
+}
+
 }  // namespace
 }  // namespace throng::narrowphase
