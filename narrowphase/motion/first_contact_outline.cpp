@@ -77,8 +77,8 @@ FirstPartsContact first_contact(const Outline<Volume>& a, const Motion& motion_a
   return found;
 }
 
-#define THRONG_FIRST_CONTACT(VOLUME)                                                                         \
-  template FirstPartsContact first_contact(const Outline<VOLUME>&, const Motion&, const Outline<VOLUME>&,    \
+#define THRONG_FIRST_CONTACT(VOLUME)                                                                      \
+  template FirstPartsContact first_contact(const Outline<VOLUME>&, const Motion&, const Outline<VOLUME>&, \
                                            const Motion&, double, const PartsQuestion&);
 THRONG_FIRST_CONTACT(Ball<2>)
 THRONG_FIRST_CONTACT(Box<2>)

@@ -160,6 +160,17 @@ TEST(FirstContact, OfACornerThatGlidesAlongAWallTakesFewLooksHoweverNear) {
   }
 }
 
+/// The next corner comes round while the first one glides: it bends by its own way about the first.
+TEST(FirstContact, OfACornerThatGlidesEndsWhereTheNextOneComesRound) {
+  const Convex wall = convex({{-9, -1}, {9, -1}, {9, 0}, {-9, 0}}),
+               piece = convex({{0, 0}, {0.8, 1}, {-0.8, 1}});
+  const FirstContact found = first_contact(wall, {}, piece, {{-2, 4e-9}, 0.4, {2, 0}, -0.8}, 3.0);
+  ASSERT_EQ(found.verdict, Verdict::hit);
+  EXPECT_NEAR(found.t_lo, (0.4 + std::atan2(1.0, 0.8)) / 0.8, 1e-8);
+  EXPECT_LE(found.t_hi - found.t_lo, 1e-9);
+  EXPECT_LE(found.evaluations, 20);
+}
+
 TEST(FirstContact, IsContradictedByNoDistanceOnTheWay) {
   Random random(20260201);
   constexpr int kPairs = 100000;
