@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "tools/answer_json.h"
 #include "tools/motion_view.h"
 #include "tools/pen.h"
 

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <limits>
 
+#include "tools/answer_json.h"
+
 namespace throng::tools {
 
 namespace {
