@@ -64,7 +64,7 @@ WayOut way_out(const Solid& a, const Solid& b, const Vec& normal) {
   return shortest;
 }
 
-Json json(const narrowphase::Manifold& m) {
+Json to_json(const narrowphase::Manifold& m) {
   Json points = Json::array();
   for (int i = 0; i < m.count; ++i) {
     const narrowphase::ManifoldPoint& p = m.points[static_cast<std::size_t>(i)];
@@ -140,7 +140,7 @@ Json answer(const PairQuery& q, bool work) {
   result["point_a"] = json(s.point_a);
   result["point_b"] = json(s.point_b);
   if (convex && s.distance <= 0.0)
-    result["manifold"] = json(manifold(q.a.parts[0], q.a.pose, q.b.parts[0], q.b.pose, 0.0));
+    result["manifold"] = to_json(manifold(q.a.parts[0], q.a.pose, q.b.parts[0], q.b.pose, 0.0));
   if (!convex && s.distance < 0.0) add_way_out(q, s, result);
   const int looks = q.until ? add_motion(q, s, result) : 0;
   if (!q.repairs.empty()) result["repairs"] = q.repairs;
