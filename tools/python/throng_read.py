@@ -14,8 +14,10 @@ recording.velocity.frames are those that have it, recording.velocity.index_at(2.
 these, and recording.velocity[recording.velocity.frames] is all there is. With record.within, bodies that were
 outside have NaN. recording.contacts(i) gives where bodies pressed, recording.observables the measurements.
 
-Nothing is read before it is asked for. Only frames that the run committed are there. Every value carries a
-checksum: a damaged chunk raises OSError when it is read. Where a file is no recording, `open` raises
+Nothing is read before it is asked for. Only frames that the run committed are there. Positions, angles,
+velocities and spins carry checksums: a damaged chunk raises OSError when it is read. Contacts and observables carry
+none, nor do the lists of frames: `throng replay --verify`, or any export by throng, holds them against the hash of
+their frame. Where a file is no recording, `open` raises
 NotARecording with one sentence. The layout is that of sim/recording/layout.h, which says what each name means.
 """
 import os
