@@ -93,14 +93,14 @@ class ThrongRead(Program):
             self.assertEqual(recording.angle.shape, (5, 4))
             np.testing.assert_array_equal(recording.step, [0, 5, 10, 15, 20])
 
-    def test_gives_observables(self):
-        path = self.record()
+    def test_gives_observables_at_the_times_of_their_frames(self):
+        path = self.record("a.h5", "--set", "record.observables=8")
         with h5py.File(path, "r+") as file:
-            file["observables/door/flow/value"], file["observables/door/flow/time"] = [1.0, 2.0], [0.0, 0.1]
+            file["observables/momentum/time"][1] = 0.5
         with throng_read.open(path) as recording:
-            value, when = recording.observables["door/flow"]
-            np.testing.assert_array_equal(value, [1, 2])
-            np.testing.assert_array_equal(when, [0, 0.1])
+            value, when = recording.observables["momentum"]
+            np.testing.assert_array_equal(when, [0, 0.08, 0.16])
+            self.assertEqual(value.shape, (3, 2))
 
     @staticmethod
     def frames_so_far(part):
@@ -209,6 +209,21 @@ class Refusals(Program):
             with h5py.File(path, "r+") as file:
                 edit(file)
             self.refused(path, why)
+
+    def test_takes_no_memory_for_what_cannot_be_there(self):
+        path = self.record("a.h5", "--set", 'record.fields=["position", "contacts"]', "--set", "record.observables=1",
+                           "--set", "record.quantize=0.001")
+        with h5py.File(path, "r+") as file:
+            file["throng/contacts/a"].resize((10**12,))
+            file["throng/contacts/offset"][1] = 10**12
+            file["observables/momentum/value"].resize((10**12, 2))
+        with throng_read.open(path) as recording:
+            for read in (lambda: recording.contacts(0), lambda: recording.observables):
+                self.assertRaisesRegex(ValueError, "is larger than the file", read)
+        with h5py.File(path, "r+") as file:
+            del file["throng/quantized/position"]
+            file["throng/quantized"].create_dataset("position", (21, 4, 2), "u4", chunks=(21, 4, 2), compression=1)
+        self.refused(path, "has chunks of another form")
 
     def test_never_shows_a_damaged_frame_as_if_it_were_right(self):
         path = self.record()

@@ -28,6 +28,7 @@ import numpy as np
 
 MAJOR = 1  # of the layouts that this file reads
 SIGNATURE = b"\x89HDF\r\n\x1a\n"
+MOST_CHUNK = 16 << 20  # bytes, unpacked
 SLACK = 1 << 20  # bytes by which the file of a killed run may fall short of what it declares
 
 Frame = namedtuple("Frame", "step time hash position angle velocity spin")  # None where the frame has none
@@ -262,6 +263,9 @@ class Recording:
         frames, stored = self._frames_of(path), self._get(path + "/position")
         if stored.dtype != np.dtype("u4") or stored.shape[0] < len(frames) or stored.shape[1:] != (len(self.ids), 2):
             raise ValueError(f"{path} has another form")
+        rows, bodies, columns = stored.chunks or (0, 0, 0)
+        if rows != 1 or bodies > len(self.ids) or columns != 2 or 8 * bodies > MOST_CHUNK:
+            raise ValueError(f"{path} has chunks of another form")
         return Field("position", Quantized(self._file[path]), frames, self.time)
 
     def contacts(self, i):
@@ -272,23 +276,19 @@ class Recording:
         if sample == len(frames) or frames[sample] != range(len(self))[i]:
             return None
         begin, end = (int(k) for k in self._get(group + "/offset")[sample:sample + 2])
-        return Contacts(*(self._get(f"{group}/{name}")[begin:end] for name in Contacts._fields))
+        return Contacts(*(self._bounded(f"{group}/{name}")[begin:end] for name in Contacts._fields))
 
     @property
     def observables(self):
-        """What H5MD calls observables, as far as frames go, read whole: {name: (value, time in s)}, groups as
-        "group/name"."""
-        found, end = {}, self.time[-1] if len(self) else -1
-
-        def take(name, item):
-            if isinstance(item, h5py.Group) and "value" in item and "time" in item:
-                value, time = (self._get(f"observables/{name}/{part}")[:] for part in ("value", "time"))
-                rows = np.searchsorted(time, end, "right")
-                found[name] = value[:rows], time[:rows]
-
-        if "observables" in self._file:
-            self._file["observables"].visititems(take)
-        return found
+        """What was measured, read whole: {name: (value, time in s)}."""
+        if "observables" not in self._file:
+            return {}
+        time = self.time[self._frames_of("observables")]
+        found = {name: self._all(f"observables/{name}/value") for name in self._file["observables"]}
+        for name, value in found.items():
+            if len(value) < len(time):
+                raise ValueError(f"observables/{name} has too few rows")
+        return {name: (value[:len(time)], time) for name, value in found.items()}
 
     def _get(self, path):
         """A dataset of the file's own; crafted files point at others."""
@@ -299,11 +299,15 @@ class Recording:
             raise ValueError(f"{path} is no dataset of its own")
         return dataset
 
-    def _all(self, path):
+    def _bounded(self, path):
+        """One that claims no more than the file can hold."""
         dataset = self._get(path)
         if dataset.size * dataset.dtype.itemsize > os.path.getsize(self._path) + SLACK:
             raise ValueError(f"{path} is larger than the file")
-        return dataset[:]
+        return dataset
+
+    def _all(self, path):
+        return self._bounded(path)[:]
 
     def __len__(self):
         """The number of frames."""
