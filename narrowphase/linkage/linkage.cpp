@@ -59,9 +59,8 @@ void place_links(std::span<const Link> linkage, std::span<const double> values, 
     poses[i].cos = parent(i).cos + linkage[i].angle + turned;
   }
   for (std::size_t i = 0; i < linkage.size(); ++i) {
-    const double slid = linkage[i].joint == Joint::prismatic ? values[i] : 0.0;
     const Pose frame = linkage[i].parent == kWorld ? Pose{} : poses[linkage[i].parent];
-    poses[i] = pose(frame * (linkage[i].at + slid * linkage[i].axis), poses[i].cos);
+    poses[i] = pose(frame * offset(linkage[i], values[i]), poses[i].cos);
   }
 }
 

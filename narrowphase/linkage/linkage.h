@@ -49,8 +49,14 @@ std::string fault(std::span<const Link> linkage);
 /// The first joint whose value lies outside its limits.
 std::optional<std::uint32_t> beyond_limits(std::span<const Link> linkage, std::span<const double> values);
 
-/// Where the links stand. Angles are summed as angles, so that a long chain turns by no more than each
-/// link's own rounding. Expects as many values and poses as links. About 15 ns a link; allocates nothing.
+/// Where a joint's value puts the link's origin in its parent's frame. m.
+inline Vec offset(const Link& link, double value) {
+  return link.joint == Joint::revolute ? link.at : Vec(link.at + value * link.axis);
+}
+
+/// Where the links stand. Angles are summed as angles, so that a link's is off by no more than the roundings
+/// of these sums: one in 2^53 of each partial sum, of which large ones that cancel keep theirs. Expects as
+/// many values and poses as links. About 15 ns a link; allocates nothing.
 void place_links(std::span<const Link> linkage, std::span<const double> values, std::span<Pose> poses);
 
 }  // namespace throng::narrowphase

@@ -12,6 +12,7 @@ namespace throng::narrowphase {
 namespace {
 
 constexpr double kRounding = 0x1p-44;  // of a thousand sums
+constexpr double kOneSum = 0x1p-52;    // and of one, twice over
 
 double length(const Vec& v) {
   return direction(v, {1.0, 0.0}).length;
@@ -24,11 +25,6 @@ Vec crossed(double spin, const Vec& arm) {
 /// Farther than any of its points is from the link's origin. m.
 double reach(const Link& link) {
   return link.shape == nullptr ? 0.0 : link.shape->tree.nodes[0].far;
-}
-
-/// By how much an angle that grows from `angle` by `spin` may be off, sine and cosine included. rad.
-double angle_error(double angle, double spin) {
-  return 0x1p-50 * (1.0 + std::abs(angle) + std::abs(spin));
 }
 
 }  // namespace
@@ -62,19 +58,26 @@ void LinkageMotion::reset(std::span<const Link> linkage, std::span<const double>
     const double value = from[i], change = to[i] - from[i];
     const LinkState parent = linkage[i].parent == kWorld ? LinkState{} : states_[linkage[i].parent];
     states_[i] = hung(linkage[i], parent, value, change);
-    slack_ = std::max(slack_, 8.0 * (states_[i].error +
-                                     reach(linkage[i]) * angle_error(states_[i].angle, states_[i].spin)));
+    slack_ = std::max(slack_, 8.0 * (states_[i].error + reach(linkage[i]) * turned_off(states_[i])));
   }
+}
+
+/// By how much the link's angle may be off at any time, sine and cosine included. rad.
+double LinkageMotion::turned_off(const LinkState& state) {
+  return state.blur + 0x1p-50 * (1.0 + std::abs(state.angle) + std::abs(state.spin));
 }
 
 LinkageMotion::LinkState LinkageMotion::hung(const Link& link, const LinkState& parent, double value,
                                              double change) {
   const bool revolute = link.joint == Joint::revolute;
+  const double mounted = parent.angle + link.angle;
   LinkState state;
-  state.arm = revolute ? link.at : Vec(link.at + value * link.axis);
+  state.arm = offset(link, value);
   state.slide = revolute ? Vec(0.0, 0.0) : Vec(change * link.axis);
-  state.angle = parent.angle + link.angle + (revolute ? value : 0.0);
+  state.angle = mounted + (revolute ? value : 0.0);
   state.spin = parent.spin + (revolute ? change : 0.0);
+  state.blur = parent.blur + kOneSum * (std::abs(mounted) + std::abs(state.angle) + std::abs(state.spin) +
+                                        (revolute ? std::abs(change) : 0.0));
   const Pose turn = throng::narrowphase::pose({0.0, 0.0}, parent.angle);
   const double slid = length(state.slide), size = length(state.arm) + slid;
   state.last = {parent.spin, turn.rotate(state.arm), turn.rotate(state.slide), size, slid};
@@ -87,7 +90,8 @@ LinkageMotion::LinkState LinkageMotion::hung(const Link& link, const LinkState& 
     state.before += parent.run.speed(0.0), state.bent += parent.run.acceleration(0.0);
   }
   state.reach = parent.reach + size;
-  state.error = parent.error + size * angle_error(parent.angle, parent.spin) + 0x1p-51 * state.reach;
+  state.error = parent.error + size * turned_off(parent) + 0x1p-51 * state.reach +
+                (revolute ? 0.0 : kOneSum * (std::abs(value) + size));
   return state;
 }
 

@@ -48,7 +48,8 @@ class LinkageMotion {
   PairBounds bounds(const LinkPair& pair);
 
   /// What rounding may do to a pair's gap, velocities' for the whole motion included: farther than that no
-  /// point of two links is from where the motion has them. m.
+  /// point of two links is from where the motion has them. m. Grows with what was added up on the way, though
+  /// it cancelled: an angle of 1e6 rad that a joint takes back has cost its digits.
   double slack() const { return slack_; }
 
  private:
@@ -75,13 +76,15 @@ class LinkageMotion {
     double before = 0.0;  ///< the speed of the arms before `run`
     double bent = 0.0;    ///< and their acceleration
     double reach = 0.0;   ///< m, how far off the origin may be
-    double error = 0.0;   ///< m, by rounding
+    double error = 0.0;   ///< m, of the origin, by rounding
+    double blur = 0.0;    ///< rad, of angle and spin, by their sums
   };
   /// A link's pose, and how fast its origin goes, seen from a link that it hangs on.
   struct Moving {
     Pose pose;
     Vec velocity{0.0, 0.0};  ///< m by time 1
   };
+  static double turned_off(const LinkState& state);
   static LinkState hung(const Link& link, const LinkState& parent, double value, double change);
   Pose hung(std::uint32_t link, const Pose& parent, double time, std::uint32_t seen_from) const;
   Moving moving(std::uint32_t link, double time, std::uint32_t seen_from) const;
