@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <functional>
 
@@ -82,9 +83,29 @@ bool collides(const Problem& problem, const ob::StateSpace& space, const og::Pat
 
 struct Outcome {
   std::vector<double> ms;  ///< of the runs that came to an end
-  int collide = 0;
+  int collide = 0;         ///< paths that do, by proof
+  int unproven = 0;        ///< paths that do by dense samples, and by proof not
   double motions = 0.0;
 };
+
+/// Whether any of the states on the path is in contact, a ten thousandth of the space apart: what there is
+/// to say about proofs by nothing that they are made of.
+bool samples_collide(const ob::SpaceInformation& space, const og::PathGeometric& path) {
+  constexpr double kStep = 1e-4;
+  const ob::StateSpace& states = *space.getStateSpace();
+  ob::State* between = space.allocState();
+  bool collide = false;
+  for (unsigned i = 0; i + 1 < path.getStateCount() && !collide; ++i) {
+    const ob::State *from = path.getState(i), *to = path.getState(i + 1);
+    const double steps = std::ceil(states.distance(from, to) / (kStep * states.getMaximumExtent())) + 1.0;
+    for (double k = 0.0; k <= steps && !collide; ++k) {
+      states.interpolate(from, to, k / steps, between);
+      collide = !space.isValid(between);
+    }
+  }
+  space.freeState(between);
+  return collide;
+}
 
 using MakePlanner = std::function<ob::PlannerPtr(const ob::SpaceInformationPtr&)>;
 
@@ -104,7 +125,9 @@ Outcome plan(const Problem& problem, const MakePlanner& planner_of, double resol
     if (!solved) continue;
     outcome.ms.push_back(spent.count());
     const auto* path = goal->getSolutionPath()->as<og::PathGeometric>();
-    outcome.collide += collides(problem, *space->getStateSpace(), *path);
+    const bool proven = collides(problem, *space->getStateSpace(), *path);
+    outcome.collide += proven;
+    outcome.unproven += samples_collide(*space, *path) && !proven;
   }
   return outcome;
 }
@@ -125,19 +148,21 @@ void print_row(const Problem& problem, const char* planner, double resolution, c
               outcome.collide);
 }
 
-/// The number of paths that were taken as proven and collide: 0 unless throng lies.
+/// What went wrong: paths that were taken as proven, or are free by proof, and collide; and planners that
+/// find none with exact checks, so that there is nothing to see.
 int compare(const Problem& problem, const Effort& effort) {
   const std::pair<const char*, MakePlanner> planners[] = {
       {"RRT-Connect", [](const auto& space) { return std::make_shared<og::RRTConnect>(space); }},
       {"lazy PRM", [](const auto& space) { return std::make_shared<og::LazyPRM>(space); }}};
-  int lies = 0;
+  int faults = 0;
   for (const auto& [name, planner_of] : planners)
     for (const double resolution : {kExact, 0.05, 0.01, 0.003, 0.001, 0.0001}) {
       const Outcome outcome = plan(problem, planner_of, resolution, effort);
       print_row(problem, name, resolution, effort, outcome);
-      lies += resolution == kExact ? outcome.collide : 0;
+      faults += outcome.unproven;
+      if (resolution == kExact) faults += outcome.collide + outcome.ms.empty();
     }
-  return lies;
+  return faults;
 }
 
 }  // namespace
@@ -151,13 +176,13 @@ int main(int argc, char** argv) {
       return 2;
     }
   ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
-  const Effort effort = given("--quick") ? Effort{1, 0.5} : Effort{15, 2.0};
+  const Effort effort = given("--quick") ? Effort{1, 10.0} : Effort{15, 2.0};
   std::printf("%-18s %-12s %-15s %9s %12s %10s %10s\n", "problem", "planner", "motions checked", "solved",
               "ms, median", "motions", "collide");
-  int lies = 0;
+  int faults = 0;
   Problem maze, arm;
   make_maze(maze), make_arm(arm);
-  if (!given("arm")) lies += compare(maze, effort);
-  if (!given("maze")) lies += compare(arm, effort);
-  return lies == 0 ? 0 : 1;
+  if (given("maze") || !given("arm")) faults += compare(maze, effort);
+  if (given("arm") || !given("maze")) faults += compare(arm, effort);
+  return faults == 0 ? 0 : 1;
 }
