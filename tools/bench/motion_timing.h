@@ -25,9 +25,9 @@ void ask_in_turn(std::size_t queries, double seconds, const Ask& ask) {
 /// Answers one query, by a number of its answer.
 using AskOne = std::function<double(std::size_t query)>;
 
-/// Times each row's engine on the first `work` queries, which it has answered, in `blocks` interleaved blocks.
-/// Expects the first row to have answered all. Who has answered fewer is compared with the first on these
-/// alone: its ratio is to that, and `error` says which share was `asked`, and the `first_ns` of them.
+/// Times each row's engine on the first `work` queries, which it has answered, in `blocks` interleaved
+/// blocks. Expects the first row to have answered all. Who has answered fewer is compared with the first on
+/// these alone: its ratio is to that, and `error` says which share was `asked`, and the `first_ns` of them.
 void time_rows(std::vector<Row>& rows, const std::vector<AskOne>& engines, int blocks);
 
 }  // namespace throng::bench
