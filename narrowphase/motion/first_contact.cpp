@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "narrowphase/motion/gap_parabola.h"
+#include "narrowphase/motion/parabola.h"
 #include "narrowphase/tracker.h"
 
 namespace throng::narrowphase {
@@ -76,7 +77,7 @@ class Advance {
     constexpr int kUsual = 8;
     const double most = span_.until - time_;
     if (evaluations_ <= kUsual) return gap_parabola(pair_, placed_, axis, pair_.rounding, most);
-    const double bend = bend_of_origins(pair_, axis.spin, farthest_);
+    const double bend = bend_of_origins(axis.spin, pair_.speed, farthest_);
     return gap_parabola_by_vertex(pair_, placed_, {axis.normal, axis.spin, bend}, pair_.rounding, most);
   }
 
@@ -120,9 +121,9 @@ class Advance {
   /// The gap is 0 within rounding: goes on, twice as far each time, to where it is anything else.
   FirstContact settle_doubt() {
     const double start = time_;
-    if (!(pair_.rate * span_.until > 0.0)) return free();
+    if (pair_.rate * span_.until == 0.0) return free();
     for (double ahead = std::max(0.5 * width_, 4.0 * pair_.rounding) / pair_.rate;; ahead *= 2.0) {
-      const double time = std::min(start + ahead, span_.until);
+      const double time = std::min(span_.until, start + ahead);  // also where rounding has no bound
       look(time);
       if (seen_.distance <= -pair_.rounding) return result(Verdict::hit, start, time);
       if (seen_.distance > 4.0 * pair_.rounding || !(time < span_.until))

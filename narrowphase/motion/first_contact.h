@@ -22,7 +22,9 @@ struct FirstContact {
 };
 
 /// The first contact of two convex shapes from time 0 to `duration`: what a rigid body's step asks of a fast
-/// body, one call a pair and step. Expects finite motions and duration >= 0.
+/// body, one call a pair and step. Expects finite motions, lengths and speeds up to 1e150, and a finite
+/// duration
+/// >= 0.
 ///
 /// A hit: the two overlap at t_hi, by more than rounding, in a bracket no wider than asked for. Only where
 /// rounding alone takes longer, because the gap closes slowly or a motion's numbers are large, is it wider,

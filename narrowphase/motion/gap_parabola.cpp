@@ -3,15 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "narrowphase/motion/parabola.h"
 #include "narrowphase/support.h"
 
 namespace throng::narrowphase {
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The vertex that comes farthest, and how it bends by itself.
 struct Extreme {
@@ -37,7 +35,7 @@ struct BendingSide : Side {
   bool spins;      ///< about its origin
 
   double bend(const Vec& v) const {
-    return turning * turning * (spins ? direction(v, {1.0, 0.0}).length : reach);
+    return bend_of_vertex(turning, spins ? direction(v, {1.0, 0.0}).length : reach);
   }
 
   Extreme extreme(double sign, double time) const {
@@ -48,20 +46,6 @@ struct BendingSide : Side {
     for (const Vec& v : shape.vertices)
       if (const double h = height(v); h > most) best = &v, most = h;
     return {*best, bend(*best)};
-  }
-};
-
-/// gap + rate t - bend t² / 2
-struct Parabola {
-  double gap, rate, bend;
-
-  double at(double t) const { return gap + t * (rate - 0.5 * bend * t); }
-
-  /// Where it comes down to 0; expects gap > 0.
-  double root() const {
-    const double r = std::sqrt(rate * rate + 2.0 * bend * gap);
-    if (rate < 0.0) return 2.0 * gap / (r - rate);
-    return bend > 0.0 ? (r + rate) / bend : kInfinity;
   }
 };
 
@@ -90,7 +74,7 @@ struct Lowest {
 Parabola of_origins(const MovingConvexPair& pair, const PlacedPair& placed, const TurningAxis& axis,
                     double margin) {
   const Vec &n = axis.normal, &offset = placed.b.position;
-  return {dot(n, offset) - pair.radius - margin, dot(n, pair.velocity) + axis.spin * cross(n, offset),
+  return {dot(n, offset) - pair.radius - margin, rate_of_origins(n, axis.spin, pair.velocity, offset),
           axis.bend};
 }
 
@@ -113,13 +97,9 @@ GapParabola lowest_root(const Lowest<OneSide>& all, double most) {
 
 }  // namespace
 
-double bend_of_origins(const MovingConvexPair& pair, double spin, double farthest) {
-  return std::abs(spin) * (2.0 * pair.speed + std::abs(spin) * farthest);
-}
-
 double bend(const MovingConvexPair& pair, double spin, double farthest) {
-  const double of_a = pair.spin_a - spin, of_b = pair.spin_b - spin;
-  return bend_of_origins(pair, spin, farthest) + of_a * of_a * pair.reach_a + of_b * of_b * pair.reach_b;
+  return bend_of_origins(spin, pair.speed, farthest) + bend_of_vertex(pair.spin_a - spin, pair.reach_a) +
+         bend_of_vertex(pair.spin_b - spin, pair.reach_b);
 }
 
 GapParabola gap_parabola(const MovingConvexPair& pair, const PlacedPair& placed, const TurningAxis& axis,

@@ -24,10 +24,8 @@ struct GapParabola {
   double holds;      ///< s from then, or the `most` asked for; 0 where the gap is not above 0
 };
 
-/// How the origins bend a gap along an axis of that spin, while b's is no farther from a's than `farthest`.
-double bend_of_origins(const MovingConvexPair& pair, double spin, double farthest);
-
-/// The bend of every gap along such an axis: all accelerations in the axis' frame.
+/// The bend of every gap along an axis of that spin: all accelerations in the axis' frame, while b's origin
+/// is no farther from a's than `farthest`.
 double bend(const MovingConvexPair& pair, double spin, double farthest);
 
 /// The gap along the axis is at least the least over all pairs of vertices of gap + rate t - bend t² / 2,

@@ -2,6 +2,7 @@
 #include "narrowphase/motion/moving_convex_pair.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace throng::narrowphase {
@@ -55,6 +56,7 @@ MovingConvexPair::MovingConvexPair(const Convex& shape_a, const Motion& motion_a
       arms(0.0, 0.0),
       radius(shape_a.radius + shape_b.radius),
       speed(direction(velocity, {1.0, 0.0}).length) {
+  assert(std::isfinite(speed) && duration >= 0.0 && std::isfinite(duration));
   const Extent of_a = extent(a, spin_a), of_b = extent(b, spin_b);
   if (spin_a == 0.0) arms -= pose_a(0.0).rotate(of_a.centre);
   if (spin_b == 0.0) arms += pose_b(0.0).rotate(of_b.centre);
@@ -72,13 +74,14 @@ TimeSpan near(const MovingConvexPair& pair, double duration) {
   const double reach = pair.size() + 4.0 * kRounding * coordinates;
   const Direction course = direction(pair.velocity, {1.0, 0.0});
   const double along = dot(offset, course.unit), across = std::abs(cross(offset, course.unit));
-  if (!(across <= reach)) return kNever;
+  if (!std::isfinite(course.length) || !std::isfinite(reach)) return {0.0, duration};
+  if (across > reach) return kNever;
   if (course.length == 0.0)
-    return direction(offset, {1.0, 0.0}).length <= reach ? TimeSpan{0.0, duration} : kNever;
-  const double half = std::sqrt((reach - across) * (reach + across));
+    return direction(offset, {1.0, 0.0}).length > reach ? kNever : TimeSpan{0.0, duration};
+  const double half = std::sqrt(reach - across) * std::sqrt(reach + across);
   if (half < along) return kNever;
   const double enters = (-along - half) / course.length, leaves = (-along + half) / course.length;
-  if (!(enters <= duration)) return kNever;
+  if (enters > duration) return kNever;
   return {std::max(0.0, enters), std::min(duration, leaves)};
 }
 

@@ -28,7 +28,7 @@ struct MovingConvexPair {
   double rate;              ///< m/s, that the distance changes by at most
   double rounding;          ///< m, above all errors of a distance or a gap at any time up to the last
 
-  /// Until `duration`. O(n + m).
+  /// Until `duration`, finite and never negative; lengths and speeds up to 1e150, see `direction`. O(n + m).
   MovingConvexPair(const Convex& a, const Motion& motion_a, const Convex& b, const Motion& motion_b,
                    double duration);
 
@@ -40,7 +40,7 @@ struct MovingConvexPair {
 
 /// When the two come near enough to each other to touch, however they turn: one span of the times from 0 to
 /// `duration`, too long by about what rounding makes uncertain. In closed form; of two discs that turn about
-/// their centres it is when they touch.
+/// their centres it is when they touch. All of it where numbers overflow or are none.
 TimeSpan near(const MovingConvexPair& pair, double duration);
 
 }  // namespace throng::narrowphase

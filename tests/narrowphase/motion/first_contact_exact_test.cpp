@@ -77,7 +77,8 @@ TEST(FirstContactExact, ScalesFromMillimetresToKilometres) {
   for (int i = 0; i < 2000; ++i) {
     const MovingPairOfShapes p = random_motions(random);
     const FirstContact expected = ask(p);
-    for (const double factor : {0x1p-12, 0x1p12, 0x1p-300, 0x1p300}) {
+    for (const double factor : {0x1p-12, 0x1p12, 0x1p-300, 0x1p300, 0x1p-480, 0x1p480}) {
+      SCOPED_TRACE(factor);
       MovingPairOfShapes q{scaled(p.a, factor), scaled(p.b, factor), p.motion_a, p.motion_b};
       for (Motion* motion : {&q.motion_a, &q.motion_b})
         motion->position *= factor, motion->velocity *= factor;
