@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "narrowphase/motion/algebraic.h"
 
+#include <cmath>
+
 #include "narrowphase/distance.h"
 #include "narrowphase/motion/gap_parabola.h"
 #include "narrowphase/motion/interval_newton.h"
+#include "narrowphase/motion/parabola.h"
 
 namespace throng::narrowphase {
 
@@ -23,9 +26,13 @@ Vec turned_left(const Vec& v) {
 
 class AllFeatures {
  public:
-  AllFeatures(const MovingConvexPair& pair, const TimeSpan& span, double duration, double width)
-      : pair_(pair), span_(span), best_{Verdict::free, duration, duration, 0} {
-    const double moved = width * pair.size() / pair.rate;
+  AllFeatures(const MovingConvexPair& pair, const TimeSpan& span, double duration,
+              const ContactQuestion& question)
+      : pair_(pair),
+        span_(span),
+        evaluations_(question.evaluations),
+        best_{Verdict::free, duration, duration, 0} {
+    const double moved = question.width * pair.size() / pair.rate;
     width_ = std::max(moved, 2.0 * pair.rounding / pair.rate);
     farthest_ = 0.0;
     for (const double time : {span.from, span.until})
@@ -70,22 +77,29 @@ class AllFeatures {
       const Moving v = moving(view, vertex, time);
       ++best_.evaluations;
       return SlopedValue{dot(n, v.place - t) - pair_.radius,
-                         dot(n, v.velocity) + view.spin * cross(n, v.place)};
+                         rate_of_origins(n, view.spin, v.velocity, v.place)};
     };
-    const auto over_edge = [&](double time) {
+    const double along = rate_along_edges(view);
+    const auto over_edge = [&](double time, double half) {
       const Vec place = pose(view, time).unrotate(moving(view, vertex, time).place);
-      const double slack = 4.0 * pair_.rounding + width_ * pair_.rate;
+      const double slack = 4.0 * pair_.rounding + width_ * pair_.rate + half * along;
       return cross(normal, place - tail) >= -slack && cross(normal, place - head) <= slack;
     };
-    merge(first_root(rest(), {bend(pair_, view.spin, farthest_), pair_.rounding, width_}, height, over_edge));
+    const RootQuestion question{bend(pair_, view.spin, farthest_), pair_.rounding, width_, evaluations_};
+    merge(first_root(rest(), question, height, over_edge));
+  }
+
+  /// How fast a vertex of the other goes as seen from the shape, at most.
+  double rate_along_edges(const View& view) const {
+    const double reach = view.from_a ? pair_.reach_b : pair_.reach_a;
+    return pair_.speed + std::abs(view.other_spin) * reach + std::abs(view.spin) * (farthest_ + reach);
   }
 
   /// Half the difference of squares over the radius: a length, and about the gap.
   void meet_corner(const View& view, const Vec& corner, const Vec& vertex) {
     const double radius = pair_.radius, speed = pair_.rate;
     const double away = farthest_ + pair_.reach_a + pair_.reach_b;
-    const double acceleration =
-        pair_.spin_a * pair_.spin_a * pair_.reach_a + pair_.spin_b * pair_.spin_b * pair_.reach_b;
+    const double acceleration = bend(pair_, 0.0, farthest_);
     const auto gap = [&](double time) {
       const Vec arm = pose(view, time).rotate(corner);
       const Moving v = moving(view, vertex, time);
@@ -95,8 +109,8 @@ class AllFeatures {
       return SlopedValue{0.5 * (length - radius) * (length / radius + 1.0), dot(between, velocity) / radius};
     };
     const RootQuestion question{(speed * speed + away * acceleration) / radius,
-                                pair_.rounding * (1.0 + away / radius), width_};
-    merge(first_root(rest(), question, gap, [](double) { return true; }));
+                                pair_.rounding * (1.0 + away / radius), width_, evaluations_};
+    merge(first_root(rest(), question, gap, [](double, double) { return true; }));
   }
 
   TimeSpan rest() const { return {span_.from, std::min(span_.until, best_.t_hi)}; }
@@ -112,6 +126,7 @@ class AllFeatures {
 
   const MovingConvexPair& pair_;
   TimeSpan span_;
+  int evaluations_;
   FirstContact best_;
   double width_, farthest_;
 };
@@ -127,7 +142,7 @@ FirstContact algebraic_contact(const Convex& a, const Motion& motion_a, const Co
   TimeSpan span = near(pair, duration);
   span.from = std::max(span.from, from);
   if (span.until < span.from || !(pair.rate > 0.0)) return {Verdict::free, duration, duration, 0};
-  return AllFeatures(pair, span, duration, question.width).first_contact();
+  return AllFeatures(pair, span, duration, question).first_contact();
 }
 
 }  // namespace throng::narrowphase

@@ -10,8 +10,9 @@ namespace throng::narrowphase {
 /// such pair the first root is isolated by interval Newton, certainly; where nothing turns that is one step,
 /// and exact up to rounding (Redon, Kheddar and Coquillart 2002 do so in space). Answers as `first_contact`,
 /// with which it shares no step but the start: a second opinion, and a baseline. `evaluations` are those of
-/// roots' functions; `question.evaluations` and `features` aren't read. A point that meets a point, both
-/// without radius, is no contact. O(n m) roots, each of some ten evaluations of 30 ns. Allocates nothing.
+/// roots' functions, at most `question.evaluations` a root: beyond them the rest is in doubt; `features`
+/// isn't read. A point that meets a point, both without radius, is no contact. O(n m) roots, each of some ten
+/// evaluations of 30 ns. Allocates nothing.
 FirstContact algebraic_contact(const Convex& a, const Motion& motion_a, const Convex& b,
                                const Motion& motion_b, double duration, const ContactQuestion& question = {});
 

@@ -18,9 +18,10 @@ struct SlopedValue {
 
 /// What is to be known of the function besides its values.
 struct RootQuestion {
-  double bend;      ///< the second derivative is never larger
-  double rounding;  ///< the values are no farther from the truth
-  double width;     ///< roots are enclosed as narrowly as this, or as `rounding` lets
+  double bend;              ///< the second derivative is never larger
+  double rounding;          ///< the values are no farther from the truth
+  double width;             ///< roots are enclosed as narrowly as this, or as `rounding` lets
+  int evaluations = 10000;  ///< most; above them what is left is in doubt
 };
 
 /// An interval that holds a root, or one where rounding leaves open whether there is one.
@@ -51,15 +52,18 @@ Root enclosed(const TimeSpan& span, const TimeSpan& found, const SlopedValue& f,
   return {in, std::min(before, after) < -q.rounding && std::max(before, after) > q.rounding};
 }
 
-/// The first root of `f(time)`, a SlopedValue, in `span` that `counts(time)`. Halves and tightens, from left
-/// to right; nothing is lost but what is proven to have no root. Allocates nothing.
+/// The first root of `f(time)`, a SlopedValue, in `span` that counts: `counts(time, half)` is false where
+/// none does from half before to half after. Halves and tightens, from left to right; nothing is lost but
+/// what is proven to have no root, or none that counts. Allocates nothing.
 template <class Function, class Counts>
 std::optional<Root> first_root(const TimeSpan& span, const RootQuestion& q, Function f, Counts counts) {
   std::array<TimeSpan, 128> later;
   std::size_t waiting = 0;
+  int evaluations = 0;
   later[waiting++] = span;
   while (waiting > 0) {
     const TimeSpan now = later[--waiting];
+    if (evaluations++ >= q.evaluations) return Root{{now.from, span.until}, false};
     const double length = now.until - now.from, middle = 0.5 * (now.from + now.until);
     const SlopedValue at = f(middle);
     const double half = 0.5 * length;
@@ -67,8 +71,9 @@ std::optional<Root> first_root(const TimeSpan& span, const RootQuestion& q, Func
     const TimeSpan in = newton(now, at, q);
     if (!(in.from <= in.until)) continue;
     const bool tight = in.until - in.from > 0.5 * length;
+    if (tight && !counts(middle, half)) continue;
     if (length <= 0.5 * q.width || (tight && waiting + 2 > later.size())) {
-      if (counts(middle)) return enclosed(span, now, at, q, f);
+      if (counts(middle, half)) return enclosed(span, now, at, q, f);
     } else if (tight) {
       later[waiting++] = {middle, now.until}, later[waiting++] = {now.from, middle};
     } else {

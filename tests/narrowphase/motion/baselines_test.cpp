@@ -44,24 +44,50 @@ TEST(AlgebraicContact, OfATranslationTakesOneStepARoot) {
   EXPECT_LE(found.evaluations, 32 * 4);
 }
 
+/// The corners of the one are on the other's ground line all the while, and off its edge until 2 s.
+TEST(AlgebraicContact, OfSquaresOnOneGroundLineSkipsTheLineBesideTheEdge) {
+  const Convex square = convex({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  const FirstContact found = algebraic_contact(square, {}, square, {{3, 0}, 0, {-1, 0}, 0}, 5.0);
+  EXPECT_NE(found.verdict, Verdict::free);
+  EXPECT_NEAR(found.t_lo, 2.0, 1e-10);
+  EXPECT_LE(found.t_lo, 2.0);
+  EXPECT_LT(found.evaluations, 5000);
+  const FirstContact beyond = algebraic_contact(square, {}, square, {{3, 0}, 0, {-1, 0}, 0}, 1.9);
+  EXPECT_EQ(beyond.verdict, Verdict::free);
+}
+
+/// A function that is 0 everywhere, and whose roots count nowhere that could be shown.
+TEST(FirstRoot, LeavesTheRestInDoubtWhereItsEvaluationsRunOut) {
+  int asked = 0;
+  const auto zero = [&](double) { return ++asked, SlopedValue{0.0, 0.0}; };
+  const auto never = [](double, double half) { return half > 1e-9; };
+  const auto root = first_root({0.0, 1.0}, {1.0, 1e-15, 1e-12, 500}, zero, never);
+  ASSERT_TRUE(root.has_value());
+  EXPECT_FALSE(root->certain);
+  EXPECT_GT(root->span.from, 0.0);
+  EXPECT_EQ(root->span.until, 1.0);
+  EXPECT_EQ(asked, 500);
+}
+
 TEST(FirstRoot, IsTheFirstOfTheSineThatCounts) {
   const auto sine = [](double t) { return SlopedValue{std::sin(t), std::cos(t)}; };
   const RootQuestion question{1.0, 1e-15, 1e-12};
-  const auto any = first_root({1.0, 20.0}, question, sine, [](double) { return true; });
+  const auto any = first_root({1.0, 20.0}, question, sine, [](double, double) { return true; });
   ASSERT_TRUE(any.has_value());
   EXPECT_LE(any->span.from, 3.1415926535897932);
   EXPECT_GE(any->span.until, 3.1415926535897931);
   EXPECT_LE(any->span.until - any->span.from, 1e-12);
   EXPECT_TRUE(any->certain);
-  const auto later = first_root({1.0, 20.0}, question, sine, [](double t) { return t > 5.0; });
+  const auto later =
+      first_root({1.0, 20.0}, question, sine, [](double t, double half) { return t + half > 5.0; });
   ASSERT_TRUE(later.has_value());
   EXPECT_NEAR(later->span.from, 6.283185307179586, 1e-12);
-  EXPECT_FALSE(first_root({3.2, 6.2}, question, sine, [](double) { return true; }).has_value());
+  EXPECT_FALSE(first_root({3.2, 6.2}, question, sine, [](double, double) { return true; }).has_value());
 }
 
 TEST(FirstRoot, DoubtsARootThatOnlyTouches) {
   const auto parabola = [](double t) { return SlopedValue{(t - 0.3) * (t - 0.3), 2.0 * (t - 0.3)}; };
-  const auto root = first_root({0.0, 1.0}, {2.0, 1e-15, 1e-9}, parabola, [](double) { return true; });
+  const auto root = first_root({0.0, 1.0}, {2.0, 1e-15, 1e-9}, parabola, [](double, double) { return true; });
   ASSERT_TRUE(root.has_value());
   EXPECT_FALSE(root->certain);
   EXPECT_NEAR(root->span.from, 0.3, 1e-7);
