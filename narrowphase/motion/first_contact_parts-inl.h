@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <tuple>
 
 #include "narrowphase/motion/first_contact_parts.h"
@@ -49,7 +51,8 @@ class Race {
       }
       look(first);
     }
-    best_.contact.evaluations = evaluations_;
+    best_.contact.evaluations =
+        static_cast<int>(std::min<std::int64_t>(evaluations_, std::numeric_limits<int>::max()));
     if (question_.counters) question_.counters->nodes += static_cast<std::size_t>(nodes_);
     return best_;
   }
@@ -125,7 +128,7 @@ class Race {
   GapRate rate_;
   FirstPartsContact best_;
   std::vector<Waiting> queue_;
-  int nodes_ = 0, evaluations_ = 0;
+  std::int64_t nodes_ = 0, evaluations_ = 0;
 };
 
 }  // namespace throng::narrowphase

@@ -14,6 +14,8 @@ struct PartsQuestion {
   BvhCounters* counters = nullptr;
 };
 
+/// A hit's bracket is no wider than asked where no other pair is in doubt before it: a doubt that lasts until
+/// the hit begins is part of its bracket, and so is what spent looks have left unseen.
 struct FirstPartsContact {
   FirstContact contact;          ///< evaluations: of all pairs of parts
   std::uint32_t part_a, part_b;  ///< which touch; where the two are free 0
