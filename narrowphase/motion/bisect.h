@@ -14,11 +14,12 @@
 /// hit soon, or proves that there is none; for the first contact see first_contact.h.
 ///
 /// Each pair is on its own, and has a covering of its own. At an instant t with distances d_ij between the
-/// parts, nothing touches from t - tau to t + tau, tau = min d_ij / mu_ij. What remains is gaps between
-/// neighbourhoods, and the next instant is in the middle of the largest gap. That two neighbourhoods of
-/// instants a < c leave no gap, tau_a + tau_c >= c - a, implies the test of the paper, lambda_i + lambda_j <=
-/// eta_ij(a) + eta_ij(c) for every pair of parts: lambda_i + lambda_j = mu_ij (c - a) <= mu_ij tau_a + mu_ij
-/// tau_c <= d_ij(a) + d_ij(c). It says more, for mu_ij tau is what the nearest pair leaves of d_ij.
+/// parts, nothing touches from t - tau to t + tau, tau = min d_ij / mu_ij, or longer: see `safe_time`. What
+/// remains is gaps between neighbourhoods, and the next instant is in the middle of the largest gap. With the
+/// minimum alone, that two neighbourhoods of instants a < c leave no gap, tau_a + tau_c >= c - a, implies the
+/// test of the paper, lambda_i + lambda_j <= eta_ij(a) + eta_ij(c) for every pair of parts: lambda_i +
+/// lambda_j = mu_ij (c - a) <= mu_ij tau_a + mu_ij tau_c <= d_ij(a) + d_ij(c). It says more, for mu_ij tau is
+/// what the nearest pair leaves of d_ij.
 namespace throng::narrowphase {
 
 /// Pairs of things in motion: rigid bodies, links of robots. Each has a path of its own from time 0 to
@@ -76,9 +77,11 @@ struct BisectScratch {
 /// Whether all pairs stay apart on all their paths. Stops at the first hit found, which wins over what is
 /// undecided. Undecided: some pair comes within epsilon, or so near that rounding decides; then [from, to] is
 /// the first of the intervals in doubt, and before it nothing touches on that segment. A pair in doubt is
-/// searched for a hit for as many computations again as it has had, at least 1024.
+/// searched for a hit for as many computations again as it has had, and 1024 more: after 2 n + 1024, n being
+/// those up to its first doubt, what gaps it has left unexplored are told as in doubt too.
 /// The largest gap comes first, by length; of equals the first pair, then the earliest: one answer always.
-/// Computations grow with the paths' lengths over the clearance along them.
+/// Computations grow with a path's length; for a bar that spins past a post, with the logarithm of 1 /
+/// clearance.
 template <PairsInMotion Pairs>
 PathAnswer bisect(Pairs&& pairs, const BisectOptions& options, BisectScratch& scratch);
 

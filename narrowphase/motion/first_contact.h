@@ -4,7 +4,8 @@
 #include "narrowphase/closest.h"
 #include "narrowphase/motion/motion.h"
 
-/// When do two moving shapes touch first? For whether a path is free, however long it is, see `safe_time`.
+/// When do two moving shapes touch first? For whether a path is free, however long it is, see
+/// `check_motion`.
 namespace throng::narrowphase {
 
 struct ContactQuestion {

@@ -22,8 +22,8 @@ Pose pose_at(const Motion& motion, double time);
 /// from where the motion brings it: the pose's, and that of times next to `time`. m.
 double pose_rounding(const Motion& motion, double time, double radius);
 
-/// How fast the distance of two things can change at most, whatever their direction: any lower bound of it
-/// holds for `of` times as long. The same in the plane and in space. For rigid bodies see `gap_rate`.
+/// How fast the distance of two things can change at most, whatever their direction: where it is at least d,
+/// it stays above 0 for d / of(...). The same in the plane and in space. For rigid bodies see `gap_rate`.
 struct GapRate {
   double shift;           ///< m/s, of the two origins relative to each other
   double turn_a, turn_b;  ///< rad/s, never negative
@@ -33,7 +33,7 @@ struct GapRate {
 };
 
 /// For each point of each moving body: |velocity of b - velocity of a| + |spin| radius (Schwarzer, Saha and
-/// Latombe 2005). What lasts `t` moves no more than t times that, along any path of constant rates.
+/// Latombe 2005). In time t nothing moves by more than t times that, along any path of constant rates.
 GapRate gap_rate(const Motion& a, const Motion& b);
 
 /// What is known of a motion.

@@ -15,8 +15,8 @@ struct Parabola {
 
   double at(double t) const { return gap + t * (rate - 0.5 * bend * t); }
 
-  /// When it comes down to 0: never later, rounding apart, also where squares under- or overflow. Expects gap >
-  /// 0, bend >= 0; 0 where they are none.
+  /// When it comes down to 0: never later, rounding apart, also where squares under- or overflow. Expects gap
+  /// > 0, bend >= 0; 0 where they are none.
   double root() const {
     if (bend == 0.0) return rate < 0.0 ? gap / -rate : std::numeric_limits<double>::infinity();
     constexpr double kSquaresKeepTheirDigits = 0x1p-960;

@@ -25,14 +25,16 @@ struct SafeTimeQuestion {
   double after = std::numeric_limits<double>::infinity();   ///< s
   double pose_error = 0.0;  ///< m, how far rounding may have put the two, summed; see `pose_rounding`
   const RelativeMotion* motion = nullptr;  ///< where it is known, `clear_time` makes the answer longer
-  double relative_error = 0.0;  ///< accepted: of what stays below the time wanted, this share may be lost
+  double relative_error = 0.0;  ///< e: below the time wanted, 1 / (1 + e) of the truth may be the answer
 };
 
-/// The least of d / mu over all pairs of parts, d being their distance and mu = rate.of(...) with each part's
-/// own radius about its origin (Schwarzer, Saha and Latombe 2005, sharpened by the hierarchy). Never more
-/// than the truth, rounding included; where nothing moves, infinite. Obstacles so far that the time wanted is
-/// safe cost one comparison. Time grows with the parts that limit it about as much as the first; allocates
-/// nothing.
+/// The least over all pairs of parts of the longest of three bounds: d / mu, d being their distance and mu =
+/// rate.of(...) with each part's own radius about its origin (Schwarzer, Saha and Latombe 2005, sharpened by
+/// the hierarchy); how long the origins stay so far apart that the two don't reach each other however they
+/// turn; and, where the motion is known, `clear_time`. Of nodes the last two stand for all their parts. Never
+/// more than the truth, rounding included; where nothing moves, infinite. Obstacles so far that the time
+/// wanted is safe cost one comparison. Time grows with the parts that limit it about as much as the first;
+/// allocates nothing.
 SafeTime safe_time(const PartsBvh& a, const Pose& pose_a, const PartsBvh& b, const Pose& pose_b,
                    const GapRate& rate, const SafeTimeQuestion& question, BvhCounters* counters = nullptr);
 
