@@ -111,15 +111,10 @@ class Pointers {
          << "\"><DataItem Format=\"XML\" Dimensions=\"3 " << (flat ? "2" : "3") << "\">"
          << std::to_string(sample) << " 0" << (flat ? "" : " " + std::to_string(part.first))
          << (flat ? " 1 1" : " 1 1 1") << " 1 " << bodies_ << (flat ? "" : columns)
-         << "</DataItem><DataItem Format=\"HDF\" Dimensions=\"" << samples(part.recorded) << " " << bodies_
-         << (flat ? "" : " 2") << "\" NumberType=\"Float\" Precision=\"" << bytes_ << "\">" << path_
-         << ":/particles/trajectory/" << part.field << "/value</DataItem></DataItem>";
-  }
-
-  std::string samples(RecordField field) const {
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < recording_.frames(); ++i) count += recording_.sample(field, i).has_value();
-    return std::to_string(count);
+         << "</DataItem><DataItem Format=\"HDF\" Dimensions=\""
+         << std::to_string(recording_.samples(part.recorded)) << " " << bodies_ << (flat ? "" : " 2")
+         << "\" NumberType=\"Float\" Precision=\"" << bytes_ << "\">" << path_ << ":/particles/trajectory/"
+         << part.field << "/value</DataItem></DataItem>";
   }
 
   TextFile& out_;

@@ -249,6 +249,9 @@ std::span<const std::uint32_t> Recording::ids() const {
 std::optional<std::size_t> Recording::sample(RecordField field, std::size_t i) const {
   return impl_->reader.schedule(field).sample(impl_->in_file(i));
 }
+std::size_t Recording::samples(RecordField field) const {
+  return impl_->reader.schedule(field).samples();
+}
 std::span<const std::int64_t> Recording::steps() const {
   return impl_->steps;
 }

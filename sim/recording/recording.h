@@ -92,6 +92,9 @@ class Recording {
   /// In which sample of a field's own, where it is stored, frame i stands; nothing where it does not.
   std::optional<std::size_t> sample(RecordField field, std::size_t i) const;
 
+  /// Samples of a field, where it is stored, in all frames of the file, chosen or not.
+  std::size_t samples(RecordField field) const;
+
   /// The frame nearest in time; the earlier of two. Expects frames() > 0. O(log frames).
   std::size_t index_at(double time) const;
   Frame frame_at(double time) const { return frame(index_at(time)); }

@@ -235,6 +235,18 @@ class Xdmf(Export):
         for frame, grid in zip((5, 15), grids):
             self.check(grid, frame, ())
 
+    def test_knows_how_many_samples_a_field_has(self):
+        path = self.record("a.h5", "--set", 'record.fields=["position"]', "--set", "record.every=3",
+                           "--set", 'record.also=[{ every = 2, fields = ["velocity"] }]')
+        grids, recording = self.grids(), h5py.File(path)["particles/trajectory"]
+        self.assertEqual(len(grids), 7)
+        for frame, grid in enumerate(grids):
+            self.assertTrue(np.array_equal(self.data(grid.find("Geometry/DataItem")), recording["position/value"][frame]))
+            found = {a.get("Name"): self.data(a.find("DataItem")) for a in grid.findall("Attribute")}
+            self.assertEqual("vx" in found, frame % 2 == 0)
+            if "vx" in found:
+                self.assertTrue(np.array_equal(found["vy"], recording["velocity/value"][3 * frame // 2, :, 1]))
+
     def test_points_by_the_root_out_of_a_pipe(self):
         self.record("a<&.h5")
         printed = subprocess.run([PROGRAM, "export", "a<&.h5", "--format", "xdmf", "-o", "/dev/stdout"], cwd=self.folder,
