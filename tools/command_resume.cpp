@@ -104,7 +104,9 @@ int resume(const Options& options) {
     std::fprintf(stderr, "throng: no checkpoint: computing again, and checking, from the start\n");
   else if (!go_to(*checkpoint, *simulation))
     return 130;
-  Recorder recorder(kept.output, scene, provenance(kept, loaded, options), kept.recording, kept.frames);
+  const Provenance now = provenance(kept, loaded, options);
+  Recorder recorder(kept.output, scene, now, kept.recording, kept.frames);
+  warn_of_room(kept.output, scene, now);
   return drive(*simulation, scene, drive_options(kept, options), &recorder, recorded_frames(kept));
 }
 

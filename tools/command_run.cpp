@@ -44,8 +44,10 @@ std::string reproduction(const Options& options) {
 /// All that a run does but run. Returns the exit code.
 int rehearse(const Options& options, const Loaded& loaded, const Provenance& provenance) {
   const auto simulation = throng::simulation(loaded.scene, options.drive.threads);
-  if (!options.output.empty())
+  if (!options.output.empty()) {
     Recorder::expect_writable(options.output, loaded.scene, provenance, options.force);
+    warn_of_room(options.output, loaded.scene, provenance);
+  }
   print(summary(loaded.scene, *simulation, RunTimes(), ""));
   return 0;
 }
@@ -65,7 +67,10 @@ int run(const Options& options) {
   const auto simulation = throng::simulation(scene, options.drive.threads);
   stop_on_signals();
   std::optional<Recorder> recorder;
-  if (!options.output.empty()) recorder.emplace(options.output, scene, provenance, options.force);
+  if (!options.output.empty()) {
+    recorder.emplace(options.output, scene, provenance, options.force);
+    warn_of_room(options.output, scene, provenance);
+  }
   try {
     return drive(*simulation, scene, options.drive, recorder ? &*recorder : nullptr);
   } catch (const SimulationError& error) {

@@ -141,6 +141,11 @@ bool stop_requested() {
   return stop_signal != 0;
 }
 
+void warn_of_room(const std::string& output, const Scene& scene, const Provenance& provenance) {
+  if (const std::string doubt = Recorder::doubt(output, scene, provenance); !doubt.empty())
+    std::fprintf(stderr, "throng: warning: %s; where the disk is full the run stops\n", doubt.c_str());
+}
+
 int drive(Simulation& simulation, const Scene& scene, const DriveOptions& options, Recorder* recorder,
           const RecordedFrames& recorded) {
   const State& state = simulation.state();

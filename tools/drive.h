@@ -30,6 +30,9 @@ struct RecordedFrames {
   std::vector<std::uint64_t> state_hashes;
 };
 
+/// Says on the standard error where nobody can know whether the recording has room.
+void warn_of_room(const std::string& output, const Scene& scene, const Provenance& provenance);
+
 /// From now on SIGINT and SIGTERM end `drive` in good order, and so does one that comes again: `timeout` and
 /// batch systems send theirs to the process and to its group.
 void stop_on_signals();

@@ -7,24 +7,30 @@ namespace throng::recording {
 
 namespace {
 
-constexpr double kRowBytes = 4 * 8 + 64;      // of a frame, and the index entry of a chunk
-constexpr double kContactBytes = 3.0 * 32.0;  // a body
-constexpr double kQuantizedBytes = 3.0;       // a body
+constexpr double kRowBytes = 4 * 8 + 64;  // of a frame, and the index entry of a chunk
 constexpr double kObservableBytes = 7 * 8;
 
+/// What nobody knows before the run.
+struct Guess {
+  double share;      // of the bodies, in the region
+  double contacts;   // bytes a body
+  double quantized;  // bytes a body
+};
+
+constexpr Guess kAbout{1.0, 3.0 * 32.0, 3.0}, kLeast{0.0, 0.0, 0.0};
+
 /// A body's numbers in one frame.
-double body_bytes(const Record& record, RecordField field) {
-  if (field == RecordField::contacts) return kContactBytes;
+double body_bytes(const Record& record, RecordField field, const Guess& guess) {
+  if (field == RecordField::contacts) return guess.contacts;
   const int f = static_cast<int>(field);
-  if (is_quantized(record, static_cast<FieldIndex>(f))) return kQuantizedBytes;
+  if (is_quantized(record, static_cast<FieldIndex>(f))) return guess.quantized;
   return kComponents[static_cast<std::size_t>(f)] * (record.single ? 4.0 : 8.0);
 }
 
-}  // namespace
-
-double expected_bytes(const Scene& scene) {
+double bytes_by(const Guess& guess, const Scene& scene) {
   const Record& record = scene.record;
-  const double bodies = static_cast<double>(record.ids.empty() ? scene.bodies.size() : record.ids.size());
+  const double chosen = static_cast<double>(record.ids.empty() ? scene.bodies.size() : record.ids.size());
+  const double bodies = record.within ? guess.share * chosen : chosen;
   const auto samples = [&](int every) {
     return every == 0 ? 0.0 : static_cast<double>(scene.time.steps()) / every + 1;
   };
@@ -32,9 +38,19 @@ double expected_bytes(const Scene& scene) {
                  samples(record.observables) * (kRowBytes + kObservableBytes);
   for (int f = 0; f < kRecordFields; ++f) {
     const auto field = static_cast<RecordField>(f);
-    bytes += samples(every(record, field)) * (body_bytes(record, field) * bodies + kRowBytes);
+    bytes += samples(every(record, field)) * (body_bytes(record, field, guess) * bodies + kRowBytes);
   }
   return bytes + (record.within ? samples(record.every) * 4.0 * bodies : 0.0);
+}
+
+}  // namespace
+
+double expected_bytes(const Scene& scene) {
+  return bytes_by(kAbout, scene);
+}
+
+double least_bytes(const Scene& scene) {
+  return bytes_by(kLeast, scene);
 }
 
 }  // namespace throng::recording

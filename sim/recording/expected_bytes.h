@@ -9,4 +9,7 @@ namespace throng::recording {
 /// knows in advance, all; of contacts three a body; of quantized positions three bytes a body.
 double expected_bytes(const Scene& scene);
 
+/// What they take at least: of all these nothing.
+double least_bytes(const Scene& scene);
+
 }  // namespace throng::recording

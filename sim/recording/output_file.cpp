@@ -125,14 +125,18 @@ double free_bytes(const std::string& path) {
   return static_cast<double>(system.f_bavail) * static_cast<double>(system.f_frsize);
 }
 
-void expect_room(const std::string& path, double bytes) {
+std::string lacking_room(const std::string& path, double bytes) {
   const double have = free_bytes(path);
-  if (bytes + kReserve <= have) return;
-  char text[160];
-  std::snprintf(text, sizeof text,
-                "the recording needs about %.3g MB and %s has %.3g MB left; record fewer frames",
-                (bytes + kReserve) / 1e6, folder_of(path).c_str(), have / 1e6);
-  refuse(path, text);
+  if (bytes + kReserve <= have) return "";
+  char needed[80], left[40];
+  std::snprintf(needed, sizeof needed, "about %.3g MB and ", (bytes + kReserve) / 1e6);
+  std::snprintf(left, sizeof left, " has %.3g MB left", have / 1e6);
+  return needed + folder_of(path) + left;
+}
+
+void expect_room(const std::string& path, double bytes) {
+  if (const std::string why = lacking_room(path, bytes); !why.empty())
+    refuse(path, "the recording needs " + why + "; record fewer frames");
 }
 
 void OutputFile::start_sync() const {

@@ -54,7 +54,10 @@ class OutputFile {
 /// Throws the InputError that an OutputFile would throw, as far as that can be told without making a file.
 void expect_writable(const std::string& path, bool force);
 
-/// Throws InputError where the file system of `path` has less than `bytes` and a reserve left.
+/// Why `bytes` and a reserve are more than the file system of `path` has left; "" where they are not.
+std::string lacking_room(const std::string& path, double bytes);
+
+/// Throws InputError where there is a reason.
 void expect_room(const std::string& path, double bytes);
 
 /// Hands the names in the folder of `path` to the disk. Throws std::runtime_error.

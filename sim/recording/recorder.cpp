@@ -32,10 +32,11 @@ constexpr double kSceneBytes = 64.0, kStateBytes = 150.0;  // a body, with three
 constexpr double kCheckpoints = 3.0;                       // this one, the one before, the next
 constexpr double kEnoughRoom = 4e6;  // bytes: below it, stop while the file can still be closed in order
 
-double all_bytes(const Scene& scene, const Provenance& provenance) {
+/// What stands beside the frames.
+double other_bytes(const Scene& scene, const Provenance& provenance) {
   const double texts = static_cast<double>(provenance.scenario.size() + provenance.resolved.size());
   const double bodies = static_cast<double>(scene.bodies.size());
-  return expected_bytes(scene) + kSceneBytes * bodies + kCheckpoints * kStateBytes * bodies + texts + 1e5;
+  return kSceneBytes * bodies + kCheckpoints * kStateBytes * bodies + texts + 1e5;
 }
 
 /// Frames hold the same bodies from the first to the last.
@@ -103,7 +104,7 @@ Recorder::Impl::Impl(const std::string& path, const Scene& scene, const Provenan
       frames(kept.frames) {
   if (kept.recording && output.was_there()) output.keep();
   expect_lasting_bodies(scene);
-  expect_room(path, all_bytes(scene, provenance));
+  expect_room(path, least_bytes(scene) + other_bytes(scene, provenance));
   expect_memory();
   std::promise<void> promise;
   std::future<void> ready = promise.get_future();
@@ -264,7 +265,12 @@ void Recorder::expect_writable(const std::string& path, const Scene& scene, cons
                                bool force) {
   recording::expect_writable(path, force);
   expect_lasting_bodies(scene);
-  expect_room(path, all_bytes(scene, provenance));
+  expect_room(path, least_bytes(scene) + other_bytes(scene, provenance));
+}
+
+std::string Recorder::doubt(const std::string& path, const Scene& scene, const Provenance& provenance) {
+  const std::string why = lacking_room(path, expected_bytes(scene) + other_bytes(scene, provenance));
+  return why.empty() ? "" : "the recording may need " + why;
 }
 
 void Recorder::record(const State& state, std::span<const ContactRow> contacts) {

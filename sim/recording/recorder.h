@@ -26,8 +26,8 @@ namespace throng {
 class Recorder {
  public:
   /// Makes OUT.part. Throws InputError, leaving nothing behind, where `path` can't be written (folder
-  /// missing, no permission, exists without `force`, another run at work, too little room for all frames),
-  /// std::runtime_error where making the file fails all the same.
+  /// missing, no permission, exists without `force`, another run at work, too little room for what all frames
+  /// take at least), std::runtime_error where making the file fails all the same.
   Recorder(const std::string& path, const Scene& scene, const Provenance& provenance, bool force = false);
 
   /// Goes on with the recording of `path`: its first `frames` frames, read from `kept` and checked, stand in
@@ -41,6 +41,11 @@ class Recorder {
   /// making anything.
   static void expect_writable(const std::string& path, const Scene& scene, const Provenance& provenance,
                               bool force = false);
+
+  /// What to say before a run whose frames may take more room than there is, of which nobody can know: how
+  /// much they would take if all bodies stayed in record.within, with three contacts a body. "" where there
+  /// is room.
+  static std::string doubt(const std::string& path, const Scene& scene, const Provenance& provenance);
 
   /// Without `finish`: does what `stop` does, but can't tell of errors.
   ~Recorder();

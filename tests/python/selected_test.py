@@ -2,6 +2,7 @@
 """What record asks for beside all of each frame, as the program, its exports and throng_read.py know it."""
 import csv
 import json
+import os
 import pathlib
 import subprocess
 import unittest
@@ -103,6 +104,24 @@ class Selected(Program):
             self.assertEqual(recording.observables["momentum"][0].shape, (6, 2))
             self.assertEqual([len(recording.contacts(4 * k).a) for k in range(6)],
                              list(recording.observables["contacts"][0]))
+
+    def test_what_may_not_fit_is_recorded_with_a_warning(self):
+        disk = os.statvfs(self.folder)
+        steps = int(100 * disk.f_bavail * disk.f_frsize / 40 / 1e4)
+        (self.folder / "three.toml").write_text(f"""throng = 1
+name = "many"
+time = {{ dt = 0.01, until = {0.01 * steps:.2f} }}
+[shapes]
+ball = {{ disc = {{ radius = 0.3 }} }}
+[[bodies]]
+shape = "ball"
+place = {{ lattice = {{ origin = [0, 0], spacing = [1, 1], size = [100, 100] }} }}
+""")
+        rehearsal = ("run", "three.toml", "-o", "a.h5", "--dry-run")
+        self.assertIn("needs about", self.throng(*rehearsal)[1])
+        code, said = self.throng(*rehearsal, "--set", "record.within=[[0, 0], [1, 1]]")
+        self.assertEqual(code, 0, said)
+        self.assertRegex(said, "^throng: warning: the recording may need about .* MB left; where the disk is full")
 
     def test_info_tells_of_it(self):
         self.selected("every=2", "fields=['position']", "also=[{ every = 3, fields = ['contacts'] }]",

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/input_error.h"
+#include "sim/recording/output_file.h"
 #include "sim/recording/recording.h"
 #include "tests/sim/recording/scenes.h"
 
@@ -262,6 +263,21 @@ TEST(Selected, GoesOnFromAnyFrameAsIfNeverStopped) {
       for (std::size_t i = 0; i < again.frames(); ++i) EXPECT_NO_THROW(again.frame(i));
     }
   }
+}
+
+/// The disk is a hundredth of what it would take if all stayed in the region.
+TEST(Selected, RegionsAreNotRefusedForRoomThatTheyMayNotTake) {
+  const Folder folder;
+  Scene scene = mixed_scene(100'000);
+  scene.time.until = scene.time.dt * std::ceil(100.0 * recording::free_bytes(folder / "a.h5") / 40.0 / 1e5);
+  EXPECT_THROW(Recorder::expect_writable(folder / "a.h5", scene, provenance()), InputError);
+  EXPECT_THROW(Recorder(folder / "a.h5", scene, provenance()), InputError);
+  scene.record.within = Eigen::AlignedBox2d(Vec(0, 0), Vec(1, 1));
+  EXPECT_NO_THROW(Recorder::expect_writable(folder / "a.h5", scene, provenance()));
+  EXPECT_NO_THROW(Recorder(folder / "a.h5", scene, provenance()));
+  EXPECT_THAT(Recorder::doubt(folder / "a.h5", scene, provenance()), HasSubstr("may need about"));
+  scene.time.until = scene.time.dt;
+  EXPECT_EQ(Recorder::doubt(folder / "a.h5", scene, provenance()), "");
 }
 
 /// What nobody asked for is not in the file.
