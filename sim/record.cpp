@@ -27,6 +27,16 @@ std::vector<int> rates(const Record& record) {
   return result;
 }
 
+namespace {
+
+/// The least; most + 1 where that is beyond `most`.
+std::int64_t common_multiple(std::int64_t a, std::int64_t b, std::int64_t most) {
+  const std::int64_t factor = b / std::gcd(a, b);
+  return a > most / factor ? most + 1 : a * factor;
+}
+
+}  // namespace
+
 /// Each set of rates counts the steps at which all of them are due, added and taken away in turn.
 std::int64_t count_frames(const Record& record, std::int64_t steps) {
   const std::vector<int> all = rates(record);
@@ -36,7 +46,7 @@ std::int64_t count_frames(const Record& record, std::int64_t steps) {
     for (std::size_t i = 0; i < all.size(); ++i)
       if (set >> i & 1) {
         sign = -sign;
-        if (common <= steps) common = std::lcm(common, std::int64_t{all[i]});
+        common = common_multiple(common, all[i], steps);
       }
     count += sign * (steps / common + 1);
   }

@@ -42,5 +42,13 @@ TEST(Record, CountsTheFramesThatItMakes) {
   EXPECT_EQ(count_frames(record, 1'000'000'000'000), 523'809'523'809) << "by the rates' common period";
 }
 
+/// Multiplied, these rates are beyond 64 bits.
+TEST(Record, CountsFramesOfRatesWithoutACommonPeriod) {
+  Record record;
+  record.every = 99'991;
+  record.own_every = {0, 1'000'003, 922'417'455, 0, 0};
+  EXPECT_EQ(count_frames(record, 1'000'000'000'000), 11'001'972);
+}
+
 }  // namespace
 }  // namespace throng
