@@ -53,7 +53,10 @@ std::size_t FrameReader::read_present(std::size_t i, Frame& frame, FrameHash& ha
   if (!changes_) return ids_.size();
   std::vector<std::uint32_t> found(ids_.size());
   h5::read_row<std::uint32_t>(present_, i, found.data(), found.size() * sizeof(std::uint32_t));
-  found.resize(static_cast<std::size_t>(std::ranges::find(found, 0u) - found.begin()));
+  const auto end = std::ranges::find(found, 0u);
+  if (std::any_of(end, found.end(), [](std::uint32_t id) { return id != 0; }))
+    throw h5::Error("id is not in order");
+  found.erase(end, found.end());
   hash.add(std::as_bytes(std::span(found)));
   frame.is_present.assign(ids_.size(), 0);
   rows_.clear();

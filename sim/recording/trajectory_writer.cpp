@@ -34,8 +34,8 @@ void compact(const std::vector<std::uint8_t>& is_present, std::size_t components
 
 }  // namespace
 
-bool TrajectoryWriter::is_due(int field, std::int64_t step) const {
-  return throng::is_due(every(record_, static_cast<RecordField>(field)), step);
+bool TrajectoryWriter::holds(int field, std::int64_t step) const {
+  return is_due(every(record_, static_cast<RecordField>(field)), step);
 }
 
 void TrajectoryWriter::append(const State& state, std::span<const ContactRow> contacts,
@@ -59,11 +59,11 @@ std::uint64_t TrajectoryWriter::append_gathered(std::int64_t step, std::uint64_t
   const double time = static_cast<double>(step) * dt_;
   FrameHash hash(step, time, state_hash);
   std::size_t bytes = write_fields(step, hash);
-  if (is_due(kContacts, step)) bytes += contacts_.append(chosen(contacts), hash);
-  if (observables_ && throng::is_due(record_.observables, step))
+  if (holds(kContacts, step)) bytes += contacts_.append(chosen(contacts), hash);
+  if (observables_ && is_due(record_.observables, step))
     bytes += observables_.append(observables.value(), hash);
   for (Rate& rate : rates_)
-    if (throng::is_due(rate.every, step)) rate.rows.append(step, time);
+    if (is_due(rate.every, step)) rate.rows.append(step, time);
   rows_[kStep].add(step);
   rows_[kTime].add(time);
   rows_[kStateHash].add(state_hash);
@@ -78,7 +78,7 @@ void TrajectoryWriter::gather(const State& state) {
   const double* const from[kFields] = {flat(state.position), state.angle.data(), flat(state.velocity),
                                        state.spin.data()};
   for (int f = 0; f < kFields; ++f) {
-    if (!is_due(f, state.step)) continue;
+    if (!holds(f, state.step)) continue;
     std::vector<double>& values = fields_[f].values();
     kComponents[f] == 2 ? selection_.bring<2>(state.id, from[f], values)
                         : selection_.bring<1>(state.id, from[f], values);
@@ -98,7 +98,7 @@ void TrajectoryWriter::gather(const Frame& frame) {
   const std::vector<Vec>* vectors[kFields] = {&frame.position, nullptr, &frame.velocity, nullptr};
   const std::vector<double>* scalars[kFields] = {nullptr, &frame.angle, nullptr, &frame.spin};
   for (int f = 0; f < kFields; ++f) {
-    if (!is_due(f, frame.step)) continue;
+    if (!holds(f, frame.step)) continue;
     const std::size_t rows = vectors[f] ? vectors[f]->size() : scalars[f]->size();
     if (rows != selection_.rows()) throw h5::Error(std::string(kFieldName[f]) + " is missing in a frame");
     if (rows == 0) continue;
@@ -117,7 +117,7 @@ void TrajectoryWriter::keep_present(std::int64_t step) {
   for (std::size_t row = 0; row < is_present_.size(); ++row)
     if (is_present_[row]) present_.push_back(selection_.ids()[row]);
   for (int f = 0; f < kFields; ++f)
-    if (is_due(f, step)) compact(is_present_, static_cast<std::size_t>(kComponents[f]), fields_[f].values());
+    if (holds(f, step)) compact(is_present_, static_cast<std::size_t>(kComponents[f]), fields_[f].values());
 }
 
 /// Returns the bytes that they took.
@@ -131,7 +131,7 @@ std::size_t TrajectoryWriter::write_fields(std::int64_t step, FrameHash& hash) {
   }
   const std::size_t bodies = ids_ ? present_.size() : selection_.rows();
   for (int f = 0; f < kFields; ++f)
-    if (is_due(f, step)) bytes += fields_[f].append(bodies, hash);
+    if (holds(f, step)) bytes += fields_[f].append(bodies, hash);
   return bytes;
 }
 

@@ -68,7 +68,7 @@ class TrajectoryWriter {
   void create_field(hid_t group, FieldIndex field);
   void create_sampled();
   void link_times(hid_t element, int every);
-  bool is_due(int field, std::int64_t step) const;
+  bool holds(int field, std::int64_t step) const;
   void gather(const State& state);
   void gather(const Frame& frame);
   void keep_present(std::int64_t step);

@@ -185,6 +185,19 @@ place = {{ lattice = {{ origin = [0, 0], spacing = [1, 1], size = [100, 100] }} 
 
 
 class Forged(Program):
+    def test_ids_behind_the_last_are_refused(self):
+        path = self.recorded("a.h5", "within=[[0.75, 0], [1.8, 3]]")
+        with h5py.File(path, "r+") as file:
+            ids = file["particles/trajectory/id/value"]
+            self.assertEqual(list(ids[20, -2:]), [0, 0], "who is away")
+            ids[20, -1] = 4
+        code, said = self.throng("export", "a.h5", "--format", "csv", "-o", "a.csv")
+        self.assertEqual((code, said), (2, "throng: a.h5 is damaged: frame 20: id is not in order\n"))
+        with throng_read.open(path) as recording:
+            recording.position[19]
+            with self.assertRaisesRegex(OSError, "frame 20"):
+                recording.position[20]
+
     def recorded(self, name, *record):
         return self.record(name, *(word for part in record for word in ("--set", "record." + part)))
 

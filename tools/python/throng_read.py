@@ -141,7 +141,10 @@ class Region:
 
     def __getitem__(self, sample):
         found = self._present[int(self._frames[sample])]
+        behind = found[np.count_nonzero(found):]
         found = found[:np.count_nonzero(found)]
+        if behind.any() or not np.isin(found, self._ids).all() or not (np.diff(found.astype("i8")) > 0).all():
+            raise OSError(f"frame {self._frames[sample]} has ids that are not in order")
         result = np.full(self.shape[1:], np.nan, self.dtype)
         result[np.searchsorted(self._ids, found)] = self._values[sample][:len(found)]
         return result
