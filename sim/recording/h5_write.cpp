@@ -137,6 +137,8 @@ Handle create_growing(hid_t at, const char* name, hid_t type, std::vector<hsize_
   const Handle where(H5Screate_simple(rank, dims.data(), limit.data()), H5Sclose, "cannot make a dataspace");
   const Handle layout = plain_layout();
   check(H5Pset_chunk(layout, rank, chunk.data()), "cannot set chunks");
+  const std::int32_t nothing = 0;  // said, not left to HDF5: to H5MD it is what isn't there
+  check(H5Pset_fill_value(layout, H5T_NATIVE_INT32, &nothing), "cannot set the fill value");
   if (filters == Filters::packed) {
     check(H5Pset_shuffle(layout), "cannot set shuffle");
     check(H5Pset_deflate(layout, 1), "cannot set deflate");

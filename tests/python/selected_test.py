@@ -85,6 +85,7 @@ class Selected(Program):
             with h5py.File(self.path("selected.h5")) as file:  # as H5MD has a number of bodies that changes
                 ids = file["particles/trajectory/id/value"]
                 self.assertEqual(ids.fillvalue, 0)
+                self.assertEqual(ids.id.get_create_plist().fill_value_defined(), h5py.h5d.FILL_VALUE_USER_DEFINED)
                 for row, some in zip(ids[:], inside):
                     np.testing.assert_array_equal(row[row != ids.fillvalue], np.flatnonzero(some) + 1)
 
