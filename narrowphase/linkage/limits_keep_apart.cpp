@@ -12,7 +12,7 @@ namespace {
 struct Between {
   std::uint32_t link;
   double middle, half;  ///< rad or m, its values
-  double lever;         ///< m a rad, or 1
+  double lever;         ///< m a rad, or the axis' length
 };
 
 double reach(const PartsBvh& shape) {
@@ -23,7 +23,7 @@ double reach(const PartsBvh& shape) {
 Between between(const Link& link, std::uint32_t index, double lever) {
   constexpr double kOnceRound = 3.15;
   if (link.joint == Joint::prismatic)
-    return {index, 0.5 * (link.lower + link.upper), 0.5 * (link.upper - link.lower), 1.0};
+    return {index, 0.5 * (link.lower + link.upper), 0.5 * (link.upper - link.lower), link.axis.norm()};
   if (!(link.upper - link.lower < 2.0 * kOnceRound)) return {index, 0.0, kOnceRound, lever};
   return {index, 0.5 * (link.lower + link.upper), 0.5 * (link.upper - link.lower), lever};
 }
@@ -31,7 +31,7 @@ Between between(const Link& link, std::uint32_t index, double lever) {
 /// The longest that the arm to a link gets, m.
 double longest_arm(const Link& link) {
   if (link.joint == Joint::revolute) return link.at.norm();
-  return link.at.norm() + std::max(std::abs(link.lower), std::abs(link.upper));
+  return link.at.norm() + link.axis.norm() * std::max(std::abs(link.lower), std::abs(link.upper));
 }
 
 /// The joints' values, around their middles.
@@ -41,17 +41,11 @@ struct ValueBox {
 
 class Proof {
  public:
-  Proof(std::span<const Link> linkage, const LinkPair& links)
-      : linkage_(linkage), links_(links), values_(linkage.size(), 0.0), poses_(linkage.size()) {
+  Proof(std::span<const Link> linkage, const LinkPair& links) : linkage_(linkage), links_(links) {
     const std::uint32_t ancestor = nearest_common_ancestor(linkage, links);
-    for (std::uint32_t end : {links.a, links.b}) {
-      double lever = reach(*linkage[end].shape);
-      for (; end != ancestor; end = linkage[end].parent) {
-        joints_.push_back(between(linkage[end], end, lever));
-        lever += longest_arm(linkage[end]);
-      }
-      size_ += lever;
-    }
+    climb(links.a, ancestor);
+    end_of_a_ = joints_.size();
+    climb(links.b, ancestor);
   }
 
   bool succeeds(std::size_t effort) {
@@ -72,17 +66,38 @@ class Proof {
   }
 
  private:
+  void climb(std::uint32_t link, std::uint32_t ancestor) {
+    double lever = reach(*linkage_[link].shape), turned = 1.0;
+    for (; link != ancestor; link = linkage_[link].parent) {
+      joints_.push_back(between(linkage_[link], link, lever));
+      lever += longest_arm(linkage_[link]);
+      turned += std::abs(linkage_[link].angle);
+      if (linkage_[link].joint == Joint::revolute) turned += std::abs(joints_.back().middle);
+    }
+    rounding_ += 0x1p-40 * lever * turned;
+  }
+
   double gap_at(const ValueBox& box) {
-    for (std::size_t i = 0; i < joints_.size(); ++i) values_[joints_[i].link] = box.middle[i];
-    place_links(linkage_, values_, poses_);
-    return rough_separation(*linkage_[links_.a].shape, poses_[links_.a], *linkage_[links_.b].shape,
-                            poses_[links_.b], 0.25)
-        .lower;
+    const Pose a = placed(box, 0, end_of_a_), b = placed(box, end_of_a_, joints_.size());
+    return rough_separation(*linkage_[links_.a].shape, a, *linkage_[links_.b].shape, b, 0.25).lower;
+  }
+
+  /// Seen from the common ancestor, however far from the world's origin that is; of joints from `first` to
+  /// `last`, which lead to it.
+  Pose placed(const ValueBox& box, std::size_t first, std::size_t last) const {
+    Pose stands;
+    double angle = 0.0;
+    while (last > first) {
+      const Link& link = linkage_[joints_[--last].link];
+      angle += link.angle + (link.joint == Joint::revolute ? box.middle[last] : 0.0);
+      stands = pose(stands * offset(link, box.middle[last]), angle);
+    }
+    return stands;
   }
 
   /// At most, rounding included.
   double moved_within(const ValueBox& box) const {
-    double moved = 0x1p-40 * size_;
+    double moved = rounding_;
     for (std::size_t i = 0; i < joints_.size(); ++i) moved += box.half[i] * joints_[i].lever;
     return moved;
   }
@@ -101,10 +116,9 @@ class Proof {
 
   std::span<const Link> linkage_;
   LinkPair links_;
-  std::vector<Between> joints_;
-  std::vector<double> values_;
-  std::vector<Pose> poses_;
-  double size_ = 0.0;  ///< m, of all lengths between the two
+  std::vector<Between> joints_;  ///< from a to the common ancestor, those from b to it from
+  std::size_t end_of_a_;         ///< here on
+  double rounding_ = 0.0;        ///< m, of all lengths between the two, however they turn
 };
 
 }  // namespace

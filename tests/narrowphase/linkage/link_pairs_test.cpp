@@ -123,6 +123,35 @@ TEST(LimitsKeepApart, CountsHowFarASliderCarriesWhatTurns) {
   EXPECT_TRUE(limits_keep_apart(robot, {0, 2}, 1000));
 }
 
+TEST(LimitsKeepApart, NeverWhereADistantMountRoundsThemApart) {
+  ShapeStore shapes;
+  Linkage robot(3);
+  for (Link& link : robot) link.lower = link.upper = 0.0;
+  robot[1].parent = robot[2].parent = 0;
+  robot[1].shape = robot[2].shape = shapes.add({disc(0.5)});
+  for (double mount : {0.0, 1e9})
+    for (int k = 0; k < 20; ++k) {
+      robot[0].at = {mount, 0.0}, robot[1].at = {0.3 + 1e-8 * k, 0.0};
+      robot[2].at = robot[1].at + Vec(1.0 - 1e-9, 0.0);
+      EXPECT_FALSE(limits_keep_apart(robot, {1, 2}, 100)) << mount << ", " << k;
+      robot[2].at = robot[1].at + Vec(1.0 + 1e-9, 0.0);
+      EXPECT_TRUE(limits_keep_apart(robot, {1, 2}, 100)) << mount << ", " << k;
+    }
+}
+
+TEST(LimitsKeepApart, NeverWhereAnAxisIsALittleLongerThanOne) {
+  ShapeStore shapes;
+  Linkage robot(2);
+  robot[0].shape = robot[1].shape = shapes.add({disc(1.0)});
+  robot[0].joint = Joint::prismatic, robot[0].axis = {1.0 + 9e-10, 0.0};
+  robot[0].lower = -1000.0, robot[0].upper = 1000.0;
+  robot[1].at = {1002.0 + 5e-7, 0.0}, robot[1].lower = robot[1].upper = 0.0;
+  EXPECT_EQ(fault(robot), "");
+  EXPECT_FALSE(limits_keep_apart(robot, {0, 1}, 1000)) << "it slides to 1000 (1 + 9e-10)";
+  robot[1].at.x() += 5e-7;
+  EXPECT_TRUE(limits_keep_apart(robot, {0, 1}, 1000));
+}
+
 TEST(LimitsKeepApart, NeverWhereSamplesMeet) {
   Random random(9);
   int proven = 0, met = 0;

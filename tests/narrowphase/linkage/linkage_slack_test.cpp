@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "tests/narrowphase/motion/exact_gap.h"
 #include "random_linkage.h"
+#include "tests/narrowphase/motion/exact_gap.h"
 
 namespace throng::narrowphase {
 namespace {
