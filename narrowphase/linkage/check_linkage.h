@@ -7,7 +7,8 @@
 /// Do robots collide, standing or on the way, with obstacles, with one another, with themselves?
 namespace throng::narrowphase {
 
-/// All of it the caller's, who keeps it.
+/// All of it the caller's, who keeps it. Configurations are expected within the linkage's limits, which keep
+/// apart the pairs that `pairs_to_check` leaves out: strangers' are asked by `beyond_limits`.
 struct LinkageScene {
   std::span<const Link> linkage;
   std::span<const LinkPair> pairs;      ///< those that may not touch: see `pairs_to_check`
@@ -74,9 +75,11 @@ class LinkageChecker {
   /// When the first of the pairs touches. Hit: nothing touches before `from`, certain with rounding, and the
   /// pair touches at `to`; in between the two move no farther than `width` (m), or than what rounding
   /// decides, about 1e-13 of all lengths, unless they meet so slowly that rounding alone takes longer.
-  /// Undecided: from `from` to `to` some pair may touch by that little, before nothing does, and no hit
-  /// follows. Each pair advances by `safe_time` on its own, the one that lags behind first: grazing paths
-  /// cost as in check_motion.
+  /// `from` may be earlier than that where another pair's hit or doubt begins sooner. Undecided: nothing
+  /// touches before `from`; from there to `to` the pair may touch by that little, or it was asked 10,000
+  /// times and got no farther, and no hit was found: later doubts aren't told, nor what follows where a pair
+  /// was given up. Each pair advances by `safe_time` on its own, the one that lags behind first: grazing
+  /// paths cost as in check_motion.
   LinkageAnswer first_contact(std::span<const double> from, std::span<const double> to, double width = 0.0);
 
  private:
