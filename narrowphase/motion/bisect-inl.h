@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <tuple>
 
 #include "narrowphase/motion/bisect.h"
@@ -22,7 +21,7 @@ class Bisection {
     assert(options.epsilon >= 0.0);
     scratch_.queue.clear();
     scratch_.left.clear();
-    scratch_.pairs.assign(pairs_.size(), {0, std::numeric_limits<std::size_t>::max()});
+    scratch_.pairs.assign(pairs_.size(), {0, options_.evaluations});
     for (std::uint32_t s = 0; s < answers_.size(); ++s) answers_[s] = {}, answers_[s].segment = s;
     for (std::uint32_t k = 0; k < scratch_.pairs.size(); ++k) {
       assert(std::isfinite(pairs_.duration(k)));

@@ -48,6 +48,7 @@ struct Neighbourhood {
 struct BisectOptions {
   double epsilon = 0.0;  ///< m, clearance below which "undecided" will do; at least the pairs' resolution
   std::vector<Neighbourhood>* covering = nullptr;  ///< appended to: all that was proven, for pictures
+  std::size_t evaluations = 1'000'000;  ///< most computations of a pair: what is then open is in doubt
 };
 
 /// About a path or a segment of it.

@@ -48,6 +48,16 @@ TEST(Bisect, AsksOnceWhereTheMiddleCoversAll) {
   EXPECT_EQ(answer.evaluations, 1u);
 }
 
+/// A gap of 1e-6 all the way takes half a million computations, of which it gets a thousand.
+TEST(Bisect, EndsInDoubtWhereItsComputationsAreSpent) {
+  BisectOptions options;
+  options.evaluations = 1000;
+  const PathAnswer answer = ask({{{[](double) { return 1e-6; }}}}, options);
+  EXPECT_EQ(answer.verdict, Verdict::undecided);
+  EXPECT_LE(answer.evaluations, 1000u);
+  EXPECT_LT(answer.from, 1e-5);
+}
+
 TEST(Bisect, OfNoPairsIsFree) {
   EXPECT_EQ(ask({}).verdict, Verdict::free);
 }
