@@ -273,7 +273,7 @@ velocity = { maxwell = 1.0 }
 TEST_F(Query, RefusesWhatMakesNoSense) {
   const std::string scene = write("s.toml", kPlane);
   expect_refused(scene + " --radius -1 --id 1", "--radius must be 0 or more metres, or inf, not -1");
-  expect_refused(scene + " --radius nan --id 1", "or inf, not nan");
+  expect_refused(scene + " --radius nan --id 1", "--radius: 'nan' is no number");
   expect_refused(scene + " --radius 1 --nearest 0 --id 1", "--nearest must be 1 or more, not 0");
   expect_refused(scene + " --radius 1 --id 5", "no body has the id 5; ids go from 1 to 4");
   expect_refused(scene + " --radius 1 --id 4294967297", "no body has the id 4294967297");
@@ -300,8 +300,9 @@ TEST_F(Query, RefusesWhatMakesNoSense) {
   expect_refused(scene + " --nearest 99999999999999999999 --id 1", "out of range");
   expect_refused(scene + " --radius 1 --id 010", "no body has the id 10");
   expect_refused(scene + " --radius 1 --id 1 --at 2", "record a run");
-  expect_refused(scene + " --radius 1 --id 1 --at nan", "--at must be a finite time in seconds, not nan");
-  for (const char* fov : {"0", "-90", "360.1", "nan", "inf"})
+  expect_refused(scene + " --radius 1 --id 1 --at nan", "--at: 'nan' is no number");
+  expect_refused(scene + " --radius 1 --id 1 --fov nan", "--fov: 'nan' is no number");
+  for (const char* fov : {"0", "-90", "360.1", "inf"})
     expect_refused(scene + " --radius 1 --id 1 --fov=" + fov,
                    std::string("--fov must be above 0 and at most 360 degrees, not ") + fov);
   for (const char* heading : {"left", "nan", "90x", "inf"})
