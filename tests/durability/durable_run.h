@@ -26,6 +26,12 @@ inline constexpr bool kSanitized = true;
 inline constexpr bool kSanitized = false;
 #endif
 
+/// How many cases to try: all at full length, else the usual number; a quarter of it under sanitizers, which
+/// make a process five times as slow.
+inline int cases(int full, int usual) {
+  return full_length() ? full : kSanitized ? usual / 4 : usual;
+}
+
 class DurableRun : public Program {
  protected:
   /// The hashes of the frames of the uninterrupted run, which is made as `name`.

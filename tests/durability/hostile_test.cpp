@@ -193,7 +193,7 @@ struct Hostile : testing::Test {
   Sample good;
 };
 
-const int kMutations = full_length() ? 10'000 / 3 + 1 : 400;
+const int kMutations = cases(10'000 / 3 + 1, 400);
 
 TEST_F(Hostile, X1MutatedFilesAreRefusedOrUnharmed) {
   expect_mutations_seen(good, kMutations);

@@ -118,11 +118,11 @@ class Kills : public DurableRun {
 };
 
 TEST_F(Kills, H1NoFrameIsLostNoneIsWrongAndResumeReachesTheSameEnd) {
-  live_and_die(SIGKILL, full_length() ? 1000 : 100);
+  live_and_die(SIGKILL, cases(1000, 100));
 }
 
 TEST_F(Kills, H5AStoppedRunGoesOnToTheSameEnd) {
-  live_and_die(SIGTERM, full_length() ? 200 : 20);
+  live_and_die(SIGTERM, cases(200, 20));
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ class WriteOrder : public DurableRun {
 TEST_F(WriteOrder, NoCrashBetweenTwoWritesLosesAFrameAndNoneInsideAWriteShowsAWrongOne) {
   const std::string scene = write("a.toml", kHeap), log = path("log");
   const std::string options =
-      "--substeps 400 --checkpoint 0.001 --until " + std::string(full_length() ? "5" : "1");
+      "--substeps 400 --checkpoint 0.001 --until " + std::to_string(0.01 * cases(500, 100));
   const std::vector<std::uint64_t> whole = reference(scene, options);
   const Result result = throng(
       "run " + scene + " --progress none -o " + path("a.h5") + " " + options,

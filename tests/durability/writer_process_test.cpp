@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "sim/recording/recording.h"
+#include "tests/durability/durable_run.h"
 #include "tests/sim/recording/scenes.h"
 
 namespace throng {
@@ -107,7 +108,7 @@ TEST(Durability, AFullDiskEndsWithASentenceAndNeverWithASignal) {
   const Folder whole;
   record_drift(whole / "a.h5", mixed_scene(20), 100);
   const rlim_t size = std::filesystem::file_size(whole / "a.h5");
-  for (rlim_t limit = 500; limit < size; limit += size / 60) {
+  for (rlim_t limit = 500; limit < size; limit += size / static_cast<rlim_t>(cases(60, 60))) {
     const Folder folder;
     const int status = status_of(start([&] { return record_within(folder / "a.h5", limit); }));
     ASSERT_TRUE(WIFEXITED(status)) << "signal " << WTERMSIG(status) << " at " << limit << " bytes of "

@@ -122,6 +122,7 @@ Outcome plan(const Problem& problem, const MakePlanner& planner_of, double resol
     const bool solved = planner->solve(effort.seconds) == ob::PlannerStatus::EXACT_SOLUTION;
     const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - begin;
     outcome.motions += space->getMotionValidator()->getCheckedMotionCount();
+    planner->clear();  // OMPL 1.5: a LazyPRM frees its states here and not as it dies; the path has its own
     if (!solved) continue;
     outcome.ms.push_back(spent.count());
     const auto* path = goal->getSolutionPath()->as<og::PathGeometric>();
