@@ -53,6 +53,18 @@ inline EdgePairPoints nearest_of_edges(const Vec& p, const Vec& q, const Vec& r,
   return {0.0, at, at};
 }
 
+/// The unit vector from the nearest point on p-q to that on r-s, which are apart: from an end to the middle
+/// of the other edge it is that edge's normal, which keeps its digits however near the two are.
+inline Vec normal_of_edges(const EdgePairPoints& nearest, const Vec& p, const Vec& q, const Vec& r,
+                           const Vec& s) {
+  const Vec between = nearest.on_b - nearest.on_a;
+  const bool ends_at_a = nearest.on_a == p || nearest.on_a == q;
+  const bool ends_at_b = nearest.on_b == r || nearest.on_b == s;
+  if (ends_at_a && ends_at_b) return direction(between, {1.0, 0.0}).unit;
+  const Vec along = direction(ends_at_a ? s - r : q - p, {0.0, 1.0}).unit, left{-along.y(), along.x()};
+  return dot(left, between) < 0.0 ? Vec(-left) : left;
+}
+
 /// Whether the ray from `x` towards +x passes p-q, its upper end left out: the even-odd rule counts these.
 inline bool ray_passes(const Vec& x, const Vec& p, const Vec& q) {
   if ((p.y() > x.y()) == (q.y() > x.y())) return false;

@@ -34,10 +34,10 @@ class EdgePairs {
         const EdgePairPoints nearest = nearest_of_edges(e.p, e.q, r, s);
         if (nearest.squared == 0.0) return best.time = {0.0, 0.0, true, e.index, f.index}, true;
         const std::array<Vec, 2> ends_a{e.p, e.q}, ends_b{f.p, f.q};
-        const Direction normal = direction(nearest.on_b - nearest.on_a, {1.0, 0.0});
+        const Vec normal = normal_of_edges(nearest, e.p, e.q, r, s);
         best.consider(std::sqrt(nearest.squared) - slack_, mu,
-                      {{ends_a, Pose{}, node_a.far}, {ends_b, b_in_a_, node_b.far}, normal.unit, slack_},
-                      e.index, f.index);
+                      {{ends_a, Pose{}, node_a.far}, {ends_b, b_in_a_, node_b.far}, normal, slack_}, e.index,
+                      f.index);
       }
     }
     return false;

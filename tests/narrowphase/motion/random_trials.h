@@ -205,4 +205,11 @@ inline Trial outlines(Random& random) {
   return t;
 }
 
+/// A bar past a post, or a corner along a wall, as outlines.
+inline Trial grazing_outlines(Random& random) {
+  Trial t = random() % 2 ? grazing_bars(random) : grazing_corners(random);
+  for (Body* body : {&t.a, &t.b}) body->ring = body->parts[0].vertices;
+  return t;
+}
+
 }  // namespace throng::narrowphase::soundness

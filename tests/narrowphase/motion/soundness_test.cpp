@@ -163,7 +163,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Kind{"outlines_in_balls", outlines, 300, ask_outlines<Ball<2>>},
                       Kind{"outlines_in_boxes", outlines, 300, ask_outlines<Box<2>>},
                       Kind{"outlines_in_oriented_boxes", outlines, 300, ask_outlines<OrientedBox<2>>},
-                      Kind{"outlines_in_boxes_and_balls", outlines, 300, ask_outlines<BoxAndBall<2>>}),
+                      Kind{"outlines_in_boxes_and_balls", outlines, 300, ask_outlines<BoxAndBall<2>>},
+                      Kind{"grazing_outlines", grazing_outlines, 3000, ask_outlines<BoxAndBall<2>>}),
     [](const auto& kind) { return kind.param.name; });
 
 }  // namespace
