@@ -57,7 +57,7 @@ test("the page shows the motion at any time, and nothing else happens", async ()
   await page.click("#jumps button");
   assert.match(await page.textContent("#clock"), /^segment 1, 0.7500/);
   await page.click("#play");
-  while (await page.evaluate("playing !== 0 || time !== 2")) await page.waitForTimeout(50);
+  await page.waitForFunction(() => playing === 0 && time === 2, null, { timeout: 20000 });  // two segments of 2 s
   assert.deepEqual(requests.filter(url => !/^file:/.test(url)), []);
   assert.deepEqual(errors, []);
   await context.close();

@@ -147,7 +147,10 @@ test("the file of a killed run opens, up to its last committed frame", async () 
   writeFileSync(path("long.toml"), MIXED.replace("until = 1.0", "until = 1000.0"));
   const run = spawn(program, ["run", path("long.toml"), "-o", path("long.h5"), "--progress", "none"], { stdio: "ignore" });
   const ended = new Promise(resolve => run.on("exit", resolve));
-  while (!existsSync(path("long.h5.part"))) await new Promise(resolve => setTimeout(resolve, 20));
+  for (let waited = 0; !existsSync(path("long.h5.part")); waited += 20) {
+    assert.ok(waited < 20000, "the run made no file");
+    await new Promise(resolve => setTimeout(resolve, 20));
+  }
   await new Promise(resolve => setTimeout(resolve, 2500));  // a run commits each second
   run.kill("SIGKILL");
   await ended;
