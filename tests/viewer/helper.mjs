@@ -101,7 +101,10 @@ export async function h5() {
 }
 
 /** A recording of the test's folder, opened as the page does. */
-export const open = (library, name) => new Recording(library, path(name), modeFor(readFileSync(path(name)).subarray(0, HEAD)));
+export function open(library, name) {
+  const bytes = readFileSync(path(name));
+  return new Recording(library, path(name), modeFor(bytes.subarray(0, HEAD)), bytes.length);
+}
 
 /** Debian's Chromium without a window, drawing by the processor. */
 export function browser() {

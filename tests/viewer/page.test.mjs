@@ -176,6 +176,9 @@ test("damaged, foreign and unfinished files get their sentence, and the page sta
   copyFileSync(path("mixed.h5"), path("wrong.h5"));
   alter("wrong.h5", "f['particles/trajectory/position/value'][0, 5, 0] = np.nan");
   await refuses("wrong.h5", /position of frame 0 holds what is no number/);
+  copyFileSync(path("mixed.h5"), path("endless.h5"));
+  alter("endless.h5", "f['throng/frames/frame_hash'].resize(2**40, axis=0)");
+  await refuses("endless.h5", /frame_hash claims more than the file can hold/);
   await page.setInputFiles("#file", path("gas.h5"));
   await page.waitForFunction(() => document.getElementById("name").textContent === "gas" && document.getElementById("error").hidden);
   await done();

@@ -2,8 +2,9 @@
 // What the page's reader takes for a recording, and what it refuses with a sentence.
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
-import { copyFileSync, existsSync, readFileSync, writeFileSync } from "node:fs";
+import { copyFileSync, existsSync, readFileSync, statSync, writeFileSync } from "node:fs";
 import { before, test } from "node:test";
+import { OpenFile } from "../../tools/viewer/src/reader/h5.js";
 import { overview } from "../../tools/viewer/src/reader/overview.js";
 import { alter, GAS, h5, MIXED, open, path, program, random, record } from "./helper.mjs";
 
@@ -63,6 +64,17 @@ test("quantized positions come back within half a quantum, from any frame", () =
   }
 });
 
+test("what packs well may claim more than its file is large", () => {
+  record("rest", MIXED.replace(/record = .*/, 'record = { fields = ["position"], quantize = 1.0 }'), ["--until", "10"]);
+  assert.ok(151 * 1001 * 8 > 2 * statSync(path("rest.h5")).size);
+  assert.equal(open(library, "rest.h5").frame(1000, ["position"]).position.length, 302);
+});
+
+test("the frames of a killed run may claim a little more than there is", () => {
+  const nothing = { File: class {} };
+  assert.deepEqual([new OpenFile(nothing, "", "r", 7).room, new OpenFile(nothing, "", "Sr", 7).room], [7, 64e6 + 7]);
+});
+
 test("frames with positions are shown, with what they have of the rest", () => {
   record("rates", MIXED.replace(/record = .*/, 'record = { every = 2, fields = ["position"], also = [{ every = 3, fields = ["velocity"] }] }'));
   const recording = open(library, "rates.h5"), { steps, times } = recording.description;
@@ -111,7 +123,13 @@ const FORGED = {
   "a frame that is no number": ["f['particles/trajectory/position/value'][7, 0, 0] = np.inf", /position of frame 7 holds what is no number/],
   "frames that are missing": ["f['particles/trajectory/angle/value'].resize(50, axis=0)", /frames are missing/],
   "no frames": ["f['throng/frames/frame_hash'][:] = 0", /holds no frames/],
-  "a place of huge size": ["del f['throng/walls/points']; f.create_dataset('throng/walls/points', (10**12, 2), dtype='f8', chunks=(1024, 2))", /too large/],
+  "a place of huge size": ["del f['throng/walls/points']; f.create_dataset('throng/walls/points', (10**12, 2), dtype='f8', chunks=(1024, 2))", /walls\/points claims more than the file can hold/],
+  "rows without end": ["f['throng/frames/frame_hash'].resize(2**33, axis=0)", /frame_hash claims more than the file can hold/],
+  "frames without end": ["f['particles/trajectory/position/value'].resize(2**40, axis=0)", /position\/value claims more than the file can hold/],
+  "bodies out of thin air": ["del f['throng/bodies/radius']; f.create_dataset('throng/bodies/radius', (2**25,), dtype='f8', chunks=(2**20,))", /radius claims more than the file can hold/],
+  "a bomb": ["del f['throng/bodies/radius']; f.create_dataset('throng/bodies/radius', (2**20,), dtype='f8', chunks=(2**20,), compression='gzip', fillvalue=1)", /radius has a filter/],
+  "chunks of huge size": ["del f['throng/frames/step']; f.create_dataset('throng/frames/step', (101,), dtype='i8', chunks=(2**23,), maxshape=(None,))", /step has chunks that are too large/],
+  "long text": ["del f['parameters/resolved']; f['parameters'].create_dataset('resolved', (), dtype='S2000000000')", /resolved claims more than the file can hold/],
   "an external link": ["del f['throng/bodies/radius']; f['throng/bodies/radius'] = h5py.ExternalLink('/etc/passwd', 'x')", /radius is missing/],
   "text of any length": ["del f['throng/shapes/name']; f['throng/shapes/name'] = ['a', 'b', 'c', 'd']", /another type/],
 };

@@ -17,10 +17,10 @@ export class Quantized {
   #at = -1;
   #now; #before;
 
-  /** Throws BadFile. @param {any} file @param {number} count  bodies */
+  /** Throws BadFile. @param {import("./h5.js").OpenFile} file @param {number} count  bodies */
   constructor(file, count) {
     const path = "throng/quantized", group = file.get(path);
-    this.#data = dataset(file, `${path}/position`, "int", [-1, count, 2]);
+    this.#data = dataset(file, `${path}/position`, "int", [-1, count, 2], "packed");
     this.#quantum = Number(attribute(group, "quantum")), this.#keyEvery = Number(attribute(group, "key_every"));
     if (!(this.#quantum > 0 && this.#keyEvery >= 1 && this.#keyEvery <= 1024)) throw damaged(path);
     this.#now = new Int32Array(2 * count), this.#before = new Int32Array(2 * count);

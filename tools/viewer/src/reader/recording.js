@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A recording: its scene, and its frames one by one, that of a run still going or killed included.
-import { attribute, BadFile, damaged, dataset, numbers } from "./h5.js";
+import { attribute, BadFile, damaged, dataset, numbers, OpenFile } from "./h5.js";
 import { everyOf, Quantized, row } from "./quantized.js";
 import { readScene } from "./scene.js";
 
@@ -23,6 +23,15 @@ export const HEAD = 12;
  */
 export const modeFor = head => head[11] ? "Sr" : "r";
 
+/** @param {any} h5 @param {string} path @param {"r" | "Sr"} mode @param {number} bytes */
+function opened(h5, path, mode, bytes) {
+  try {
+    return new OpenFile(h5, path, mode, bytes);
+  } catch {
+    throw new BadFile("is no HDF5 file, or one whose beginning is damaged");
+  }
+}
+
 export class Recording {
   #data = /** @type {Map<Field, {frame: (sample: number) => Float32Array | Float64Array, extent: number, every: number}>} */ (new Map());
   #steps = new Float64Array(0);  // of all frames
@@ -33,10 +42,10 @@ export class Recording {
 
   /**
    * Opens and checks everything but the frames' values. Throws BadFile.
-   * @param {any} h5  h5wasm, ready @param {string} path @param {"r" | "Sr"} mode  see modeFor
+   * @param {any} h5  h5wasm, ready @param {string} path @param {"r" | "Sr"} mode  see modeFor @param {number} bytes  of the file
    */
-  constructor(h5, path, mode) {
-    this.#open(h5, path, mode);
+  constructor(h5, path, mode, bytes) {
+    this.file = opened(h5, path, mode, bytes);
     try {
       this.description = this.#describe();
       this.#readFields();
@@ -52,15 +61,6 @@ export class Recording {
     const scene = readScene(this.file);
     return { ...scene, fields: [], times: new Float64Array(0), steps: new Float64Array(0),
              complete: numbers(this.file, "throng/finished", "int", [])[0] !== 0 };
-  }
-
-  /** @param {any} h5 @param {string} path @param {"r" | "Sr"} mode */
-  #open(h5, path, mode) {
-    try {
-      this.file = new h5.File(path, mode);
-    } catch {
-      throw new BadFile("is no HDF5 file, or one whose beginning is damaged");
-    }
   }
 
   #readFields() {

@@ -3,6 +3,7 @@
 import { attribute, BadFile, damaged, numbers, texts } from "./h5.js";
 
 /**
+ * @typedef {import("./h5.js").OpenFile} File
  * @typedef {{points: Float64Array, radius: number}} Part  a convex part, grown by its radius (m)
  * @typedef {{name: string, kind: number, radius: number, gyration2: number, outline: Float64Array, holes: Float64Array[],
  *   parts: Part[]}} Shape
@@ -31,7 +32,7 @@ function expectRange(values, path, low, high) {
   return values;
 }
 
-/** Lists of points end to end. @param {any} file @param {string} offsets @param {string} points */
+/** Lists of points end to end. @param {File} file @param {string} offsets @param {string} points */
 function ragged(file, offsets, points) {
   const offset = numbers(file, offsets, "int", [-1]), all = numbers(file, points, "float", [-1, 2]);
   expectOffsets(offset, all.length / 2, offsets);
@@ -39,7 +40,7 @@ function ragged(file, offsets, points) {
   return Array.from({ length: offset.length - 1 }, (_, i) => all.slice(2 * offset[i], 2 * offset[i + 1]));
 }
 
-/** @param {any} file @returns {Domain} */
+/** @param {File} file @returns {Domain} */
 function readDomain(file) {
   const group = file.get("throng/domain"), kind = attribute(group, "kind");
   const min = Array.from(attribute(group, "min") ?? [], Number), max = Array.from(attribute(group, "max") ?? [], Number);
@@ -49,7 +50,7 @@ function readDomain(file) {
   return { kind, min, max };
 }
 
-/** Of each shape; files of version 1.0 have none. @param {any} file @param {string} at @param {number} n @returns {Float64Array[][]} */
+/** Of each shape; files of version 1.0 have none. @param {File} file @param {string} at @param {number} n @returns {Float64Array[][]} */
 function readHoles(file, at, n) {
   if (!file.get(at + "hole_offset")) return Array.from({ length: n }, () => []);
   const offset = numbers(file, at + "hole_offset", "int", [n + 1]), rings = ragged(file, at + "ring_offset", at + "rings");
@@ -57,7 +58,7 @@ function readHoles(file, at, n) {
   return Array.from({ length: n }, (_, i) => rings.slice(offset[i], offset[i + 1]));
 }
 
-/** @param {any} file @returns {Shape[]} */
+/** @param {File} file @returns {Shape[]} */
 function readShapes(file) {
   const at = "throng/shapes/", names = texts(file, at + "name", [-1]), n = names.length;
   const kind = expectRange(numbers(file, at + "kind", "int", [n]), at + "kind", 0, 3);
@@ -75,7 +76,7 @@ function readShapes(file) {
                                    parts: parts.slice(partOffset[i], partOffset[i + 1]) }));
 }
 
-/** @param {any} file @param {number} shapes @param {number} materials @returns {Bodies} */
+/** @param {File} file @param {number} shapes @param {number} materials @returns {Bodies} */
 function readBodies(file, shapes, materials) {
   const at = "throng/bodies/", radius = numbers(file, at + "radius", "float", [-1]), count = radius.length;
   expectRange(radius, at + "radius", 0, Infinity);
@@ -90,7 +91,7 @@ function readBodies(file, shapes, materials) {
   };
 }
 
-/** @param {any} file @returns {Wall[]} */
+/** @param {File} file @returns {Wall[]} */
 function readWalls(file) {
   const lines = ragged(file, "throng/walls/offset", "throng/walls/points");
   const closed = numbers(file, "throng/walls/closed", "int", [lines.length]);
@@ -109,19 +110,18 @@ export function gravityOf(resolved) {
   return gravity.every(Number.isFinite) ? gravity : null;
 }
 
-/** Throws unless this program can read the file. @param {any} file */
+/** Throws unless this program can read the file. @param {File} file */
 export function expectVersion(file) {
   const version = attribute(file.get("throng"), "version");
   if (!version || version.length !== 2) throw new BadFile("is HDF5 but not a recording of throng");
   if (version[0] > 1) throw new BadFile(`was written by a newer throng: its form is ${version[0]}.${version[1]}, this page reads 1`);
 }
 
-/** @param {any} file  @returns {Scene} */
+/** @param {File} file  @returns {Scene} */
 export function readScene(file) {
   expectVersion(file);
   const throng = file.get("throng"), shapes = readShapes(file), materials = texts(file, "throng/materials/name", [-1]);
-  let resolved = "";
-  try { resolved = texts(file, "parameters/resolved", [])[0] ?? ""; } catch { /* no text, no gravity: the energies say so */ }
+  const [resolved] = texts(file, "parameters/resolved", []);
   return { name: text(attribute(throng, "name")), description: text(attribute(throng, "description")),
            version: text(attribute(file.get("parameters"), "version")), domain: readDomain(file), gravity: gravityOf(resolved),
            shapes, materials, bodies: readBodies(file, shapes.length, materials.length), walls: readWalls(file) };

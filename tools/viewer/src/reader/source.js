@@ -7,64 +7,100 @@
  */
 
 const PATIENCE = 30000;  // ms without an answer after which a file counts as damaged: HDF5 may wait for ever
-
-/** Rejects once patience is over. @template T @param {Promise<T>} promise @returns {Promise<T>} */
-function patient(promise) {
-  let timer = 0;
-  const late = new Promise((_, reject) => { timer = setTimeout(() => reject(new Error("can't be read: it seems to be damaged")), PATIENCE); });
-  return Promise.race([promise, /** @type {Promise<T>} */ (late)]).finally(() => clearTimeout(timer));
-}
+const LATE = "can't be read: it seems to be damaged";
 
 export class Source {
   #worker;
   #scanner = /** @type {Worker | null} */ (null);
-  #waiting = /** @type {Map<number, {resolve: (loaded: Loaded) => void, reject: (error: Error) => void}>} */ (new Map());
+  #blob = /** @type {Blob | null} */ (null);
+  #opening = /** @type {{resolve: (opened: Opened) => void, reject: (error: Error) => void} | null} */ (null);
+  #waiting = /** @type {Map<number, {order: {ticket: number, frame: number}, resolve: (loaded: Loaded) => void, reject: (error: Error) => void}>} */ (new Map());  // by ticket
+  #ticket = 0;
+  #watch = 0;  // runs out where an answer is due and the worker says nothing
 
-  /** Starts the reader, so that it is ready when a file comes. @param {string} url  of the worker's code */
-  constructor(url) {
+  /** Starts the reader, so that it is ready when a file comes. @param {string} url  of the worker's code @param {number} [patience]  ms */
+  constructor(url, patience = PATIENCE) {
     this.url = url;
-    this.#worker = new Worker(url);
+    this.patience = patience;
+    this.#worker = this.#start();
+  }
+
+  #start() {
+    const worker = new Worker(this.url);
+    worker.onerror = event => this.#opening?.reject(new Error(`can't be read: ${event.message}`));
+    worker.onmessage = ({ data }) => this.#hear(data);
+    return worker;
   }
 
   /** Rejects with a sentence where the file can't be shown. @param {Blob} blob @returns {Promise<Opened>} */
   open(blob) {
-    return patient(new Promise((resolve, reject) => {
-      this.#worker.onerror = event => reject(new Error(`can't be read: ${event.message}`));
-      this.#worker.onmessage = ({ data }) => {
-        if (data.description) resolve(data);
-        else if (data.frame !== undefined) this.#answer(data);
-        else if (data.error) reject(new Error(data.error));
-      };
+    this.#blob = blob;
+    return new Promise((resolve, reject) => {
+      this.#opening = { resolve, reject };
       this.#worker.postMessage({ open: blob });
-    }));
+      this.#expect();
+    });
   }
 
-  /** @param {{frame: number, error?: string} & Loaded} data */
-  #answer({ frame, error, values, contacts }) {
-    const waiting = this.#waiting.get(frame);
-    this.#waiting.delete(frame);
-    if (error) waiting?.reject(new Error(error)); else waiting?.resolve({ values, contacts });
+  /** @param {any} data */
+  #hear(data) {
+    if (data.ticket !== undefined) this.#answer(data);
+    else if (data.description) this.#opening?.resolve(data);
+    else if (data.error) this.#opening?.reject(new Error(data.error));
+    if (data.description || (data.error && data.ticket === undefined)) this.#opening = null;
+    this.#expect();
+  }
+
+  /** Whoever waits, waits from now on, and not for ever. */
+  #expect() {
+    clearTimeout(this.#watch);
+    if (this.#opening || this.#waiting.size) this.#watch = setTimeout(() => this.#giveUp(), this.patience);
+  }
+
+  /** What the worker is stuck in is given up; another one goes on with the rest. */
+  #giveUp() {
+    const [stuck] = this.#waiting.values();
+    this.#worker.terminate();
+    this.#worker = this.#start();
+    if (this.#opening) { this.#opening.reject(new Error(LATE)); this.#opening = null; return; }
+    this.#worker.postMessage({ open: this.#blob });
+    this.#answer({ ticket: stuck.order.ticket, error: `${LATE}, in frame ${stuck.order.frame}` });
+    for (const { order } of this.#waiting.values()) this.#worker.postMessage(order);
+    this.#expect();
+  }
+
+  /** @param {{ticket: number, error?: string, values?: import("./recording.js").Frame, contacts?: import("../physics/contacts.js").Contacts}} data */
+  #answer({ ticket, error, values, contacts }) {
+    const waiting = this.#waiting.get(ticket);
+    this.#waiting.delete(ticket);
+    if (error || !values) waiting?.reject(new Error(error)); else waiting?.resolve({ values, contacts });
   }
 
   /** @param {number} frame @param {import("./recording.js").Field[]} fields @param {boolean} contacts @returns {Promise<Loaded>} */
   frame(frame, fields, contacts) {
-    return patient(new Promise((resolve, reject) => {
-      this.#waiting.set(frame, { resolve, reject });
-      this.#worker.postMessage({ frame, fields, contacts });
-    }));
+    const order = { ticket: ++this.#ticket, frame, fields, contacts };
+    return new Promise((resolve, reject) => {
+      this.#waiting.set(order.ticket, { order, resolve, reject });
+      this.#worker.postMessage(order);
+      this.#expect();
+    });
   }
 
   /** Points of the curves as they come, from a second worker. @param {Blob} blob @param {number} slow @param {(points: import("./scan.js").Point[], done: boolean, error?: string) => void} take */
   scan(blob, slow, take) {
-    this.#scanner = new Worker(this.url);
-    this.#scanner.onmessage = ({ data }) => {
+    const scanner = this.#scanner = new Worker(this.url);
+    const late = () => { scanner.terminate(); take([], true, LATE); };
+    let watch = setTimeout(late, this.patience);
+    scanner.onmessage = ({ data }) => {
+      clearTimeout(watch);
       if (data.points || data.error) take(data.points ?? [], Boolean(data.scanned || data.error), data.error);
-      if (data.scanned || data.error) this.#scanner?.terminate();
+      if (data.scanned || data.error) scanner.terminate(); else watch = setTimeout(late, this.patience);
     };
-    this.#scanner.postMessage({ open: blob, scan: slow });
+    scanner.postMessage({ open: blob, scan: slow });
   }
 
   close() {
+    clearTimeout(this.#watch);
     this.#worker.terminate();
     this.#scanner?.terminate();
   }

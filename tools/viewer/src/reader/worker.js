@@ -15,19 +15,19 @@ let finder;
 const ready = h5wasm.ready.then(h5 => { h5.activate_throwing_error_handler(); return h5; });
 ready.then(() => postMessage({ ready: true }), error => postMessage({ error: `this browser can't run the reader: ${error}` }));
 
-/** @param {{open?: Blob, frame?: number, fields?: import("./recording.js").Field[], contacts?: boolean, scan?: number}} order */
-async function obey({ open, frame, fields, contacts, scan: slow }) {
+/** @param {{open?: Blob, ticket?: number, frame?: number, fields?: import("./recording.js").Field[], contacts?: boolean, scan?: number}} order */
+async function obey({ open, ticket, frame, fields, contacts, scan: slow }) {
   const h5 = await ready;
   if (open) {
     const head = new Uint8Array(await open.slice(0, HEAD).arrayBuffer());
-    recording = new Recording(h5wasm, mount(h5, open), modeFor(head));
+    recording = new Recording(h5wasm, mount(h5, open), modeFor(head), open.size);
     finder = new ContactFinder(recording.description);
     if (slow === undefined) postMessage({ description: recording.description, overview: overview(recording) });
   }
   if (frame !== undefined) {
     const values = recording.frame(frame, fields ?? []), found = contacts ? finder.find(values) : undefined;
     const buffers = [...Object.values(values), ...(found ? [found.pairs, found.depths, found.deepest] : [])].map(array => array.buffer);
-    postMessage({ frame, values, contacts: found }, { transfer: buffers });
+    postMessage({ ticket, values, contacts: found }, { transfer: buffers });
   }
   if (slow !== undefined) {
     let points = [], at = performance.now();
@@ -44,5 +44,5 @@ async function obey({ open, frame, fields, contacts, scan: slow }) {
 
 let queue = Promise.resolve();
 onmessage = ({ data }) => {
-  queue = queue.then(() => obey(data)).catch(error => postMessage({ error: error.message || String(error), frame: data.frame }));
+  queue = queue.then(() => obey(data)).catch(error => postMessage({ error: error.message || String(error), ticket: data.ticket }));
 };
