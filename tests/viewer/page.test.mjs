@@ -156,6 +156,24 @@ test("a large recording is asked for by name, and read where it lies", async () 
   await done();
 });
 
+test("what has a rate of its own is drawn as it was last, and says since when", async () => {
+  record("turning", MIXED.replace(/record = .*/, 'record = { every = 2, fields = ["position"], also = [{ every = 3, fields = ["angle", "velocity"] }] }'));
+  const { page, errors, done } = await visit("mixed.html");
+  await page.setInputFiles("#file", path("turning.h5"));
+  await page.waitForFunction(() => globalThis.replay?.description.times.length === 51);
+  await page.fill("#pick", "70");
+  await page.keyboard.press("Enter");
+  await page.fill("#scrub", "32");
+  await page.waitForFunction(() => globalThis.replay.shown?.frame === 32);
+  const [angle, drawn] = await page.evaluate(() => [globalThis.replay.shown.a.values.angle[69], globalThis.replay.stage.stateTexels[4 * 69 + 2]]);
+  assert.ok(angle !== 0 && Math.abs(Math.sin(drawn - angle)) < 1e-6, `${angle}, drawn ${drawn}`);
+  await page.waitForFunction(() => /velocity, at 0.63 s.*angle, at 0.63 s/s.test(document.getElementById("facts").textContent));
+  await page.fill("#scrub", "33");
+  await page.waitForFunction(() => /velocity(?!,).*angle(?!,)/s.test(document.getElementById("facts").textContent));
+  assert.deepEqual(errors, []);
+  await done();
+});
+
 test("damaged, foreign and unfinished files get their sentence, and the page stays usable", async () => {
   const { page, done } = await visit("mixed.html");
   await state(page, "open");

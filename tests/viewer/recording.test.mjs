@@ -4,8 +4,10 @@ import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
 import { copyFileSync, existsSync, readFileSync, statSync, writeFileSync } from "node:fs";
 import { before, test } from "node:test";
+import { ContactFinder } from "../../tools/viewer/src/physics/contacts.js";
 import { OpenFile } from "../../tools/viewer/src/reader/h5.js";
 import { overview } from "../../tools/viewer/src/reader/overview.js";
+import { scan } from "../../tools/viewer/src/reader/scan.js";
 import { alter, GAS, h5, MIXED, open, path, program, random, record } from "./helper.mjs";
 
 let library, whole;
@@ -81,6 +83,22 @@ test("frames with positions are shown, with what they have of the rest", () => {
   assert.deepEqual([steps.length, steps[3], times[50]], [51, 6, 1]);
   assert.deepEqual(recording.frame(3, FIELDS), { position: whole.frame(6, FIELDS).position, velocity: whole.frame(6, FIELDS).velocity });
   assert.deepEqual(recording.frame(4, FIELDS), { position: whole.frame(8, FIELDS).position });
+});
+
+test("what has a rate of its own is known until it comes again, from frames without positions, too", () => {
+  record("turning", MIXED.replace(/record = .*/, 'record = { every = 2, fields = ["position"], also = [{ every = 3, fields = ["angle"] }] }'));
+  const recording = open(library, "turning.h5");
+  assert.deepEqual(recording.description.rates, { position: 2, angle: 3 });
+  for (const [frame, step] of [[0, 0], [1, 0], [2, 3], [3, 6], [4, 6], [5, 9]]) {
+    const { position, angle } = recording.last(frame, FIELDS);
+    assert.deepEqual([position, angle], [whole.frame(2 * frame, FIELDS).position, whole.frame(step, FIELDS).angle], `frame ${frame}`);
+  }
+});
+
+test("overlaps of shapes that turn are those of frames that know how they have turned", () => {
+  const recording = open(library, "turning.h5"), points = [...scan(recording, new ContactFinder(recording.description), 1)];
+  for (const { frame, largest } of points) assert.equal(Number.isFinite(largest), frame % 3 === 0, `frame ${frame}`);
+  assert.equal(points.length, 51);
 });
 
 test("some bodies are shown by their ids, a region is refused with a sentence", () => {

@@ -7,7 +7,8 @@ import { readScene } from "./scene.js";
 /**
  * @typedef {"position" | "angle" | "velocity" | "spin"} Field
  * @typedef {{[field in Field]?: Float32Array | Float64Array}} Frame  a row a body; x, y, x, y of position and velocity
- * @typedef {import("./scene.js").Scene & {fields: Field[], times: Float64Array, steps: Float64Array, complete: boolean}} Description
+ * @typedef {import("./scene.js").Scene & {fields: Field[], rates: {[field in Field]?: number}, times: Float64Array,
+ *   steps: Float64Array, complete: boolean}} Description  rates: steps from one sample of a field to the next
  */
 
 /** @type {[Field, number][]} */
@@ -35,7 +36,7 @@ function opened(h5, path, mode, bytes) {
 export class Recording {
   #data = /** @type {Map<Field, {frame: (sample: number) => Float32Array | Float64Array, extent: number, every: number}>} */ (new Map());
   #steps = new Float64Array(0);  // of all frames
-  #samples = /** @type {Map<number, Int32Array>} */ (new Map());  // by rate: as which sample a frame has what is due
+  #samples = /** @type {Map<number, Int32Array>} */ (new Map());  // by rate: the last sample up to each frame
   #chosen = /** @type {number[]} */ ([]);  // the frames of the file that hold positions, which alone are shown
   /** @type {Description} */
   description;
@@ -59,31 +60,36 @@ export class Recording {
   /** @returns {Description} */
   #describe() {
     const scene = readScene(this.file);
-    return { ...scene, fields: [], times: new Float64Array(0), steps: new Float64Array(0),
+    return { ...scene, fields: [], rates: {}, times: new Float64Array(0), steps: new Float64Array(0),
              complete: numbers(this.file, "throng/finished", "int", [])[0] !== 0 };
   }
 
   #readFields() {
     const { bodies, fields } = this.description;
+    this.#readQuantized();
     for (const [field, components] of FIELDS) {
       const group = this.file.get(`particles/trajectory/${field}`);
       if (!group) continue;
       const data = dataset(this.file, `particles/trajectory/${field}/value`, "float", components === 2 ? [-1, bodies.count, 2] : [-1, bodies.count]);
       const read = (/** @type {number} */ sample) => bodies.count === 0 ? new Float64Array(0) : row(data, sample);
-      this.#data.set(field, { frame: read, extent: data.metadata.shape[0], every: everyOf(group) });
-      fields.push(field);
+      this.#add(field, { frame: read, extent: data.metadata.shape[0], every: everyOf(group) });
     }
-    this.#readQuantized();
     if (!fields.includes("position")) throw new BadFile("holds no positions: there is nothing to show");
     if (bodies.region) throw new BadFile("holds other bodies in each frame (record.within), which this page can't show; throng replay --png and --video can");
   }
 
   #readQuantized() {
-    const group = this.file.get("throng/quantized"), { bodies, fields } = this.description;
+    const group = this.file.get("throng/quantized"), { bodies } = this.description;
     if (!group) return;
     const quantized = new Quantized(this.file, bodies.count);
-    this.#data.set("position", { frame: sample => quantized.frame(sample), extent: quantized.extent, every: everyOf(group) });
-    fields.unshift("position");
+    this.#add("position", { frame: sample => quantized.frame(sample), extent: quantized.extent, every: everyOf(group) });
+  }
+
+  /** @param {Field} field @param {{frame: (sample: number) => Float32Array | Float64Array, extent: number, every: number}} data */
+  #add(field, data) {
+    this.#data.set(field, data);
+    this.description.fields.push(field);
+    this.description.rates[field] = data.every;
   }
 
   /** A frame counts once its hash stands, whatever the extents of the other datasets say. */
@@ -125,6 +131,16 @@ export class Recording {
    * @returns {Frame}
    */
   frame(i, fields) {
+    return this.last(i, fields.filter(field => this.description.steps[i] % (this.#data.get(field)?.every ?? 1) === 0));
+  }
+
+  /**
+   * What is known at frame i: of each field, which may have a rate of its own, the last that was recorded. Throws BadFile where that is
+   * damaged. O(bodies).
+   * @param {number} i @param {Field[]} fields
+   * @returns {Frame}
+   */
+  last(i, fields) {
     /** @type {Frame} */
     const frame = {};
     for (const field of fields) {
@@ -134,17 +150,17 @@ export class Recording {
     return frame;
   }
 
-  /** @param {number} i @param {number} every */
+  /** The last up to frame i. @param {number} i @param {number} every */
   #sample(i, every) {
-    let samples = this.#samples.get(every), next = 0;
-    if (!samples) this.#samples.set(every, samples = Int32Array.from(this.#steps, step => step % every === 0 ? next++ : -1));
+    let samples = this.#samples.get(every), count = 0;
+    if (!samples) this.#samples.set(every, samples = Int32Array.from(this.#steps, step => step % every === 0 ? count++ : count - 1));
     return samples[this.#chosen[i]];
   }
 
   /** @param {number} i @param {Field} field */
   #read(i, field) {
-    const data = this.#data.get(field), step = this.description.steps[i];
-    if (!data || step % data.every !== 0) return undefined;
+    const data = this.#data.get(field);
+    if (!data) return undefined;
     let values;
     try {
       values = data.frame(this.#sample(i, data.every));

@@ -21,7 +21,8 @@ export function coarseFirst(n) {
  */
 
 /**
- * Yields one point a time. Overlaps of long recordings are found in fewer frames: NaN in the others.
+ * Yields one point a time. Overlaps of long recordings are found in fewer frames, and of shapes
+ * that turn in those that hold their angles: NaN in the others.
  * @param {import("./recording.js").Recording} recording @param {import("../physics/contacts.js").ContactFinder} finder
  * @param {number} slow  m/s
  * @returns {Generator<Point>}
@@ -29,9 +30,10 @@ export function coarseFirst(n) {
 export function* scan(recording, finder, slow) {
   const { description } = recording, rows = spread(description.times.length, POINTS);
   const withContacts = Math.max(20, Math.floor(PARTS / Math.max(1, finder.parts.body.length)));
+  const turns = description.shapes.some(({ kind }) => kind !== 0) && description.fields.includes("angle");
   for (const [done, k] of coarseFirst(rows.length).entries()) {
     const i = rows[k], frame = recording.frame(i, ["position", "angle", "velocity", "spin"]);
-    const contacts = done < withContacts ? finder.find(frame) : null;
+    const contacts = done < withContacts && (frame.angle || !turns) ? finder.find(frame) : null;
     yield { frame: i, time: description.times[i], ...measure(description, frame, slow),
             contacts: contacts ? contacts.pairs.length / 2 : NaN, largest: contacts?.largest ?? NaN, mean: contacts?.mean ?? NaN };
   }

@@ -25,7 +25,7 @@ async function obey({ open, ticket, frame, fields, contacts, scan: slow }) {
     if (slow === undefined) postMessage({ description: recording.description, overview: overview(recording) });
   }
   if (frame !== undefined) {
-    const values = recording.frame(frame, fields ?? []), found = contacts ? finder.find(values) : undefined;
+    const values = recording.last(frame, fields ?? []), found = contacts ? finder.find(values) : undefined;
     const buffers = [...Object.values(values), ...(found ? [found.pairs, found.depths, found.deepest] : [])].map(array => array.buffer);
     postMessage({ ticket, values, contacts: found }, { transfer: buffers });
   }

@@ -86,7 +86,7 @@ export class Controls {
     bar.style.width = `${metres * camera.scale}px`;
     bar.firstElementChild.textContent = length(metres);
     this.charts?.show(player.time);
-    showFacts(replay.picked >= 0 && shown ? facts(replay.description, replay.picked, shown.a) : null);
+    showFacts(replay.picked >= 0 && shown ? facts(replay.description, shown.frame, replay.picked, shown.a) : null);
     if (replay.picked >= 0) showSensed(replay.sensed(), replay.description.bodies.id, replay.sensing);
   }
 

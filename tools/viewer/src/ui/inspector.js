@@ -6,11 +6,20 @@ import { byId, fillList } from "./dom.js";
 const KINDS = ["moves freely", "static", "driven"];
 
 /**
- * @param {import("../reader/recording.js").Description} d @param {number} row @param {import("../reader/source.js").Loaded} loaded
+ * When a field was recorded that a frame carries on from before: ", at 0.5 s"; "" where it is the frame's own.
+ * @param {import("../reader/recording.js").Description} d @param {number} frame @param {import("../reader/recording.js").Field} field
+ */
+function since({ rates, steps, times }, frame, field) {
+  const step = steps[frame], last = step - step % (rates[field] ?? 1);
+  return last === step ? "" : `, at ${short(times[frame] * last / step, 4)} s`;
+}
+
+/**
+ * @param {import("../reader/recording.js").Description} d @param {number} frame @param {number} row @param {import("../reader/source.js").Loaded} loaded
  * @returns {[string, string][]}
  */
-export function facts(d, row, { values: { position, angle, velocity, spin }, contacts }) {
-  const { bodies, shapes, materials } = d, pair = (/** @type {ArrayLike<number>} */ v) => `${short(v[2 * row], 5)}, ${short(v[2 * row + 1], 5)}`;
+export function facts(d, frame, row, { values: { position, angle, velocity, spin }, contacts }) {
+  const { bodies, shapes, materials } = d, moved = since(d, frame, "velocity"), pair = (/** @type {ArrayLike<number>} */ v) => `${short(v[2 * row], 5)}, ${short(v[2 * row + 1], 5)}`;
   /** @type {([string, string] | false)[]} */
   const all = [
     ["shape", shapes[bodies.shape[row]].name],
@@ -19,10 +28,10 @@ export function facts(d, row, { values: { position, angle, velocity, spin }, con
     ["radius", length(bodies.radius[row], 4)],
     bodies.mass[row] > 0 && ["mass", `${short(bodies.mass[row], 4)} kg`],
     position !== undefined && ["place", `${pair(position)} m`],
-    velocity !== undefined && ["velocity", `${pair(velocity)} m/s`],
-    velocity !== undefined && ["speed", `${short(Math.hypot(velocity[2 * row], velocity[2 * row + 1]), 5)} m/s`],
-    angle !== undefined && ["angle", `${short(angle[row] * 180 / Math.PI, 5)}°`],
-    spin !== undefined && ["spin", `${short(spin[row], 4)} rad/s`],
+    velocity !== undefined && [`velocity${moved}`, `${pair(velocity)} m/s`],
+    velocity !== undefined && [`speed${moved}`, `${short(Math.hypot(velocity[2 * row], velocity[2 * row + 1]), 5)} m/s`],
+    angle !== undefined && [`angle${since(d, frame, "angle")}`, `${short(angle[row] * 180 / Math.PI, 5)}°`],
+    spin !== undefined && [`spin${since(d, frame, "spin")}`, `${short(spin[row], 4)} rad/s`],
     contacts !== undefined && ["deepest overlap", length(contacts.deepest[row])],
   ];
   return all.filter(fact => fact !== false);
