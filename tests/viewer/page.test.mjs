@@ -174,6 +174,34 @@ test("what has a rate of its own is drawn as it was last, and says since when", 
   await done();
 });
 
+test("bodies that come and go are drawn while they are there, and counted", async () => {
+  record("region", MIXED, ["--set", "record.within=[[0, 0], [4, 4]]"]);
+  const { page, errors, done } = await visit("mixed.html");
+  await page.setInputFiles("#file", path("region.h5"));
+  await page.waitForFunction(() => globalThis.replay?.description.bodies.changes);
+  await page.selectOption("#trails", { index: 2 });
+  await page.fill("#scrub", "100");
+  await page.waitForFunction(() => globalThis.replay.shown?.frame === 100);
+  const here = await page.evaluate(() => Array.from(globalThis.replay.shown.a.values.position).filter((x, i) => i % 2 === 0 && i > 0 && x === x).length);  // but the static one
+  assert.ok(here > 20 && here < 120, `${here}`);
+  const share = await drawn(page);
+  assert.ok(share > 0.02 && share < 0.6, `${share}`);
+  await page.waitForSelector("#curves[data-state=done]", { state: "attached" });
+  await page.waitForFunction(n => document.getElementById("curves").textContent.includes(`here ${n}`), here);
+  const gone = await page.evaluate(() => globalThis.replay.shown.a.values.position.findIndex(Number.isNaN) / 2 + 1);
+  await page.fill("#pick", String(gone));
+  await page.keyboard.press("Enter");
+  await page.waitForFunction(() => /now.*not here/s.test(document.getElementById("facts").textContent));
+  await page.keyboard.press("Escape");  // out of the field
+  await page.keyboard.press("f");
+  await page.keyboard.press("ArrowLeft");
+  await page.waitForFunction(() => globalThis.replay.shown?.frame === 99);
+  assert.equal(await page.evaluate(() => globalThis.replay.following), true);
+  assert.ok(Number.isFinite(await page.evaluate(() => globalThis.replay.camera.x)));
+  assert.deepEqual(errors, []);
+  await done();
+});
+
 test("damaged, foreign and unfinished files get their sentence, and the page stays usable", async () => {
   const { page, done } = await visit("mixed.html");
   await state(page, "open");

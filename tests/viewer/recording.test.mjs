@@ -3,8 +3,9 @@
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
 import { copyFileSync, existsSync, readFileSync, statSync, writeFileSync } from "node:fs";
-import { before, test } from "node:test";
+import { before, describe, test } from "node:test";
 import { ContactFinder } from "../../tools/viewer/src/physics/contacts.js";
+import { measure } from "../../tools/viewer/src/physics/measures.js";
 import { OpenFile } from "../../tools/viewer/src/reader/h5.js";
 import { overview } from "../../tools/viewer/src/reader/overview.js";
 import { scan } from "../../tools/viewer/src/reader/scan.js";
@@ -101,11 +102,89 @@ test("overlaps of shapes that turn are those of frames that know how they have t
   assert.equal(points.length, 51);
 });
 
-test("some bodies are shown by their ids, a region is refused with a sentence", () => {
+test("some bodies are shown by their ids", () => {
   record("some", MIXED, ["--set", "record.of.ids=[3, 90]"]);
   assert.deepEqual([...open(library, "some.h5").description.bodies.id], [3, 90]);
-  record("region", MIXED, ["--set", "record.within=[[0, 0], [4, 4]]"]);
-  assert.match(refusal("region.h5"), /record\.within/);
+});
+
+describe("of bodies that come and go", () => {
+  let region;
+  before(() => {
+    record("region", MIXED, ["--set", "record.within=[[0, 0], [4, 4]]"]);
+    region = open(library, "region.h5");
+  });
+  const inside = ([x, y]) => x >= 0 && x <= 4 && y >= 0 && y <= 4;
+  const rowsIn = i => Array.from({ length: 151 }, (_, row) => row).filter(row => inside(whole.frame(i, FIELDS).position.subarray(2 * row)));
+
+  test("each frame has those that are there, each in its row", () => {
+    const sizes = new Set();
+    for (const i of [0, 40, 41, 100, 0]) {
+      const here = new Set(rowsIn(i)), found = region.frame(i, FIELDS), truth = whole.frame(i, FIELDS);
+      for (const [field, width] of [["position", 2], ["angle", 1], ["velocity", 2], ["spin", 1]])
+        truth[field].forEach((value, k) => assert.equal(found[field][k], here.has(Math.floor(k / width)) ? value : NaN, `${field} ${k} of frame ${i}`));
+      sizes.add(here.size);
+    }
+    assert.ok(sizes.size >= 3 && Math.max(...sizes) < 151, `${[...sizes]}`);
+    assert.equal(region.description.bodies.changes, true);
+  });
+
+  test("overlaps and energies are those of who is there", () => {
+    const { description } = region, finder = new ContactFinder(description), all = new ContactFinder(whole.description);
+    for (const i of [100, 0, 60]) {
+      const here = new Set(rowsIn(i)), found = finder.find(region.frame(i, FIELDS)), truth = all.find(whole.frame(i, FIELDS));
+      const pairs = ({ pairs, depths }) => Array.from(depths, (depth, k) => [pairs[2 * k], pairs[2 * k + 1], depth]).map(String).sort();
+      const between = pairs(truth).filter(pair => { const [a, b] = pair.split(",").map(Number); return here.has(a) && (b < 0 || here.has(b)); });
+      assert.deepEqual(pairs(found), between, `frame ${i}`);
+      assert.ok(i !== 100 || between.length > 20);
+      const some = measure(description, region.frame(i, FIELDS), 0.5);
+      assert.equal(some.present, here.size - Number(here.has(0)));  // the peg is static
+      const { position, velocity } = whole.frame(i, FIELDS), absent = [...Array(151).keys()].filter(row => !here.has(row));
+      for (const row of absent) position[2 * row] = velocity[2 * row] = velocity[2 * row + 1] = NaN;
+      assert.equal(some.kinetic, measure(whole.description, { position, velocity }, 0.5).kinetic);
+      assert.ok(i === 0 || some.kinetic > 0);
+    }
+  });
+
+  test("the overview is of places that are", () => {
+    const { places, radii, topSpeed, starts } = overview(region);
+    assert.ok(places.length === 2 * radii.length && places.every(Number.isFinite) && places.length > 20 && topSpeed > 0);
+    assert.ok(starts.low >= 0 && starts.high <= 4 && starts.high > starts.low && starts.heights.some(Number.isNaN));
+  });
+
+  test("what has a rate of its own belongs to those who were there then", () => {
+    record("regionturning", MIXED.replace(/record = .*/, 'record = { every = 2, fields = ["position"], also = [{ every = 3, fields = ["angle"] }], within = [[0, 0], [4, 4]] }'));
+    const turning = open(library, "regionturning.h5");
+    let changed = 0;
+    for (let i = 0; i <= 50; ++i) {
+      const step = 3 * Math.floor(2 * i / 3), then = new Set(rowsIn(step)), truth = whole.frame(step, FIELDS).angle, { angle } = turning.last(i, FIELDS);
+      truth.forEach((value, row) => assert.equal(angle[row], then.has(row) ? value : NaN, `row ${row} of frame ${i}`));
+      changed += String(rowsIn(step)) !== String(rowsIn(2 * i));
+    }
+    assert.ok(changed > 3, `${changed}`);
+  });
+
+  test("agents are such bodies, without a region", () => {
+    copyFileSync(path("region.h5"), path("agents.h5"));
+    alter("agents.h5", "f['throng/bodies/kind'][1:] = 3; del f['particles/trajectory/id'].attrs['min'], f['particles/trajectory/id'].attrs['max']");
+    const agents = open(library, "agents.h5"), frame = agents.frame(100, FIELDS);
+    assert.deepEqual(frame, region.frame(100, FIELDS));
+    assert.deepEqual(new ContactFinder(agents.description).find(frame).depths, new ContactFinder(region.description).find(frame).depths);
+    assert.equal(measure(agents.description, frame, 0.5).present, measure(region.description, frame, 0.5).present);
+  });
+
+  for (const [what, python] of Object.entries({ "twice": "v[1] = v[0]", "back": "v[[0, 1]] = v[[1, 0]]", "of nobody": "v[1] = 4000000", "after the end": "v[150] = 150" }))
+    test(`an id ${what} is damage`, () => {
+      const name = `ids ${what}.h5`;
+      copyFileSync(path("region.h5"), path(name));
+      alter(name, `d = f['particles/trajectory/id/value']; v = d[7]; ${python}; d[7] = v`);
+      assert.match(refusal(name), /id\/value of frame 7 is not in order/);
+    });
+
+  test("ids of fewer frames than there are, are damage", () => {
+    copyFileSync(path("region.h5"), path("ids.h5"));
+    alter("ids.h5", "f['particles/trajectory/id/value'].resize(50, axis=0)");
+    assert.match(refusal("ids.h5"), /frames are missing/);
+  });
 });
 
 test("the holes of polygons are read, and none from files that know of none", () => {

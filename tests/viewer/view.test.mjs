@@ -2,7 +2,7 @@
 // The page's pure parts: camera, clock, frames at hand, colours, curves, words.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { blend, bodyAt, placeOf } from "../../tools/viewer/src/view/blend.js";
+import { ABSENT, blend, bodyAt, placeOf } from "../../tools/viewer/src/view/blend.js";
 import { Camera, roundBelow } from "../../tools/viewer/src/view/camera.js";
 import { colour, colourings } from "../../tools/viewer/src/view/colouring.js";
 import { axis, charts, merge, ticks, valueAt } from "../../tools/viewer/src/view/curves.js";
@@ -10,7 +10,7 @@ import { count, length, short, si, toStep } from "../../tools/viewer/src/view/fo
 import { framing } from "../../tools/viewer/src/view/framing.js";
 import { Frames } from "../../tools/viewer/src/view/frames.js";
 import { mesh, rounded } from "../../tools/viewer/src/view/mesh.js";
-import { KINEMATIC, ramp, STATIC, table } from "../../tools/viewer/src/view/palette.js";
+import { KINEMATIC, PLAIN, ramp, STATIC, table } from "../../tools/viewer/src/view/palette.js";
 import { frameAt, Player, speeds } from "../../tools/viewer/src/view/player.js";
 import { gravityOf } from "../../tools/viewer/src/reader/scene.js";
 import { niceTop, percentile99, spread } from "../../tools/viewer/src/reader/overview.js";
@@ -25,7 +25,7 @@ const pair = { name: "pair", kind: 2, radius: 1, gyration2: 1, outline: new Floa
 function scene(shapes, rows, kinds = rows.map(() => 0)) {
   const n = rows.length, column = values => Float64Array.from(values);
   return { name: "s", description: "", version: "", domain: UNBOUNDED, gravity: [0, -1], shapes, materials: ["default"], walls: [], fields: ["position", "velocity"], times: column([0, 1]), steps: column([0, 1]), complete: true,
-           bodies: { count: n, id: column(rows.map((_, i) => i + 1)), shape: column(rows), material: new Float64Array(n), kind: column(kinds), radius: new Float64Array(n).fill(0.5), mass: new Float64Array(n).fill(1) } };
+           bodies: { count: n, changes: false, id: column(rows.map((_, i) => i + 1)), shape: column(rows), material: new Float64Array(n), kind: column(kinds), radius: new Float64Array(n).fill(0.5), mass: new Float64Array(n).fill(1) } };
 }
 
 test("zooming keeps the place under the pointer", () => {
@@ -164,6 +164,18 @@ test("bodies are between their frames", () => {
   assert.deepEqual(placeOf(states, 0, { x: 1, y: 1 }), [2, 4]);
 });
 
+test("who leaves stands until the next frame, who comes is there with it", () => {
+  const states = new Float32Array(16), a = { position: Float64Array.of(1, 2, NaN, NaN, 5, 5, NaN, NaN), angle: Float64Array.of(1, NaN, NaN, NaN) };
+  const b = { position: Float64Array.of(NaN, NaN, 3, 6, 6, 7, NaN, NaN), angle: Float64Array.of(NaN, 2, 3, NaN) };
+  blend(a, b, 0.5, { x: 1, y: 1 }, { kind: "periodic", min: [0, 0], max: [10, 10] }, Float32Array.of(7, 7, 7, 7), states);
+  assert.deepEqual([...states.subarray(0, 4)], [0, 1, 1, 7]);
+  assert.deepEqual([...states.subarray(8, 12)], [4.5, 5, 0, 7]);
+  assert.deepEqual([states[7], states[15]], [ABSENT, ABSENT]);
+  assert.ok(placeOf(states, 1, { x: 1, y: 1 }).every(Number.isNaN));
+  assert.equal(bodyAt(states, Float64Array.of(1, 1, 1, 1), 0, 1, 0), 0);
+  assert.equal(bodyAt(states, Float64Array.of(1, 1, 1, 1), 2, 5, 0), -1);
+});
+
 test("bodies far from 0, 0 are as exact as near it", () => {
   const states = new Float32Array(4), frame = { position: Float64Array.of(1e8 + 0.001, 0) };
   blend(frame, frame, 0, { x: 1e8, y: 0 }, UNBOUNDED, Float32Array.of(0), states);
@@ -187,6 +199,14 @@ test("colours are those that say something of the recording", () => {
   const keys = (d, top = 1) => colourings(d, { topSpeed: top, starts: { heights: new Float64Array(2), low: 0, high: 0 } }).map(({ key }) => key);
   assert.deepEqual(keys(scene([disc], [0, 0])), ["speed", "id", "overlap", "plain"]);
   assert.deepEqual(keys({ ...scene([disc, box], [0, 1]), fields: ["position"] }), ["shape", "id", "overlap", "plain"]);
+});
+
+test("agents move by themselves; who is not known to be fast or high has a plain colour", () => {
+  const d = scene([disc], [0, 0], [3, 3]), places = new Float32Array(2), all = colourings(d, { topSpeed: 2, starts: { heights: Float64Array.of(0, NaN), low: 0, high: 1 } });
+  colour(all[0], d, { values: { velocity: Float64Array.of(2, 0, NaN, NaN) } }, places);
+  assert.deepEqual([...places], [239, PLAIN]);
+  colour(all.find(({ key }) => key === "start"), d, { values: {} }, places);
+  assert.deepEqual([...places], [0, PLAIN]);
 });
 
 test("what stands still or is driven is grey", () => {

@@ -35,8 +35,9 @@ async function show(blob, name) {
   const mine = ++attempt;
   say("");
   document.body.dataset.state = "opening";
-  const source = await (ready ?? nextSource());
-  ready = null;
+  const coming = ready ?? nextSource();
+  ready = null;  // at once: nobody else may take it
+  const source = await coming;
   try {
     stage ??= new Stage(byId("canvas"));
     const opened = await source.open(blob);
@@ -51,7 +52,7 @@ async function show(blob, name) {
     document.body.dataset.state = "failed";
     byId("ask").hidden = controls.replay !== null;
   }
-  ready = nextSource();
+  ready ??= nextSource();
 }
 
 /** @param {Source} source @param {import("./reader/source.js").Opened} opened @param {Blob} blob @param {string} name */

@@ -119,7 +119,7 @@ export class Replay {
     const prepared = performance.now();
     stage.loadStates();
     const uploaded = performance.now();
-    const view = this.#view(), at = this.picked >= 0 ? placeOf(states, this.picked, camera) : null;
+    const view = this.#view(), place = this.picked >= 0 ? placeOf(states, this.picked, camera) : [NaN], at = Number.isNaN(place[0]) ? null : place;
     this.overlay.prepare(view, { states, contacts: this.showContacts ? a.contacts : undefined, at, picked: this.picked,
                                  velocity: a.values.velocity, sensing: this.sensing, sensed: this.sensed() });
     stage.clear(this.overlay.paper);
@@ -136,6 +136,7 @@ export class Replay {
     const one = new Float32Array(4), row = this.picked, { domain } = this.description;
     const only = (/** @type {Loaded} */ { values: { position } }) => ({ position: position?.subarray(2 * row, 2 * row + 2) });
     blend(only(a), only(b), t, this.camera, domain, this.places.subarray(row, row + 1), one);
+    if (Number.isNaN(one[0])) return;  // it is not there
     this.camera.x += one[0];
     this.camera.y += one[1];
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which past frames the trails take, and when.
-import { LAYERS } from "./gl/trails.js";
+import { LAYERS, LONGEST } from "./gl/trails.js";
 
 const FAR = 300;  // views between camera and anchor from which places are kept anew
 
@@ -42,7 +42,7 @@ export class Trails {
       const position = this.painter.holds(first + k, i) ? undefined : held.get(i)?.values.position;
       if (position) this.painter.keep(first + k, i, position);
     });
-    const longest = domain.kind === "periodic" ? 0.5 * Math.min(domain.max[0] - domain.min[0], domain.max[1] - domain.min[1]) : 1e30;
+    const longest = domain.kind === "periodic" ? 0.5 * Math.min(domain.max[0] - domain.min[0], domain.max[1] - domain.min[1]) : LONGEST;
     return { first, frames, longest };
   }
 }

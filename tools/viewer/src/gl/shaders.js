@@ -4,7 +4,7 @@
 /** Rows of a texture. */
 export const WIDTH = 1024;
 
-/** Of every body: x, y from the camera (m), angle, place in the table of colours. */
+/** Of every body: x, y from the camera (m), angle, place in the table of colours, below 0 of those that are not there. */
 export const BODY = `
 uniform sampler2D states, colours;
 uniform vec2 pixels;       // of the screen
@@ -15,7 +15,7 @@ vec4 stateOf(uint row) { return texelFetch(states, ivec2(row % ${WIDTH}u, row / 
 vec3 colourOf(vec4 state) { return texelFetch(colours, ivec2(int(state.w + 0.5), 0), 0).rgb; }
 vec2 turned(vec2 local, float angle) { float c = cos(angle), s = sin(angle); return vec2(c * local.x - s * local.y, s * local.x + c * local.y); }
 vec2 placed(vec4 state) { return state.xy + image * size * mix(vec2(-1.0), vec2(1.0), lessThan(state.xy, middle)); }
-vec4 onScreen(vec2 px) { return vec4(2.0 * px / pixels, 0.0, 1.0); }
+vec4 onScreen(vec4 state, vec2 px) { return state.w < 0.0 ? vec4(2.0, 2.0, 2.0, 1.0) : vec4(2.0 * px / pixels, 0.0, 1.0); }  // or nowhere
 const float SHADE = 0.55;
 `;
 
@@ -31,7 +31,7 @@ void main() {
   radius = max(disc.z * scale, 0.6) - min(inset, 0.24 * disc.z * scale);
   at = corner * (radius + 1.0);
   colour = colourOf(state);
-  gl_Position = onScreen((placed(state) + turned(disc.xy, state.z)) * scale + turned(at, state.z));
+  gl_Position = onScreen(state, (placed(state) + turned(disc.xy, state.z)) * scale + turned(at, state.z));
 }`, `
 in vec2 at; in vec3 colour; in float radius;
 uniform float rim, turn, whole;  // pixels; turn: of the line that shows how a disc has turned; whole: 1 for all in the rim's colour
@@ -53,7 +53,7 @@ ${BODY}
 void main() {
   vec4 state = stateOf(row);
   colour = colourOf(state);
-  gl_Position = onScreen((placed(state) + turned(local, state.z)) * scale);
+  gl_Position = onScreen(state, (placed(state) + turned(local, state.z)) * scale);
 }`, `
 in vec3 colour;
 out vec4 shown;
@@ -72,7 +72,7 @@ void main() {
   along = dot(along, along) > 0.0 ? normalize(along) : vec2(1.0, 0.0);
   vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
   vec2 end = corner.x < 0.0 ? a : b;
-  gl_Position = onScreen(placed(state) * scale + end + 0.5 * rim * (corner.x * 0.6 * along + corner.y * vec2(-along.y, along.x)));
+  gl_Position = onScreen(state, placed(state) * scale + end + 0.5 * rim * (corner.x * 0.6 * along + corner.y * vec2(-along.y, along.x)));
 }`, TRIANGLE[1]];
 
 export const LINE = [`
@@ -126,7 +126,7 @@ void main() {
   colour = vec4(colourOf(state), 1.0);
   alpha = corner.x < 0.0 ? fade.x : fade.y;
   across = corner.y * (0.5 * width + 1.0);
-  gl_Position = shows ? onScreen((corner.x < 0.0 ? a : b) * scale + across * normal) : vec4(2.0, 2.0, 2.0, 1.0);
+  gl_Position = shows ? onScreen(state, (corner.x < 0.0 ? a : b) * scale + across * normal) : vec4(2.0, 2.0, 2.0, 1.0);
 }`, `
 in vec4 colour; in float across, alpha;
 uniform float width;

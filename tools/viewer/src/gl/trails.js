@@ -4,6 +4,8 @@ import { TRAIL, WIDTH } from "./shaders.js";
 import { program } from "./program.js";
 
 export const LAYERS = 24;
+/** m: the longest way from sample to sample that is drawn, and a place that is farther from all others. */
+export const LONGEST = 1e15, NOWHERE = 1e18;
 
 export class TrailPainter {
   #frames = /** @type {number[]} */ (new Array(LAYERS).fill(-1));  // which frame a layer holds
@@ -38,8 +40,9 @@ export class TrailPainter {
   keep(sample, frame, position) {
     const layer = sample % LAYERS, { gl } = this;
     for (let i = 0; i < 2 * this.bodies; i += 2) {
-      this.places[i] = position[i] - this.anchor[0];
-      this.places[i + 1] = position[i + 1] - this.anchor[1];
+      const there = position[i] === position[i];  // not NaN
+      this.places[i] = there ? position[i] - this.anchor[0] : NOWHERE;
+      this.places[i + 1] = there ? position[i + 1] - this.anchor[1] : NOWHERE;
     }
     gl.activeTexture(gl.TEXTURE2);
     gl.bindTexture(gl.TEXTURE_2D_ARRAY, this.texture);

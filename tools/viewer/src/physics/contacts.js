@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Which bodies of a frame touch, and how deep they are in one another.
 import { eachMeeting } from "./grid.js";
+import { isFree } from "../reader/scene.js";
 import { separation } from "./separation.js";
 
 /**
@@ -47,27 +48,28 @@ export class ContactFinder {
     this.parts = colliders(scene);
     this.walls = wallSegments(scene.walls);
     this.world = this.parts.points.map(points => new Float64Array(points.length));
-    this.boxes = new Float64Array(4 * (this.world.length + this.walls.length));
-    this.walls.forEach(([ax, ay, bx, by], i) =>
-      this.boxes.set([Math.min(ax, bx), Math.min(ay, by), Math.max(ax, bx), Math.max(ay, by)], 4 * (this.world.length + i)));
+    this.here = new Int32Array(this.world.length);  // the parts of the bodies that are there: `present` of them
+    this.present = 0;
+    this.boxes = new Float64Array(4 * (this.world.length + this.walls.length));  // in the order of `here`, then the walls'
   }
 
   /**
-   * Expects the positions, and the angles where there are any. O(bodies).
+   * Expects the positions, and the angles where there are any. Who is not there (NaN) touches nobody. O(bodies).
    * @param {import("../reader/recording.js").Frame} frame
    * @returns {Contacts}
    */
   find(frame) {
     this.#place(frame);
-    const { body } = this.parts, { kind } = this.scene.bodies, parts = this.world.length, { periodic, width, height } = this.#domain();
+    const { body } = this.parts, { kind } = this.scene.bodies, { here } = this, parts = this.present, { periodic, width, height } = this.#domain();
     this.found = { pairs: /** @type {number[]} */ ([]), depths: /** @type {number[]} */ ([]), deepest: new Float32Array(this.scene.bodies.count), overlapping: 0, largest: 0, sum: 0 };
-    const meet = (/** @type {number} */ a, /** @type {number} */ b) => {
-      if (b >= parts) this.#wall(a, this.walls[b - parts]);
-      else if (body[a] !== body[b] && (kind[body[a]] === 0 || kind[body[b]] === 0)) this.#pair(a, b);
+    const meet = (/** @type {number} */ i, /** @type {number} */ j) => {
+      const a = here[i], b = here[j];
+      if (j >= parts) this.#wall(a, this.walls[j - parts]);
+      else if (body[a] !== body[b] && (isFree(kind[body[a]]) || isFree(kind[body[b]]))) this.#pair(a, b);
     };
-    eachMeeting(this.boxes, parts, meet);
+    eachMeeting(this.boxes.subarray(0, 4 * (parts + this.walls.length)), parts, meet);
     if (periodic) this.#acrossBorders(width, height);
-    if (this.scene.domain.kind === "box") for (let a = 0; a < parts; ++a) this.#sides(a);
+    if (this.scene.domain.kind === "box") for (let i = 0; i < parts; ++i) this.#sides(here[i]);
     const { pairs, depths, deepest, overlapping, largest, sum } = this.found;
     return { pairs: Int32Array.from(pairs), depths: Float64Array.from(depths), deepest, overlapping, largest, mean: overlapping ? sum / overlapping : 0 };
   }
@@ -77,14 +79,16 @@ export class ContactFinder {
     return { periodic: kind === "periodic", width: max[0] - min[0], height: max[1] - min[1] };
   }
 
-  /** Every part in the world, and its box. @param {import("../reader/recording.js").Frame} frame */
+  /** Every part of those that are there in the world, and its box; then the walls'. @param {import("../reader/recording.js").Frame} frame */
   #place({ position, angle }) {
+    this.present = 0;
     if (!position) return;
     const { body, points, radius } = this.parts, { periodic, width, height } = this.#domain(), { min } = this.scene.domain;
     for (let part = 0; part < points.length; ++part) {
       const row = body[part], local = points[part], world = this.world[part];
-      const c = angle ? Math.cos(angle[row]) : 1, s = angle ? Math.sin(angle[row]) : 0;
+      const turn = angle?.[row] || 0, c = Math.cos(turn), s = Math.sin(turn);  // 0 where it is not known
       let x = position[2 * row], y = position[2 * row + 1];
+      if (x !== x) continue;  // NaN: not there
       if (periodic) {
         x -= width * Math.floor((x - min[0]) / width);
         y -= height * Math.floor((y - min[1]) / height);
@@ -95,9 +99,15 @@ export class ContactFinder {
         left = Math.min(left, px); right = Math.max(right, px); bottom = Math.min(bottom, py); top = Math.max(top, py);
       }
       const r = (1 + TOUCH) * radius[part] + TOUCH * this.scene.bodies.radius[row];
-      this.boxes[4 * part] = left - r; this.boxes[4 * part + 1] = bottom - r;
-      this.boxes[4 * part + 2] = right + r; this.boxes[4 * part + 3] = top + r;
+      this.#box(this.present, left - r, bottom - r, right + r, top + r);
+      this.here[this.present++] = part;
     }
+    this.walls.forEach(([ax, ay, bx, by], i) => this.#box(this.present + i, Math.min(ax, bx), Math.min(ay, by), Math.max(ax, bx), Math.max(ay, by)));
+  }
+
+  /** @param {number} i @param {number} left @param {number} bottom @param {number} right @param {number} top */
+  #box(i, left, bottom, right, top) {
+    this.boxes[4 * i] = left; this.boxes[4 * i + 1] = bottom; this.boxes[4 * i + 2] = right; this.boxes[4 * i + 3] = top;
   }
 
   /** @param {number} a @param {number} b @param {Float64Array} [points]  of b, where it is seen elsewhere */
@@ -112,14 +122,14 @@ export class ContactFinder {
   /** @param {number} a @param {Float64Array} wall */
   #wall(a, wall) {
     const row = this.parts.body[a];
-    if (this.scene.bodies.kind[row] !== 0) return;
+    if (!isFree(this.scene.bodies.kind[row])) return;
     this.#count(row, -1, separation(this.world[a], this.parts.radius[a], wall, 0), this.scene.bodies.radius[row]);
   }
 
   /** How far a part is from the four sides of the box. @param {number} a */
   #sides(a) {
     const row = this.parts.body[a], { min, max } = this.scene.domain, points = this.world[a], radius = this.parts.radius[a];
-    if (this.scene.bodies.kind[row] !== 0) return;
+    if (!isFree(this.scene.bodies.kind[row])) return;
     for (let axis = 0; axis < 2; ++axis) {
       let low = Infinity, high = -Infinity;
       for (let k = axis; k < points.length; k += 2) { low = Math.min(low, points[k]); high = Math.max(high, points[k]); }
@@ -130,24 +140,24 @@ export class ContactFinder {
 
   /** Pairs that meet over a border of a periodic domain: of parts that reach over it, with their images. @param {number} width @param {number} height */
   #acrossBorders(width, height) {
-    const { min, max } = this.scene.domain, { body } = this.parts, { kind } = this.scene.bodies, count = this.world.length, reach = this.#reach();
+    const { min, max } = this.scene.domain, { body } = this.parts, { kind } = this.scene.bodies, { here } = this, reach = this.#reach();
     /** @type {number[]} */
     const near = [];
-    for (let a = 0; a < count; ++a) {
-      const p = 4 * a;
-      if (this.boxes[p] < min[0] + reach || this.boxes[p + 1] < min[1] + reach || this.boxes[p + 2] > max[0] - reach || this.boxes[p + 3] > max[1] - reach) near.push(a);
+    for (let i = 0; i < this.present; ++i) {
+      const p = 4 * i;
+      if (this.boxes[p] < min[0] + reach || this.boxes[p + 1] < min[1] + reach || this.boxes[p + 2] > max[0] - reach || this.boxes[p + 3] > max[1] - reach) near.push(i);
     }
     for (const [dx, dy] of [[width, 0], [0, height], [width, height], [width, -height]]) {
       const boxes = new Float64Array(8 * near.length);
-      near.forEach((a, i) => {
-        const p = 4 * a, [left, bottom, right, top] = this.boxes.subarray(p, p + 4);
+      near.forEach((at, i) => {
+        const p = 4 * at, [left, bottom, right, top] = this.boxes.subarray(p, p + 4);
         boxes.set([left, bottom, right, top], 4 * i);
         boxes.set([left + dx, bottom + dy, right + dx, top + dy], 4 * (near.length + i));
       });
       eachMeeting(boxes, near.length, (i, j) => {
         if (j < near.length) return;
-        const a = near[i], b = near[j - near.length];
-        if (body[a] === body[b] || (kind[body[a]] !== 0 && kind[body[b]] !== 0)) return;
+        const a = here[near[i]], b = here[near[j - near.length]];
+        if (body[a] === body[b] || !(isFree(kind[body[a]]) || isFree(kind[body[b]]))) return;
         this.#pair(a, b, this.world[b].map((value, k) => value + (k % 2 ? dy : dx)));
       });
     }
@@ -156,7 +166,7 @@ export class ContactFinder {
   /** The largest extent of a part. */
   #reach() {
     let reach = 0;
-    for (let p = 0; p < 4 * this.world.length; p += 4) reach = Math.max(reach, this.boxes[p + 2] - this.boxes[p], this.boxes[p + 3] - this.boxes[p + 1]);
+    for (let p = 0; p < 4 * this.present; p += 4) reach = Math.max(reach, this.boxes[p + 2] - this.boxes[p], this.boxes[p + 3] - this.boxes[p + 1]);
     return reach;
   }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Numbers of a frame: energies, and how many bodies move.
+// Numbers of a frame: energies, how many bodies move, and how many are there.
+import { isFree } from "../reader/scene.js";
 
 /**
- * @typedef {{kinetic: number, turning: number, potential: number, moving: number}} Measures
- *   J (kg m²/s²), of dynamic bodies: of translation, of rotation, and of height, which is 0 at the scene's origin; NaN where what
- *   it takes was not recorded
+ * @typedef {{kinetic: number, turning: number, potential: number, moving: number, present: number}} Measures
+ *   J (kg m²/s²), of bodies that move by themselves: of translation, of rotation, and of height, which is 0 at the scene's origin; NaN where what
+ *   it takes was not recorded; present: how many of them are there
  */
 
 /** kg m² about the centre of mass. @param {import("../reader/scene.js").Scene} scene @param {number} row */
@@ -20,10 +21,11 @@ export function inertia({ bodies, shapes }, row) {
  */
 export function measure(scene, { position, velocity, spin }, slow) {
   const { bodies, gravity } = scene;
-  let kinetic = 0, turning = 0, potential = 0, moving = 0;
+  let kinetic = 0, turning = 0, potential = 0, moving = 0, present = 0;
   for (let row = 0; row < bodies.count; ++row) {
-    if (bodies.kind[row] !== 0) continue;
     const x = 2 * row, y = x + 1, mass = bodies.mass[row];
+    if (!isFree(bodies.kind[row]) || (position && Number.isNaN(position[x]))) continue;
+    ++present;
     if (velocity) {
       const square = velocity[x] ** 2 + velocity[y] ** 2;
       kinetic += 0.5 * mass * square;
@@ -32,5 +34,5 @@ export function measure(scene, { position, velocity, spin }, slow) {
     if (spin) turning += 0.5 * inertia(scene, row) * spin[row] ** 2;
     if (gravity && position) potential -= mass * (gravity[0] * position[x] + gravity[1] * position[y]);
   }
-  return { kinetic: velocity ? kinetic : NaN, turning: spin ? turning : NaN, potential: gravity ? potential : NaN, moving: velocity ? moving : NaN };
+  return { kinetic: velocity ? kinetic : NaN, turning: spin ? turning : NaN, potential: gravity ? potential : NaN, moving: velocity ? moving : NaN, present };
 }

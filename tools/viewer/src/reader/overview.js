@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a few frames say of the whole: where its bodies are, and how fast.
+import { isFree } from "./scene.js";
 
 const FRAMES = 8, BODIES = 20000;
 
@@ -26,15 +27,15 @@ export function percentile99(values) {
  * @typedef {{places: Float64Array, radii: Float64Array, topSpeed: number,
  *   starts: {heights: Float64Array, low: number, high: number}}} Overview  x, y, x, y of a sample of bodies over time,
  *   and their radii (m); the 99th percentile of speeds, rounded up (m/s), 0 where velocities were not recorded;
- *   the heights at which bodies were in the first frame, and their 1st and 99th percentile (m)
+ *   the heights at which bodies were in the first frame, NaN of those that come later, and their 1st and 99th percentile (m)
  */
 
 /** The heights of the first frame. @param {import("./recording.js").Recording} recording */
 function startsOf(recording) {
   const { position } = recording.frame(0, ["position"]), { count } = recording.description.bodies;
-  const heights = Float64Array.from({ length: count }, (_, row) => position ? position[2 * row + 1] : 0), sorted = heights.slice().sort();
-  const cut = Math.floor(count / 100);
-  return { heights, low: sorted[cut] ?? 0, high: sorted[count - 1 - cut] ?? 0 };
+  const heights = Float64Array.from({ length: count }, (_, row) => position ? position[2 * row + 1] : 0);
+  const sorted = heights.filter(height => !Number.isNaN(height)).sort(), cut = Math.floor(sorted.length / 100);
+  return { heights, low: sorted[cut] ?? 0, high: sorted[sorted.length - 1 - cut] ?? 0 };
 }
 
 /** @param {import("./recording.js").Recording} recording @returns {Overview} */
@@ -44,9 +45,10 @@ export function overview(recording) {
   for (const i of spread(times.length, FRAMES)) {
     const { position, velocity } = recording.frame(i, ["position", "velocity"]);
     for (const row of rows) {
-      if (position) places.push(position[2 * row], position[2 * row + 1]);
+      if (!position || Number.isNaN(position[2 * row])) continue;
+      places.push(position[2 * row], position[2 * row + 1]);
       radii.push(bodies.radius[row]);
-      if (velocity && bodies.kind[row] === 0) speeds.push(Math.hypot(velocity[2 * row], velocity[2 * row + 1]));
+      if (velocity && isFree(bodies.kind[row])) speeds.push(Math.hypot(velocity[2 * row], velocity[2 * row + 1]));
     }
   }
   return { places: Float64Array.from(places), radii: Float64Array.from(radii), topSpeed: niceTop(percentile99(speeds)),

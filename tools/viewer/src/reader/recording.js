@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: MIT
 // A recording: its scene, and its frames one by one, that of a run still going or killed included.
 import { attribute, BadFile, damaged, dataset, numbers, OpenFile } from "./h5.js";
-import { everyOf, Quantized, row } from "./quantized.js";
+import { everyOf, Quantized } from "./quantized.js";
+import { Presence, scatter } from "./presence.js";
 import { readScene } from "./scene.js";
 
 /**
  * @typedef {"position" | "angle" | "velocity" | "spin"} Field
- * @typedef {{[field in Field]?: Float32Array | Float64Array}} Frame  a row a body; x, y, x, y of position and velocity
+ * @typedef {{[field in Field]?: Float32Array | Float64Array}} Frame  a row a body; x, y, x, y of position and velocity; NaN of bodies
+ *   that are not there
+ * @typedef {{frame: (sample: number, bodies: number) => Float32Array | Float64Array, extent: number, every: number}} Stored
+ *   frame: of the first so many bodies of a sample
  * @typedef {import("./scene.js").Scene & {fields: Field[], rates: {[field in Field]?: number}, times: Float64Array,
  *   steps: Float64Array, complete: boolean}} Description  rates: steps from one sample of a field to the next
  */
 
 /** @type {[Field, number][]} */
 const FIELDS = [["position", 2], ["angle", 1], ["velocity", 2], ["spin", 1]];
+const WIDTH = new Map(FIELDS);
 
 /** Bytes at the beginning of a file that modeFor looks at. */
 export const HEAD = 12;
@@ -24,6 +29,9 @@ export const HEAD = 12;
  */
 export const modeFor = head => head[11] ? "Sr" : "r";
 
+/** The first `count` values, or pairs of them, of a row. @param {any} data @param {number} i @param {number} count */
+const part = (data, i, count) => count === 0 ? new Float64Array(0) : data.slice([[i, i + 1], [0, count], ...data.metadata.shape.slice(2).map(() => [])]);
+
 /** @param {any} h5 @param {string} path @param {"r" | "Sr"} mode @param {number} bytes */
 function opened(h5, path, mode, bytes) {
   try {
@@ -34,9 +42,10 @@ function opened(h5, path, mode, bytes) {
 }
 
 export class Recording {
-  #data = /** @type {Map<Field, {frame: (sample: number) => Float32Array | Float64Array, extent: number, every: number}>} */ (new Map());
+  #data = /** @type {Map<Field, Stored>} */ (new Map());
   #steps = new Float64Array(0);  // of all frames
-  #samples = /** @type {Map<number, Int32Array>} */ (new Map());  // by rate: the last sample up to each frame
+  #samples = /** @type {Map<number, {sample: Int32Array, frame: Int32Array}>} */ (new Map());  // by rate: the last up to each frame
+  #presence = /** @type {Presence | null} */ (null);  // null: all bodies are in all frames
   #chosen = /** @type {number[]} */ ([]);  // the frames of the file that hold positions, which alone are shown
   /** @type {Description} */
   description;
@@ -65,27 +74,27 @@ export class Recording {
   }
 
   #readFields() {
-    const { bodies, fields } = this.description;
+    const { bodies, fields } = this.description, storage = bodies.changes ? "sparse" : "whole";
+    if (bodies.changes) this.#presence = new Presence(this.file, bodies.id);
     this.#readQuantized();
     for (const [field, components] of FIELDS) {
       const group = this.file.get(`particles/trajectory/${field}`);
       if (!group) continue;
-      const data = dataset(this.file, `particles/trajectory/${field}/value`, "float", components === 2 ? [-1, bodies.count, 2] : [-1, bodies.count]);
-      const read = (/** @type {number} */ sample) => bodies.count === 0 ? new Float64Array(0) : row(data, sample);
-      this.#add(field, { frame: read, extent: data.metadata.shape[0], every: everyOf(group) });
+      const data = dataset(this.file, `particles/trajectory/${field}/value`, "float", components === 2 ? [-1, bodies.count, 2] : [-1, bodies.count], storage);
+      this.#add(field, { frame: (sample, count) => part(data, sample, count), extent: data.metadata.shape[0], every: everyOf(group) });
     }
     if (!fields.includes("position")) throw new BadFile("holds no positions: there is nothing to show");
-    if (bodies.region) throw new BadFile("holds other bodies in each frame (record.within), which this page can't show; throng replay --png and --video can");
   }
 
   #readQuantized() {
     const group = this.file.get("throng/quantized"), { bodies } = this.description;
     if (!group) return;
+    if (bodies.changes) throw new BadFile("holds quantized positions of bodies that come and go, which this page can't show");
     const quantized = new Quantized(this.file, bodies.count);
     this.#add("position", { frame: sample => quantized.frame(sample), extent: quantized.extent, every: everyOf(group) });
   }
 
-  /** @param {Field} field @param {{frame: (sample: number) => Float32Array | Float64Array, extent: number, every: number}} data */
+  /** @param {Field} field @param {Stored} data */
   #add(field, data) {
     this.#data.set(field, data);
     this.description.fields.push(field);
@@ -99,7 +108,7 @@ export class Recording {
     if (frames < 0) frames = hashes.length;
     const steps = numbers(this.file, "throng/frames/step", "int", [-1]), times = numbers(this.file, "throng/frames/time", "float", [-1]);
     const samples = (/** @type {number} */ every) => steps.subarray(0, frames).filter(step => step % every === 0).length;
-    if (steps.length < frames || times.length < frames || [...this.#data.values()].some(data => data.extent < samples(data.every))) throw damaged("frames are missing that it says it holds");
+    if (steps.length < frames || (this.#presence && this.#presence.extent < frames) || times.length < frames || [...this.#data.values()].some(data => data.extent < samples(data.every))) throw damaged("frames are missing that it says it holds");
     if (frames === 0) throw new BadFile("holds no frames: there is nothing to show");
     this.description.steps = steps.slice(0, frames);
     this.description.times = times.slice(0, frames);
@@ -150,26 +159,31 @@ export class Recording {
     return frame;
   }
 
-  /** The last up to frame i. @param {number} i @param {number} every */
+  /** The last up to frame i: which sample, and which frame of the file that was. @param {number} i @param {number} every */
   #sample(i, every) {
-    let samples = this.#samples.get(every), count = 0;
-    if (!samples) this.#samples.set(every, samples = Int32Array.from(this.#steps, step => step % every === 0 ? count++ : count - 1));
-    return samples[this.#chosen[i]];
+    let known = this.#samples.get(every);
+    if (!known) {
+      let count = 0, last = 0;
+      const sample = Int32Array.from(this.#steps, step => step % every === 0 ? count++ : count - 1);
+      this.#samples.set(every, known = { sample, frame: Int32Array.from(this.#steps, (step, k) => step % every === 0 ? last = k : last) });
+    }
+    return { sample: known.sample[this.#chosen[i]], frame: known.frame[this.#chosen[i]] };
   }
 
   /** @param {number} i @param {Field} field */
   #read(i, field) {
-    const data = this.#data.get(field);
+    const data = this.#data.get(field), { count } = this.description.bodies;
     if (!data) return undefined;
+    const { sample, frame } = this.#sample(i, data.every), rows = this.#presence?.rows(frame);
     let values;
     try {
-      values = data.frame(this.#sample(i, data.every));
+      values = data.frame(sample, rows?.length ?? count);
     } catch {
-      throw damaged(`${field} of frame ${this.#chosen[i]} can't be read`);
+      throw damaged(`${field} of frame ${frame} can't be read`);
     }
     let sum = 0;
     for (let k = 0; k < values.length; ++k) sum += values[k] * 0;  // 0 unless one is not finite
-    if (sum !== 0) throw damaged(`${field} of frame ${this.#chosen[i]} holds what is no number`);
-    return values;
+    if (sum !== 0) throw damaged(`${field} of frame ${frame} holds what is no number`);
+    return rows ? scatter(values, rows, count, WIDTH.get(field) ?? 1) : values;
   }
 }

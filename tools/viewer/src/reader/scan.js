@@ -16,7 +16,7 @@ export function coarseFirst(n) {
 }
 
 /**
- * @typedef {{frame: number, time: number, kinetic: number, turning: number, potential: number, moving: number, contacts: number,
+ * @typedef {{frame: number, time: number, kinetic: number, turning: number, potential: number, moving: number, present: number, contacts: number,
  *   largest: number, mean: number}} Point  as Measures and Contacts have them
  */
 

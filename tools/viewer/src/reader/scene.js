@@ -8,8 +8,9 @@ import { attribute, BadFile, damaged, numbers, texts } from "./h5.js";
  * @typedef {{name: string, kind: number, radius: number, gyration2: number, outline: Float64Array, holes: Float64Array[],
  *   parts: Part[]}} Shape
  *   kind: 0 disc, 1 polygon, 2 composite; points are x, y, x, y about the centre of mass
- * @typedef {{count: number, region: boolean, id: Float64Array, shape: Float64Array, material: Float64Array, kind: Float64Array,
- *   radius: Float64Array, mass: Float64Array}} Bodies  kind: 0 dynamic, 1 static, 2 kinematic; region: frames hold some of them
+ * @typedef {{count: number, changes: boolean, id: Float64Array, shape: Float64Array, material: Float64Array, kind: Float64Array,
+ *   radius: Float64Array, mass: Float64Array}} Bodies  kind: 0 dynamic, 1 static, 2 kinematic,
+ *   3 agent; changes: each frame holds some of them, agents until they leave
  * @typedef {{points: Float64Array, closed: boolean}} Wall
  * @typedef {{kind: "unbounded" | "box" | "periodic", min: number[], max: number[]}} Domain
  * @typedef {{name: string, description: string, version: string, domain: Domain, gravity: number[] | null, shapes: Shape[],
@@ -82,14 +83,17 @@ function readBodies(file, shapes, materials) {
   expectRange(radius, at + "radius", 0, Infinity);
   return {
     count, radius,
-    region: Boolean(file.get(at + "id")),
+    changes: Boolean(file.get(at + "id")),
     id: numbers(file, file.get(at + "id") ? at + "id" : "particles/trajectory/id", "int", [count]),
     shape: expectRange(numbers(file, at + "shape", "int", [count]), at + "shape", 0, shapes),
     material: expectRange(numbers(file, at + "material", "int", [count]), at + "material", 0, materials),
-    kind: expectRange(numbers(file, at + "kind", "int", [count]), at + "kind", 0, 3),
+    kind: expectRange(numbers(file, at + "kind", "int", [count]), at + "kind", 0, 4),
     mass: expectRange(numbers(file, at + "mass", "float", [count]), at + "mass", 0, Infinity),
   };
 }
+
+/** Whether a body moves by itself: all but what is static or driven. @param {number} kind */
+export const isFree = kind => kind === 0 || kind === 3;
 
 /** @param {File} file @returns {Wall[]} */
 function readWalls(file) {

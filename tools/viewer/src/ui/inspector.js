@@ -3,7 +3,7 @@
 import { count, length, short } from "../view/format.js";
 import { byId, fillList } from "./dom.js";
 
-const KINDS = ["moves freely", "static", "driven"];
+const KINDS = ["moves freely", "static", "driven", "agent"];
 
 /**
  * When a field was recorded that a frame carries on from before: ", at 0.5 s"; "" where it is the frame's own.
@@ -19,20 +19,22 @@ function since({ rates, steps, times }, frame, field) {
  * @returns {[string, string][]}
  */
 export function facts(d, frame, row, { values: { position, angle, velocity, spin }, contacts }) {
+  const here = !Number.isNaN(position?.[2 * row]);
   const { bodies, shapes, materials } = d, moved = since(d, frame, "velocity"), pair = (/** @type {ArrayLike<number>} */ v) => `${short(v[2 * row], 5)}, ${short(v[2 * row + 1], 5)}`;
   /** @type {([string, string] | false)[]} */
   const all = [
+    !here && ["now", "not here"],
     ["shape", shapes[bodies.shape[row]].name],
     materials.length > 1 && ["material", materials[bodies.material[row]]],
     bodies.kind[row] > 0 && ["kind", KINDS[bodies.kind[row]]],
     ["radius", length(bodies.radius[row], 4)],
     bodies.mass[row] > 0 && ["mass", `${short(bodies.mass[row], 4)} kg`],
-    position !== undefined && ["place", `${pair(position)} m`],
-    velocity !== undefined && [`velocity${moved}`, `${pair(velocity)} m/s`],
-    velocity !== undefined && [`speed${moved}`, `${short(Math.hypot(velocity[2 * row], velocity[2 * row + 1]), 5)} m/s`],
-    angle !== undefined && [`angle${since(d, frame, "angle")}`, `${short(angle[row] * 180 / Math.PI, 5)}°`],
-    spin !== undefined && [`spin${since(d, frame, "spin")}`, `${short(spin[row], 4)} rad/s`],
-    contacts !== undefined && ["deepest overlap", length(contacts.deepest[row])],
+    here && position !== undefined && ["place", `${pair(position)} m`],
+    here && velocity !== undefined && [`velocity${moved}`, `${pair(velocity)} m/s`],
+    here && velocity !== undefined && [`speed${moved}`, `${short(Math.hypot(velocity[2 * row], velocity[2 * row + 1]), 5)} m/s`],
+    here && angle !== undefined && [`angle${since(d, frame, "angle")}`, `${short(angle[row] * 180 / Math.PI, 5)}°`],
+    here && spin !== undefined && [`spin${since(d, frame, "spin")}`, `${short(spin[row], 4)} rad/s`],
+    here && contacts !== undefined && ["deepest overlap", length(contacts.deepest[row])],
   ];
   return all.filter(fact => fact !== false);
 }

@@ -3,9 +3,12 @@
 
 const TURN = 2 * Math.PI;
 
+/** The colour of a body that is not there; what has it is not drawn. */
+export const ABSENT = -1;
+
 /**
  * Fills states with x, y from the camera (m), angle and colour of every body. Over the borders of a periodic domain bodies take
- * the short way, and are shown where they are inside it.
+ * the short way, and are shown where they are inside it. Who leaves stands until the next frame, who comes is there with it.
  * @param {import("../reader/recording.js").Frame} a @param {import("../reader/recording.js").Frame} b @param {number} t  0 to 1
  * @param {{x: number, y: number}} camera @param {import("../reader/scene.js").Domain} domain @param {Float32Array} places  of colours
  * @param {Float32Array} states  four a body
@@ -15,7 +18,9 @@ export function blend(a, b, t, camera, domain, places, states) {
   if (!from || !to) return;
   const periodic = domain.kind === "periodic", width = domain.max[0] - domain.min[0], height = domain.max[1] - domain.min[1];
   for (let row = 0; row < count; ++row) {
-    let dx = to[2 * row] - from[2 * row], dy = to[2 * row + 1] - from[2 * row + 1];
+    const at = 4 * row, stays = to[2 * row] === to[2 * row];  // not NaN
+    if (from[2 * row] !== from[2 * row]) { states[at] = states[at + 1] = NaN; states[at + 3] = ABSENT; continue; }
+    let dx = stays ? to[2 * row] - from[2 * row] : 0, dy = stays ? to[2 * row + 1] - from[2 * row + 1] : 0;
     if (periodic) {
       dx -= width * Math.round(dx / width);
       dy -= height * Math.round(dy / height);
@@ -25,16 +30,21 @@ export function blend(a, b, t, camera, domain, places, states) {
       x -= width * Math.floor((x - domain.min[0]) / width);
       y -= height * Math.floor((y - domain.min[1]) / height);
     }
-    const at = 4 * row;
     states[at] = x - camera.x;
     states[at + 1] = y - camera.y;
-    const angle = a.angle && b.angle ? a.angle[row] + t * (b.angle[row] - a.angle[row]) : 0;
+    const angle = angleOf(a, b, t, row);
     states[at + 2] = angle - TURN * Math.floor(angle / TURN);
     states[at + 3] = places[row];
   }
 }
 
-/** Where one body is, as blend has it. @param {Float32Array} states @param {number} row @param {{x: number, y: number}} camera */
+/** 0 where none is known. @param {import("../reader/recording.js").Frame} a @param {import("../reader/recording.js").Frame} b @param {number} t @param {number} row */
+function angleOf(a, b, t, row) {
+  const from = a.angle ? a.angle[row] : 0, to = b.angle ? b.angle[row] : 0;
+  return from !== from ? 0 : to !== to ? from : from + t * (to - from);
+}
+
+/** Where one body is, as blend has it; NaN where it is not there. @param {Float32Array} states @param {number} row @param {{x: number, y: number}} camera */
 export const placeOf = (states, row, camera) => [states[4 * row] + camera.x, states[4 * row + 1] + camera.y];
 
 /**

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Which colour a body has: a place of palette.js by speed, id, group and so on.
 import { count, length, short } from "./format.js";
+import { isFree } from "../reader/scene.js";
 import { groupColour, groupPlace, css, KINEMATIC, level, PLAIN, STATIC } from "./palette.js";
 
 /**
@@ -23,7 +24,7 @@ const groups = names => ({ groups: names.slice(0, SHOWN).map((name, i) => ({ nam
 /** Names of the groups that moving bodies are in, by first body, and each body's place among them. @param {Float64Array} group @param {Float64Array} kind @param {string[]} names */
 function ranked(group, kind, names) {
   const rank = new Map();
-  group.forEach((value, row) => { if (kind[row] === 0 && !rank.has(value)) rank.set(value, rank.size); });
+  group.forEach((value, row) => { if (isFree(kind[row]) && !rank.has(value)) rank.set(value, rank.size); });
   return { names: [...rank.keys()].map(value => names[value] || "(no name)"), rank: (/** @type {number} */ row) => rank.get(group[row]) };
 }
 
@@ -41,7 +42,7 @@ export function colourings(d, { topSpeed, starts }) {
     bodies.count > 1 && { key: "id", name: "id", needs: null, legend: scale(count(bodies.id[0]), count(bodies.id[bodies.count - 1])),
       place: row => level(row / (bodies.count - 1)) },
     starts.high > starts.low && { key: "start", name: "start height", needs: null, legend: scale(length(starts.low), length(starts.high)),
-      place: row => level((starts.heights[row] - starts.low) / (starts.high - starts.low)) },
+      place: row => starts.heights[row] === starts.heights[row] ? level((starts.heights[row] - starts.low) / (starts.high - starts.low)) : PLAIN },
     { key: "overlap", name: "overlap", needs: "contacts", legend: scale("0", length(deep)),
       place: (row, { contacts }) => contacts ? level(contacts.deepest[row] / deep) : PLAIN },
     { key: "plain", name: "one colour", needs: null, legend: null, place: () => PLAIN },
@@ -56,6 +57,7 @@ export function colourings(d, { topSpeed, starts }) {
 export function colour(colouring, { bodies }, loaded, places) {
   for (let row = 0; row < bodies.count; ++row) {
     const kind = bodies.kind[row];
-    places[row] = kind === 0 ? colouring.place(row, loaded) : kind === 1 ? STATIC : KINEMATIC;
+    const place = isFree(kind) ? colouring.place(row, loaded) : kind === 1 ? STATIC : KINEMATIC;
+    places[row] = place === place ? place : PLAIN;  // NaN: not known of this body
   }
 }

@@ -22,7 +22,7 @@ export function charts(d, slow, lowest) {
   const all = [
     { title: "Energy", unit: joule, curves: energies },
     { title: "Overlap", unit: length, decades: true, curves: [{ name: "largest", colour: "var(--curve-2)", value: p => p.largest }, { name: "mean", colour: "var(--curve-1)", value: p => p.mean }] },
-    { title: "Counts", unit: number, curves: [{ name: "touching", colour: "var(--curve-1)", value: p => p.contacts },
+    { title: "Counts", unit: number, curves: [...(d.bodies.changes ? [{ name: "here", colour: "var(--ink)", value: (/** @type {Point} */ p) => p.present }] : []), { name: "touching", colour: "var(--curve-1)", value: p => p.contacts },
       ...(moves ? [{ name: `faster than ${short(slow, 2)} m/s`, colour: "var(--curve-2)", value: (/** @type {Point} */ p) => p.moving }] : [])] },
   ];
   return all.filter(chart => chart.curves.length > 0);

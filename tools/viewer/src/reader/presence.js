@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Which bodies are in a frame, where they come and go: of a region, or agents, who leave at their goals.
+import { damaged, dataset } from "./h5.js";
+import { row } from "./quantized.js";
+
+const PATH = "particles/trajectory/id/value";
+
+export class Presence {
+  #data;
+  #rowOf;
+  #at = -1;
+  #rows = new Int32Array(0);
+
+  /** Throws BadFile. @param {import("./h5.js").OpenFile} file @param {Float64Array} ids  of all bodies, by row */
+  constructor(file, ids) {
+    this.#data = dataset(file, PATH, "int", [-1, ids.length], "sparse");
+    this.#rowOf = new Map(Array.from(ids, (id, at) => [id, at]));
+  }
+
+  get extent() { return this.#data.metadata.shape[0]; }
+
+  /** The rows of the bodies that frame i holds, in its order, which ascends. Throws BadFile where it doesn't. @param {number} i  of the file */
+  rows(i) {
+    if (this.#at === i) return this.#rows;
+    const stored = row(this.#data, i), end = stored.indexOf(0), rows = new Int32Array(end < 0 ? stored.length : end);
+    for (let k = 0, before = -1; k < rows.length; before = rows[k++]) {
+      rows[k] = this.#rowOf.get(stored[k]) ?? -1;
+      if (rows[k] <= before) throw damaged(`${PATH} of frame ${i} is not in order`);
+    }
+    for (let k = rows.length; k < stored.length; ++k) if (stored[k] !== 0) throw damaged(`${PATH} of frame ${i} is not in order`);
+    this.#at = i;
+    return this.#rows = rows;
+  }
+}
+
+/**
+ * Each body's values in its row, NaN of those that are not there.
+ * @template {Float32Array | Float64Array} T
+ * @param {T} values  of the bodies `rows`, in their order @param {Int32Array} rows @param {number} bodies @param {number} width  numbers a body
+ * @returns {T}
+ */
+export function scatter(values, rows, bodies, width) {
+  const Kind = /** @type {new (length: number) => T} */ (values.constructor);
+  const all = new Kind(width * bodies).fill(NaN);
+  for (let k = 0; k < rows.length; ++k) for (let c = 0; c < width; ++c) all[width * rows[k] + c] = values[width * k + c];
+  return /** @type {T} */ (all);
+}
