@@ -46,8 +46,9 @@ class FrameReader {
   };
 
   Schedule open_schedule(hid_t element, std::span<const std::int64_t> steps);
-  void open_ids(hid_t throng, hid_t trajectory, Record& record);
-  void open_region(hid_t trajectory, Record& record);
+  void expect_times(hid_t element, const Schedule& when, std::span<const std::int64_t> steps) const;
+  void open_ids(hid_t throng, hid_t trajectory, std::span<const std::int64_t> steps, Record& record);
+  void open_region(hid_t trajectory, std::span<const std::int64_t> steps, Record& record);
   void open_field(hid_t trajectory, FieldIndex field, std::span<const std::int64_t> steps);
   void open_quantized(hid_t throng, std::span<const std::int64_t> steps, Record& record);
   void open_contacts(hid_t throng, std::span<const std::int64_t> steps);
@@ -64,6 +65,7 @@ class FrameReader {
 
   const h5::File* file_ = nullptr;
   std::size_t bodies_ = 0;  // of the run
+  double dt_ = 0.0;         // s
   int minor_ = 0, every_ = 1;
   bool single_ = false, changes_ = false;
   std::vector<std::uint32_t> ids_;

@@ -29,13 +29,14 @@ FrameReader::FrameReader(const h5::File& file, const Scene& scene, std::span<con
                          int minor, std::size_t bodies, Record& record)
     : file_(&file),
       bodies_(bodies),
+      dt_(scene.time.dt),
       minor_(minor),
       every_(record.every),
       single_(record.single),
       ids_(scene.bodies.size()) {
   const h5::Handle throng = h5::open_group(file.handle, "throng");
   const h5::Handle trajectory = h5::open_group(h5::open_group(file.handle, "particles"), "trajectory");
-  open_ids(throng, trajectory, record);
+  open_ids(throng, trajectory, steps, record);
   for (FieldIndex field : {kPosition, kAngle, kVelocity, kSpin})
     if (h5::exists(trajectory, kFieldName[field])) open_field(trajectory, field, steps);
   if (h5::exists(throng, "quantized")) open_quantized(throng, steps, record);
@@ -49,7 +50,23 @@ Schedule FrameReader::open_schedule(hid_t element, std::span<const std::int64_t>
   return minor_ >= 2 ? Schedule(read_every(element), steps) : Schedule(1, steps);
 }
 
-void FrameReader::open_ids(hid_t throng, hid_t trajectory, Record& record) {
+/// What other readers take for the steps and times of an element's samples.
+void FrameReader::expect_times(hid_t element, const Schedule& when,
+                               std::span<const std::int64_t> steps) const {
+  const h5::Dataset step = h5::open_dataset<std::int64_t>(*file_, element, "step", {kAny}),
+                    time = h5::open_dataset<double>(*file_, element, "time", {kAny});
+  const auto found_steps = h5::read_all<std::int64_t>(step, when.samples());
+  const auto found_times = h5::read_all<double>(time, when.samples());
+  expect_samples(found_steps.size(), when.samples(), "step");
+  expect_samples(found_times.size(), when.samples(), "time");
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    if (const auto k = when.sample(i);
+        k && (found_steps[*k] != steps[i] || found_times[*k] != static_cast<double>(steps[i]) * dt_))
+      throw h5::Error("the steps and times of samples are not those of their frames");
+}
+
+void FrameReader::open_ids(hid_t throng, hid_t trajectory, std::span<const std::int64_t> steps,
+                           Record& record) {
   const h5::Handle table = h5::open_group(throng, "bodies");
   changes_ = h5::exists(table, "id");
   const auto ids = changes_ ? h5::read_array<std::int64_t>(*file_, table, "id", {ids_.size()})
@@ -60,16 +77,17 @@ void FrameReader::open_ids(hid_t throng, hid_t trajectory, Record& record) {
     ids_[row] = static_cast<std::uint32_t>(ids[row]);
   }
   if (ids_.size() < bodies_) record.ids = ids_;
-  if (changes_) open_region(trajectory, record);
+  if (changes_) open_region(trajectory, steps, record);
 }
 
-void FrameReader::open_region(hid_t trajectory, Record& record) {
+void FrameReader::open_region(hid_t trajectory, std::span<const std::int64_t> steps, Record& record) {
   const h5::Handle element = h5::open_group(trajectory, "id");
   const auto low = h5::read_attribute<double>(element, "min", 2),
              high = h5::read_attribute<double>(element, "max", 2);
   record.within = Eigen::AlignedBox2d(Vec(low[0], low[1]), Vec(high[0], high[1]));
   if (!(low[0] < high[0] && low[1] < high[1] && std::isfinite(high[0] - low[0] + high[1] - low[1])))
     throw h5::Error("the region is turned round");
+  expect_times(element, Schedule(1, steps), steps);
   present_ =
       h5::open_dataset<std::uint32_t>(*file_, element, "value", {kAny, ids_.size()}, h5::Storage::sparse);
 }
@@ -81,6 +99,7 @@ void FrameReader::open_field(hid_t trajectory, FieldIndex field, std::span<const
   const h5::Storage storage = changes_ ? h5::Storage::sparse : h5::Storage::whole;
   Stored& stored = fields_[field];
   stored.when = open_schedule(element, steps);
+  expect_times(element, stored.when, steps);
   stored.set = single_ ? h5::open_dataset<float>(*file_, element, "value", dims, storage)
                        : h5::open_dataset<double>(*file_, element, "value", dims, storage);
   expect_samples(stored.set.dims[0], stored.when.samples(), kFieldName[field]);
@@ -92,6 +111,7 @@ void FrameReader::open_quantized(hid_t throng, std::span<const std::int64_t> ste
   quantized_ = QuantizedReader(*file_, group, ids_.size());
   record.quantum = quantized_.quantum();
   fields_[kPosition].when = open_schedule(group, steps);
+  expect_times(group, fields_[kPosition].when, steps);
   expect_samples(quantized_.samples(), fields_[kPosition].when.samples(), "quantized");
 }
 
@@ -99,6 +119,7 @@ void FrameReader::open_contacts(hid_t throng, std::span<const std::int64_t> step
   const h5::Handle group = h5::open_group(throng, "contacts");
   Schedule& when = fields_[kContacts].when;
   when = open_schedule(group, steps);
+  expect_times(group, when, steps);
   const h5::Dataset offset = h5::open_dataset<std::uint64_t>(*file_, group, "offset", {kAny});
   if (when.samples() > 0) expect_samples(offset.dims[0], when.samples() + 1, "contacts");
   contacts_ = {h5::read_all<std::uint64_t>(offset, when.samples() + 1),
@@ -117,6 +138,7 @@ void FrameReader::open_observables(std::span<const std::int64_t> steps) {
   observables_.when = open_schedule(group, steps);
   for (const Observable& observable : kObservables) {
     const h5::Handle element = h5::open_group(group, observable.name);
+    expect_times(element, observables_.when, steps);
     std::vector<std::optional<hsize_t>> dims{kAny};
     if (observable.components > 1) dims.push_back(observable.components);
     const h5::Dataset set = h5::open_dataset<double>(*file_, element, "value", dims);

@@ -199,6 +199,30 @@ class Forged(Program):
             with self.assertRaisesRegex(OSError, "frame 20"):
                 recording.position[20]
 
+    def test_times_that_are_not_those_of_the_frames_are_refused(self):
+        """A reader that goes by the element's own step and time, as any of H5MD does, would be misled."""
+        path = self.recorded("a.h5", "fields=['position', 'contacts']", "also=[{ every = 3, fields = ['velocity'] }]",
+                             "observables=4", "within=[[0.75, 0], [1.8, 3]]")
+        self.refuses(path, *(f"{element}/{name}" for name in ("step", "time") for element in (
+            "particles/trajectory/velocity", "throng/contacts", "particles/trajectory/id", "observables/momentum")))
+        self.refuses(self.recorded("b.h5", "every=2", "quantize=0.01"), "throng/quantized/step", "throng/quantized/time")
+
+    def refuses(self, path, *datasets):
+        sound = pathlib.Path(path).read_bytes()
+        self.assertEqual(self.throng("info", path)[0], 0)
+        for wrong, said in ((lambda rows: rows[:], "the steps and times of samples are not those of their frames"),
+                            (lambda rows: rows[:-1], "(step|time) has too few frames")):
+            for name in datasets:
+                pathlib.Path(path).write_bytes(sound)
+                with h5py.File(path, "r+", libver="latest") as file:
+                    own = file[name][:]
+                    own[-2] += 1
+                    del file[name]
+                    file.create_dataset(name, data=wrong(own), chunks=(512,), maxshape=(None,))
+                code, error = self.throng("info", path)
+                self.assertEqual(code, 2, name)
+                self.assertRegex(error, f"^throng: {path} is damaged: {said}\n$")
+
     def recorded(self, name, *record):
         return self.record(name, *(word for part in record for word in ("--set", "record." + part)))
 
