@@ -81,6 +81,18 @@ std::vector<std::size_t> select(const Options& options, const Recording& recordi
                    seconds(times.front()) + " to " + seconds(times.back()));
 }
 
+void warn_of_velocities(const Options& options, const Recording& recording,
+                        std::span<const std::size_t> frames) {
+  const Record& record = recording.geometry().record;
+  if (options.format != "h5md3" || !record.velocity || have_velocities(recording, frames)) return;
+  std::fprintf(
+      stderr,
+      "throng: warning: %s leaves out velocities, which MDAnalysis wants in every frame: %s has them "
+      "each %d steps, positions each %d\n",
+      options.output.c_str(), options.file.c_str(), every(record, RecordField::velocity),
+      every(record, RecordField::position));
+}
+
 void write_format(const Recording& recording, const Options& options, std::span<const std::size_t> frames,
                   const ExportTarget& target) {
   if (options.format == "csv") export_csv(recording, frames, target);
@@ -97,6 +109,7 @@ int export_recording(const Options& options) {
   say_where_incomplete(recording, options.file);
   check_contents(options, recording);
   const std::vector<std::size_t> frames = select(options, recording);
+  warn_of_velocities(options, recording, frames);
   const auto write = [&](const std::string& path) {
     write_format(recording, options, frames, {path, options.output});
   };

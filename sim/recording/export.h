@@ -25,6 +25,9 @@ struct ExportTarget {
 void export_pedpy(const Recording& recording, std::span<const std::size_t> frames,
                   const ExportTarget& target);
 
+/// Whether all of these frames have velocities.
+bool have_velocities(const Recording& recording, std::span<const std::size_t> frames);
+
 /// H5MD 1.1 in three dimensions with z = 0, which MDAnalysis needs: positions and, where all the
 /// frames have them, velocities; mass, radius and id of the bodies. Plain numbers in SI units: no `unit`
 /// attributes, for MDAnalysis knows no metre. A periodic domain has edges, 1 m in z. Expects the same bodies

@@ -26,7 +26,6 @@ class H5md3 {
 
  private:
   void create_all();
-  bool has_velocities() const;
   void write_head();
   void write_times(hid_t position);
   void write_box();
@@ -63,15 +62,9 @@ void H5md3::create_all() {
   const h5::Handle position = h5::create_group(trajectory_, "position");
   write_times(position);
   position_ = create_vectors(position);
-  if (has_velocities()) velocity_ = create_vectors(create_sampled("velocity"));
+  if (have_velocities(recording_, frames_)) velocity_ = create_vectors(create_sampled("velocity"));
   write_box();
   write_bodies();
-}
-
-/// H5MD would take velocities at other steps than positions, MDAnalysis does not.
-bool H5md3::has_velocities() const {
-  return std::ranges::all_of(
-      frames_, [&](std::size_t i) { return recording_.sample(RecordField::velocity, i).has_value(); });
 }
 
 void H5md3::write_head() {
@@ -163,6 +156,12 @@ void H5md3::abandon() {
 }
 
 }  // namespace
+
+/// H5MD would take velocities at other steps than positions, MDAnalysis does not.
+bool have_velocities(const Recording& recording, Frames frames) {
+  return std::ranges::all_of(
+      frames, [&](std::size_t i) { return recording.sample(RecordField::velocity, i).has_value(); });
+}
 
 void export_h5md3(const Recording& recording, Frames frames, const ExportTarget& target) {
   try {

@@ -294,6 +294,16 @@ class H5md3(Export):
         self.check(universe, recording, range(21), np.float32)  # MDAnalysis keeps no more
         self.assertIsNone(universe.dimensions)
 
+    def test_says_where_velocities_are_missing(self):
+        self.record("a.h5", "--set", "record.every=2", "--set", "record.fields=['position']",
+                    "--set", "record.also=[{ every = 3, fields = ['velocity'] }]")
+        self.assertEqual(self.throng("export", "a.h5", "--format", "h5md3", "-o", "a.h5md"), (
+            0, "throng: warning: a.h5md leaves out velocities, which MDAnalysis wants in every frame: "
+               "a.h5 has them each 3 steps, positions each 2\n"))
+        self.assertNotIn("velocity", h5py.File(self.path("a.h5md"))["particles/trajectory"])
+        steps = h5py.File(self.export("h5md3", "b.h5md", "--every", "3"))["particles/trajectory/velocity/step"]
+        self.assertEqual(list(steps), [0, 6, 12, 18], "which have both")
+
     def test_has_a_box_where_the_domain_is_periodic(self):
         scene = (self.folder / "three.toml").read_text().replace("box =", "periodic =")
         (self.folder / "three.toml").write_text(scene)
