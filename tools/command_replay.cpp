@@ -66,7 +66,9 @@ void print_table(const Recording& recording) {
 
 void draw(const Recording& recording, const Options& options) {
   expect_drawable(recording, options.file);
-  const Frame frame = recording.frame(frame_at_or_throw(recording, options.file, options.at));
+  const std::size_t i = frame_at_or_throw(recording, options.file, options.at);
+  Frame frame = recording.frame(i);
+  recording.carry_angles(i, frame);
   Picture picture(recording.geometry(), view_of(recording.geometry(), frame), options.width.value_or(1600));
   picture.draw(frame);
   picture.write_png(options.png);

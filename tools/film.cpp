@@ -41,6 +41,7 @@ void write_pictures(const Recording& recording, Picture& picture, const FilmOpti
     const std::size_t i = k == last ? times.size() - 1 : recording.index_at(first + k * seconds);
     if (i != drawn) {
       recording.read(i, frame);
+      recording.carry_angles(i, frame);
       picture.draw(frame);
     }
     drawn = i;

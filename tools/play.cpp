@@ -87,8 +87,9 @@ class Show {
                                   frame_.time, last, head.speed());
     screen.put(0, 0, scene.name);
     screen.put(std::max(0, size.columns - width(time)), 0, time);
-    draw_dots(screen, {0, 1, size.columns, size.rows - 2}, scene, view_, frame_);
     const int end = screen.put(0, size.rows - 1, measures(scene, frame_)) + 3;
+    recording_.carry_angles(i, frame_);  // to be seen, not to be measured
+    draw_dots(screen, {0, 1, size.columns, size.rows - 2}, scene, view_, frame_);
     const double fraction = last > first_ ? (frame_.time - first_) / (last - first_) : 1.0;
     screen.put(end, size.rows - 1, bar(fraction, std::min(30, size.columns - end)), kFaint);
     return screen;

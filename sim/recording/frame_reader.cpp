@@ -48,6 +48,16 @@ void FrameReader::read(std::size_t i, Frame& frame) const {
   if (hash.value() != frame.frame_hash) throw h5::Error("it does not match its hash");
 }
 
+void FrameReader::read_angles(std::size_t i, std::vector<double>& angles) const {
+  Frame frame;
+  FrameHash unused(0, 0.0, 0);
+  const std::size_t present = read_present(i, frame, unused);
+  read_field(kAngle, i, present, frame, unused);
+  angles = std::move(frame.angle);
+  for (std::size_t row = 0; row < angles.size(); ++row)
+    if (!frame.has(row)) angles[row] = 0.0;
+}
+
 /// Returns how many bodies are in the frame: their ids stand in front, ascending.
 std::size_t FrameReader::read_present(std::size_t i, Frame& frame, FrameHash& hash) const {
   if (!changes_) return ids_.size();

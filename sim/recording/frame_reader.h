@@ -31,6 +31,10 @@ class FrameReader {
   /// Fills all but ids of a frame whose step, time and hashes are there, and holds it against its hash.
   void read(std::size_t i, Frame& frame) const;
 
+  /// The angles of a frame, of which no more than the checksums is checked; 0 for a body that is away, none
+  /// where the frame has none.
+  void read_angles(std::size_t i, std::vector<double>& angles) const;
+
  private:
   struct Stored {
     Schedule when;

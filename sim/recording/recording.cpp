@@ -74,6 +74,8 @@ struct Recording::Impl {
   void open_fields();
   void choose(FrameChoice choice);
   std::size_t in_file(std::size_t i) const { return chosen.empty() ? i : chosen[i]; }
+  template <class Work>
+  void read_frame(std::size_t i, Work work) const;
 
   std::string path;
   bool running = false, complete = false;
@@ -272,19 +274,33 @@ Frame Recording::frame(std::size_t i) const {
   return result;
 }
 
+/// Does what reads frame i of the file.
+template <class Work>
+void Recording::Impl::read_frame(std::size_t i, Work work) const {
+  try {
+    h5::prepare();
+    work();
+  } catch (const h5::Error& error) {
+    throw InputError(path + " is damaged: frame " + std::to_string(i) + ": " + error.what());
+  }
+}
+
 void Recording::read(std::size_t i, Frame& frame) const {
   frame.step = impl_->steps[i];
   frame.time = impl_->times[i];
   frame.state_hash = impl_->state_hashes[i];
   frame.frame_hash = impl_->frame_hashes[i];
   frame.id = impl_->reader.ids();
-  try {
-    h5::prepare();
-    impl_->reader.read(impl_->in_file(i), frame);
-  } catch (const h5::Error& error) {
-    throw InputError(impl_->path + " is damaged: frame " + std::to_string(impl_->in_file(i)) + ": " +
-                     error.what());
-  }
+  const std::size_t in_file = impl_->in_file(i);
+  impl_->read_frame(in_file, [&] { impl_->reader.read(in_file, frame); });
+}
+
+void Recording::carry_angles(std::size_t i, Frame& frame) const {
+  const Schedule& when = impl_->reader.schedule(RecordField::angle);
+  if (!frame.angle.empty() || when.every() == 0) return;
+  std::size_t last = impl_->in_file(i);
+  while (last > 0 && !when.sample(last)) --last;
+  impl_->read_frame(last, [&] { impl_->reader.read_angles(last, frame.angle); });
 }
 
 std::size_t Recording::index_at(double time) const {

@@ -89,6 +89,11 @@ class Recording {
   /// The same into a frame whose memory is used again.
   void read(std::size_t i, Frame& frame) const;
 
+  /// Gives frame i, as `read` left it, what a picture shows where its angles have a rate of their own: those
+  /// of the last frame before that has them, whether it is chosen or not; 0 for a body that was away then. Of
+  /// that frame the checksums alone are checked. O(bodies) where there is anything to do. Throws as `read`.
+  void carry_angles(std::size_t i, Frame& frame) const;
+
   /// In which sample of a field's own, where it is stored, frame i stands; nothing where it does not.
   std::optional<std::size_t> sample(RecordField field, std::size_t i) const;
 

@@ -50,6 +50,20 @@ at = [3, 2]
 kind = "static"
 """
 
+BAR = """throng = 1
+name = "bar"
+time = { dt = 0.01, until = 0.1 }
+domain = { box = [[0, 0], [6, 4]] }
+record = { fields = ["position"] }
+[shapes]
+bar = { polygon = [[0, 0], [1, 0], [1, 3], [0, 3]] }
+[[bodies]]
+shape = "bar"
+at = [3, 2]
+angle = 1.5707963267948966
+kind = "static"
+"""
+
 
 class Session:
     """The program in a terminal of its own."""
@@ -141,6 +155,18 @@ class Terminal(Program):
             "         ⢸  ⠿⠿⠿⠿⠿⠿⠿⠿⠿⠿⠿⠿⠿⠿⠿⠿  ⡇",
             "         ⢸⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⡇",
         ])
+
+    def test_shows_who_has_no_angle_in_this_frame_as_it_stood_last(self):
+        """A picture and a terminal: a bar that stands upright without its angle, from which it never turns."""
+        (self.folder / "bar.toml").write_text(BAR)
+        pictures = []
+        for name, record in (("all.h5", "record.fields=['position', 'angle']"),
+                             ("some.h5", "record.also=[{ every = 20, fields = ['angle'] }]")):
+            self.assertEqual(self.throng("run", "bar.toml", "-o", name, "--progress", "none", "--set", record), (0, ""))
+            self.assertEqual(self.throng("replay", name, "--png", "bar.png", "--at", "0.1"), (0, ""))
+            pictures.append((lines(self.play(name, "1e6", columns=40, rows=9).end()[1])[1:8], (self.folder / "bar.png").read_bytes()))
+        self.assertEqual(*pictures)
+        self.assertTrue(any("⣿⣿⣿⣿⣿⣿" in line for line in pictures[0][0]), "it lies")
 
     def test_hides_the_cursor_meanwhile(self):
         self.two()

@@ -70,6 +70,41 @@ TEST(Selected, FramesWithPositionsCanBeLookedAtAlone) {
   EXPECT_EQ(recording.sample(RecordField::velocity, 3), std::nullopt);
 }
 
+/// It happened: what had an angle in every third frame stood upright in the others.
+TEST(Selected, FramesWithoutAnglesAreDrawnWithTheLast) {
+  const Folder folder;
+  Scene scene = mixed_scene(5);
+  scene.record.every = 2;
+  own_every(scene, RecordField::angle) = 3;
+  record_run(folder / "a.h5", scene, 12);
+  const Recording recording(folder / "a.h5", FrameChoice::with_position);
+  for (std::size_t i = 0; i < recording.frames(); ++i) {
+    Frame frame = recording.frame(i);
+    EXPECT_EQ(frame.angle.empty(), frame.step % 3 != 0);
+    recording.carry_angles(i, frame);
+    EXPECT_EQ(frame.angle, state_at(scene, frame.step / 3 * 3).angle) << frame.step;
+  }
+}
+
+TEST(Selected, BodiesThatWereAwayAreDrawnUpright) {
+  const Folder folder;
+  Scene scene = mixed_scene(700);
+  scene.time.dt = 0.5;
+  scene.record.within = Eigen::AlignedBox2d(Vec(3, -30), Vec(12.5, 20));
+  own_every(scene, RecordField::angle) = 6;
+  record_run(folder / "a.h5", scene, 5);
+  const Recording recording(folder / "a.h5");
+  Frame frame = recording.frame(5);
+  const Frame last = recording.frame(0);
+  recording.carry_angles(5, frame);
+  std::size_t came = 0;
+  for (std::size_t row = 0; row < 700; ++row) {
+    EXPECT_EQ(frame.angle[row], last.has(row) ? last.angle[row] : 0.0);
+    came += frame.has(row) && !last.has(row);
+  }
+  EXPECT_GT(came, 0u);
+}
+
 TEST(Selected, SomeBodiesKeepTheirIdsAndShapes) {
   const Folder folder;
   Scene scene = mixed_scene(20);
