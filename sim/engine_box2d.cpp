@@ -103,15 +103,13 @@ class Box2dSimulation : public Simulation {
 
   std::size_t contacts() const override {
     std::size_t count = 0;
-    for (const b2Contact* contact = world_.GetContactList(); contact; contact = contact->GetNext())
-      if (contact->IsTouching()) count += static_cast<std::size_t>(contact->GetManifold()->pointCount);
+    for_each_pressed([&](const b2Contact&, int) { ++count; });
     return count;
   }
 
   void list_contacts(std::vector<ContactRow>& rows) const override {
     rows.clear();
-    for (const b2Contact* contact = world_.GetContactList(); contact; contact = contact->GetNext())
-      if (contact->IsTouching()) add_rows(*contact, rows);
+    for_each_pressed([&](const b2Contact& contact, int point) { rows.push_back(row_of(contact, point)); });
   }
 
   std::vector<std::pair<std::string, double>> stage_times() const override { return {{"box2d", solve_}}; }
@@ -123,14 +121,22 @@ class Box2dSimulation : public Simulation {
     return static_cast<std::uint32_t>(const_cast<b2Body&>(body).GetUserData().pointer);
   }
 
-  void add_rows(const b2Contact& contact, std::vector<ContactRow>& rows) const {
+  /// Does `work` with each contact and the points of its manifold at which the last step pushed.
+  template <class Work>
+  void for_each_pressed(Work work) const {
+    for (const b2Contact* contact = world_.GetContactList(); contact; contact = contact->GetNext()) {
+      const b2Manifold& manifold = *contact->GetManifold();
+      for (int point = 0; contact->IsTouching() && point < manifold.pointCount; ++point)
+        if (manifold.points[point].normalImpulse > 0.0f) work(*contact, point);
+    }
+  }
+
+  ContactRow row_of(const b2Contact& contact, int point) const {
     std::uint32_t a = id_of(*contact.GetFixtureA()->GetBody()), b = id_of(*contact.GetFixtureB()->GetBody());
     if (a == 0 || (b != 0 && b < a)) std::swap(a, b);
     b2WorldManifold world;
     contact.GetWorldManifold(&world);
-    const b2Manifold& manifold = *contact.GetManifold();
-    for (int p = 0; p < manifold.pointCount; ++p)
-      rows.push_back({a, b, manifold.points[p].normalImpulse, from_b2(world.points[p])});
+    return {a, b, contact.GetManifold()->points[point].normalImpulse, from_b2(world.points[point])};
   }
 
   /// Box2D silently slows down what is faster than its limits.
