@@ -14,9 +14,9 @@ namespace throng::recording::h5 {
 namespace {
 
 constexpr std::size_t kMaxAttribute = 64 * 1024, kMaxChunkBytes = 16 << 20;  // bytes
-constexpr std::uint64_t kDensest = 1032;                     // what deflate can make of a byte
-constexpr std::uint64_t kMostPacked = 2, kLeastPacked = 64;  // of what goes in, bytes
-constexpr std::uint64_t kCutShort = 64'000'000;              // bytes, of frames on their way
+constexpr std::uint64_t kDensest = 1032;                      // what deflate can make of a byte
+constexpr std::uint64_t kMostPacked = 2, kLeastPacked = 256;  // of what goes in, bytes
+constexpr std::uint64_t kCutShort = 64'000'000;               // bytes, of frames on their way
 
 [[noreturn]] void reject(const char* name, const char* why) {
   throw Error(std::string(name) + " " + why);

@@ -3,31 +3,16 @@
 
 #include <zlib.h>
 
-#include <cmath>
+#include <algorithm>
 #include <cstring>
-#include <new>
 #include <stdexcept>
 
+#include "sim/recording/deflate_runs.h"
 #include "sim/recording/fletcher32.h"
 
 namespace throng::recording {
 
 namespace {
-
-/// Deflates by runs and Huffman codes alone: longer matches, which cost most of the time, are few in what
-/// motion leaves. Returns the bytes written, 0 where that failed.
-std::size_t deflate_runs(std::span<const std::byte> from, std::span<std::byte> to) {
-  z_stream stream{};
-  if (deflateInit2(&stream, 1, Z_DEFLATED, 15, 9, Z_RLE) != Z_OK) return 0;
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<std::byte*>(from.data()));
-  stream.avail_in = static_cast<uInt>(from.size());
-  stream.next_out = reinterpret_cast<Bytef*>(to.data());
-  stream.avail_out = static_cast<uInt>(to.size());
-  const bool done = deflate(&stream, Z_FINISH) == Z_STREAM_END;
-  const std::size_t size = stream.total_out;
-  deflateEnd(&stream);
-  return done ? size : 0;
-}
 
 std::uint32_t folded(std::uint32_t difference) {
   return difference << 1 ^ (difference >> 31 ? ~std::uint32_t{0} : 0);
@@ -47,6 +32,7 @@ std::size_t order_of(std::size_t k) {
 }
 
 constexpr std::size_t kWidth = sizeof(std::uint32_t);
+constexpr std::size_t kLeastBlock = 2048;  // bytes for which a code of their own pays
 
 /// All first bytes, then all second ones, and so on.
 void shuffle(std::span<const std::uint32_t> numbers, std::vector<std::byte>& out) {
@@ -67,10 +53,30 @@ void unshuffle(std::span<const std::byte> bytes, std::span<std::uint32_t> number
 
 }  // namespace
 
+namespace {
+
+/// The next whole number below, where that has 31 bits: in two instructions, where std::floor is a call.
+std::int32_t whole(double x) {
+  const auto towards_zero = static_cast<std::int32_t>(x);
+  return towards_zero - (static_cast<double>(towards_zero) > x);
+}
+bool has_31_bits(double x) {
+  return x >= -0x1p31 + 1.0 && x < 0x1p31;
+}
+
+}  // namespace
+
 std::int32_t quantized(double x, double quantum) {
-  const double number = std::floor(x / quantum + 0.5);
-  if (!(std::abs(number) < 0x1p31)) throw std::range_error("beyond 31 bits");
-  return static_cast<std::int32_t>(number);
+  const double number = x / quantum + 0.5;
+  if (!has_31_bits(number)) throw std::range_error("beyond 31 bits");
+  return whole(number);
+}
+
+void quantize(std::span<const double> from, double quantum, std::span<std::int32_t> to) {
+  bool fits = true;
+  for (double x : from) fits &= has_31_bits(x / quantum + 0.5);
+  if (!fits) throw std::range_error("beyond 31 bits");
+  for (std::size_t i = 0; i < from.size(); ++i) to[i] = whole(from[i] / quantum + 0.5);
 }
 
 void predict(std::size_t k, std::span<const std::int32_t> now, std::span<const std::int32_t> before,
@@ -90,12 +96,10 @@ void restore(std::size_t k, std::span<const std::uint32_t> stored, std::span<con
 void pack(std::span<const std::uint32_t> numbers, std::vector<std::byte>& bytes) {
   thread_local std::vector<std::byte> shuffled;
   shuffle(numbers, shuffled);
-  bytes.resize(2 * shuffled.size() + 64);  // far more than deflate ever needs
-  const std::size_t size = deflate_runs(shuffled, bytes);
-  if (size == 0) throw std::bad_alloc();
-  const std::uint32_t sum = fletcher32(std::span(bytes).first(size));
-  std::memcpy(bytes.data() + size, &sum, sizeof sum);
-  bytes.resize(size + sizeof sum);
+  deflate_runs(shuffled, std::max(numbers.size(), kLeastBlock), bytes);
+  const std::uint32_t sum = fletcher32(bytes);
+  bytes.resize(bytes.size() + sizeof sum);
+  std::memcpy(bytes.data() + bytes.size() - sizeof sum, &sum, sizeof sum);
 }
 
 bool unpack(std::span<const std::byte> bytes, std::span<std::uint32_t> numbers) {

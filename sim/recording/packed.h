@@ -14,6 +14,7 @@ inline constexpr std::size_t kKeyEvery = 16;
 
 /// The whole number nearest to x / quantum, halves up. Throws std::range_error where it is beyond 31 bits.
 std::int32_t quantized(double x, double quantum);
+void quantize(std::span<const double> from, double quantum, std::span<std::int32_t> to);
 
 /// What is stored of frame `k`: of a key frame (k a multiple of kKeyEvery) its numbers, of the next one by
 /// how much they grew, of all others by how much that growth grew, modulo 2^32. A sign is folded into the
