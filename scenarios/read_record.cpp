@@ -8,20 +8,14 @@ namespace throng::scenarios {
 
 namespace {
 
-std::size_t field_of(const toml::node& entry) {
+RecordField field_of(const toml::node& entry) {
   const auto found = std::ranges::find(kRecordFieldName, entry.as_string()->get());
-  return static_cast<std::size_t>(found - kRecordFieldName.begin());
-}
-
-/// The flag of a field.
-bool& flag(Record& record, std::size_t field) {
-  bool* const flags[] = {&record.position, &record.angle, &record.velocity, &record.spin, &record.contacts};
-  return *flags[field];
+  return static_cast<RecordField>(found - kRecordFieldName.begin());
 }
 
 void read_fields(const toml::table& table, Record& record) {
   if (!table.contains("fields")) return;
-  for (std::size_t field = 0; field < kRecordFieldName.size(); ++field) flag(record, field) = false;
+  for (RecordField field : kRecordFields) flag(record, field) = false;
   for (const toml::node& entry : *table.get("fields")->as_array()) flag(record, field_of(entry)) = true;
 }
 
@@ -32,14 +26,14 @@ void read_also(const toml::table& table, Record& record, Report& report) {
   for (const toml::node& stream : *table.get("also")->as_array()) {
     const toml::table& entry = *stream.as_table();
     for (const toml::node& name : *entry.get("fields")->as_array()) {
-      const std::size_t field = field_of(name);
+      const RecordField field = field_of(name);
       if (flag(record, field))
         report.error(name, "record.also[" + std::to_string(index) + "].fields",
-                     in_quotes(kRecordFieldName[field]) + " is recorded already, each " +
-                         std::to_string(every(record, static_cast<RecordField>(field))) +
+                     in_quotes(throng::name(field)) + " is recorded already, each " +
+                         std::to_string(every(record, field)) +
                          " steps; must stand in one list of fields only");
       flag(record, field) = true;
-      record.own_every[field] = static_cast<int>(number(*entry.get("every")));
+      record.own_every[throng::index(field)] = static_cast<int>(number(*entry.get("every")));
     }
     ++index;
   }

@@ -6,24 +6,28 @@
 
 namespace throng {
 
+bool& flag(Record& record, RecordField field) {
+  bool* const flags[] = {&record.position, &record.angle, &record.velocity, &record.spin, &record.contacts};
+  return *flags[index(field)];
+}
+
 bool is_recorded(const Record& record, RecordField field) {
-  const bool recorded[] = {record.position, record.angle, record.velocity, record.spin, record.contacts};
-  return recorded[static_cast<int>(field)];
+  return flag(const_cast<Record&>(record), field);
 }
 
 int every(const Record& record, RecordField field) {
   if (!is_recorded(record, field)) return 0;
-  const int own = record.own_every[static_cast<std::size_t>(field)];
+  const int own = record.own_every[index(field)];
   return own > 0 ? own : record.every;
 }
 
 std::vector<int> rates(const Record& record) {
-  std::vector<int> result{record.every, record.observables};
-  for (int field = 0; field < kRecordFields; ++field)
-    result.push_back(every(record, static_cast<RecordField>(field)));
+  std::vector<int> result{record.observables};
+  for (RecordField field : kRecordFields) result.push_back(every(record, field));
   std::ranges::sort(result);
   result.erase(std::unique(result.begin(), result.end()), result.end());
   if (result.front() == 0) result.erase(result.begin());
+  if (result.empty()) result.push_back(record.every);
   return result;
 }
 
@@ -53,11 +57,15 @@ std::int64_t count_frames(const Record& record, std::int64_t steps) {
   return count;
 }
 
+bool has_bodies(const Record& record, std::int64_t step) {
+  return std::ranges::any_of(kRecordFields,
+                             [&](RecordField field) { return is_due(every(record, field), step); });
+}
+
 bool is_frame(const Record& record, std::int64_t step) {
-  if (is_due(record.every, step) || is_due(record.observables, step)) return true;
-  for (int field = 0; field < kRecordFields; ++field)
-    if (is_due(every(record, static_cast<RecordField>(field)), step)) return true;
-  return false;
+  if (has_bodies(record, step) || is_due(record.observables, step)) return true;
+  const bool nothing = record.observables == 0 && !has_bodies(record, 0);  // all rates begin at step 0
+  return nothing && is_due(record.every, step);
 }
 
 }  // namespace throng

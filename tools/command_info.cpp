@@ -16,16 +16,16 @@ using Json = nlohmann::ordered_json;
 
 std::vector<std::string> fields(const Record& record) {
   std::vector<std::string> names;
-  for (int field = 0; field < kRecordFields; ++field)
-    if (is_recorded(record, static_cast<RecordField>(field))) names.push_back(kRecordFieldName[field]);
+  for (RecordField field : kRecordFields)
+    if (is_recorded(record, field)) names.push_back(name(field));
   return names;
 }
 
 /// Steps from one sample to the next, of each field.
 std::vector<int> steps_apart(const Record& record) {
   std::vector<int> steps;
-  for (int field = 0; field < kRecordFields; ++field)
-    if (const int rate = every(record, static_cast<RecordField>(field))) steps.push_back(rate);
+  for (RecordField field : kRecordFields)
+    if (const int rate = every(record, field)) steps.push_back(rate);
   return steps;
 }
 

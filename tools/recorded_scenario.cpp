@@ -23,9 +23,8 @@ std::string difference(const Record& a, const Record& b) {
   if (a.quantum != b.quantum) return "a quantum";
   if (a.single != b.single) return "a precision";
   if (a.observables != b.observables) return "observables";
-  for (int f = 0; f < kRecordFields; ++f)
-    if (const auto field = static_cast<RecordField>(f); every(a, field) != every(b, field))
-      return std::string("a rate of ") + kRecordFieldName[static_cast<std::size_t>(f)];
+  for (RecordField field : kRecordFields)
+    if (every(a, field) != every(b, field)) return std::string("a rate of ") + name(field);
   return "";
 }
 

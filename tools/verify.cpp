@@ -36,6 +36,7 @@ class Comparison {
   explicit Comparison(const Scene& scene) : record_(scene.record), selection_(scene) {}
 
   std::optional<Difference> first_difference(const Frame& frame, const State& state) const {
+    if (!has_bodies(record_, frame.step)) return std::nullopt;
     for (std::size_t body = 0; body < state.id.size(); ++body) {
       const std::uint32_t row = selection_.row_of(state.id[body]);
       if (row == recording::Selection::kNone) continue;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sim/recording/expected_bytes.h"
 
+#include <algorithm>
+
 #include "sim/recording/layout.h"
 
 namespace throng::recording {
@@ -22,9 +24,8 @@ constexpr Guess kAbout{1.0, 3.0 * 32.0, 3.0}, kLeast{0.0, 0.0, 0.0};
 /// A body's numbers in one frame.
 double body_bytes(const Record& record, RecordField field, const Guess& guess) {
   if (field == RecordField::contacts) return guess.contacts;
-  const int f = static_cast<int>(field);
-  if (is_quantized(record, static_cast<FieldIndex>(f))) return guess.quantized;
-  return kComponents[static_cast<std::size_t>(f)] * (record.single ? 4.0 : 8.0);
+  if (is_quantized(record, field)) return guess.quantized;
+  return static_cast<double>(components(field)) * (record.single ? 4.0 : 8.0);
 }
 
 double bytes_by(const Guess& guess, const Scene& scene) {
@@ -36,11 +37,13 @@ double bytes_by(const Guess& guess, const Scene& scene) {
   };
   double bytes = static_cast<double>(count_frames(record, scene.time.steps())) * kRowBytes +
                  samples(record.observables) * (kRowBytes + kObservableBytes);
-  for (int f = 0; f < kRecordFields; ++f) {
-    const auto field = static_cast<RecordField>(f);
-    bytes += samples(every(record, field)) * (body_bytes(record, field, guess) * bodies + kRowBytes);
+  double most = 0.0;  // frames of a field
+  for (RecordField field : kRecordFields) {
+    const double frames = samples(every(record, field));
+    bytes += frames * (body_bytes(record, field, guess) * bodies + kRowBytes);
+    most = std::max(most, frames);
   }
-  return bytes + (record.within ? samples(record.every) * 4.0 * bodies : 0.0);
+  return bytes + (record.within ? most * 4.0 * bodies : 0.0);
 }
 
 }  // namespace

@@ -16,14 +16,18 @@ class FieldWriter {
   FieldWriter() = default;
 
   /// Makes the field's dataset, where layout.h wants it.
-  FieldWriter(hid_t element, FieldIndex field, const Record& record, const Selection& selection);
+  FieldWriter(hid_t element, RecordField field, const Record& record, const Selection& selection);
 
-  /// The numbers of a frame in the making: those of a body one after the other, by row of the selection.
-  std::vector<double>& values() { return values_; }
+  /// Room for the numbers of a frame in the making: those of a body one after the other, by row of the
+  /// selection.
+  std::vector<double>& values() {
+    values_.resize(numbers_);
+    return values_;
+  }
 
-  /// Adds the frame: the first `bodies` of the values. Returns the bytes that it took. Throws
+  /// Adds a frame of these numbers, its own or others. Returns the bytes that it took. Throws
   /// std::runtime_error where a position is beyond what can be quantized.
-  std::size_t append(std::size_t bodies, FrameHash& hash);
+  std::size_t append(std::span<const double> numbers, FrameHash& hash);
 
   void flush() { blocks_.flush(); }
   void close() { blocks_.close(); }
@@ -31,11 +35,11 @@ class FieldWriter {
   explicit operator bool() const { return static_cast<bool>(blocks_); }
 
  private:
-  std::size_t append_numbers(std::size_t bodies, FrameHash& hash);
-  std::size_t append_quantized(FrameHash& hash);
+  std::size_t append_numbers(std::span<const double> numbers, FrameHash& hash);
+  std::size_t append_quantized(std::span<const double> numbers, FrameHash& hash);
 
   FrameBlocks blocks_;
-  std::size_t components_ = 0;
+  std::size_t numbers_ = 0;  // of all bodies
   bool single_ = false;
   double quantum_ = 0.0;  // m; 0: numbers as they are
   std::vector<double> values_;

@@ -16,7 +16,7 @@ FrameBlocks::FrameBlocks(hid_t at, const char* name, hid_t type, const Form& for
   std::vector<hsize_t> dims{1, form.bodies}, chunk{1, per_chunk_};
   if (form.columns > 1) dims.push_back(form.columns), chunk.push_back(form.columns);
   set_ = h5::create_growing(at, name, type, dims, chunk,
-                            form.packed ? h5::Filters::packed : h5::Filters::fletcher32);
+                            form.packed ? h5::Filters::packed : h5::Filters::fletcher32, form.sparse);
 }
 
 void FrameBlocks::grow() {

@@ -18,6 +18,7 @@ class FrameBlocks {
     hsize_t bodies, columns;  ///< 1 or 2 numbers a body
     hsize_t most_per_chunk;   ///< bodies
     bool packed = false;      ///< by shuffle and deflate, of 4-byte numbers
+    bool sparse = false;      ///< frames hold few of the bodies
   };
 
   FrameBlocks() = default;

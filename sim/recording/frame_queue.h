@@ -26,11 +26,12 @@ struct QueueEntry {
 /// the consumer is woken only when the ring is half full and at the end, and looks by itself each 50 ms.
 class FrameQueue {
  public:
-  /// As many frames as fit into 64 MB, at least 2 and at most 16, all as large as `first`.
+  /// As many frames as fit into 64 MB, at least 2 and at most 16, all as large as `first`; contacts, which
+  /// grow as they come, are not counted.
   explicit FrameQueue(const State& first);
 
   /// Copies a frame in; waits while the queue is full. Allocates nothing while the number of bodies is that
-  /// of `first`. Throws what the consumer failed with.
+  /// of `first` and the slot has held as many contacts before. Throws what the consumer failed with.
   void push(const State& state, std::span<const ContactRow> contacts = {}) { push(state, contacts, false); }
 
   /// The same for a checkpoint, whose contacts may take more memory.

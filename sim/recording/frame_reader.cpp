@@ -11,24 +11,19 @@ namespace throng::recording {
 
 namespace {
 
-/// Where a frame keeps a field's numbers; one of the two.
-struct Place {
-  std::vector<Vec>* vectors;
-  std::vector<double>* scalars;
-};
-
-Place place(int field, Frame& frame) {
-  const Place places[kFields] = {{&frame.position, nullptr},
-                                 {nullptr, &frame.angle},
-                                 {&frame.velocity, nullptr},
-                                 {nullptr, &frame.spin}};
-  return places[field];
-}
-
 void clear(Frame& frame) {
   frame.is_present.clear();
-  frame.position.clear(), frame.angle.clear(), frame.velocity.clear(), frame.spin.clear();
+  for (RecordField field : kBodyFields) with_field(frame, field, [](auto& numbers) { numbers.clear(); });
   frame.contacts.reset(), frame.observables.reset();
+}
+
+std::span<double> resized(std::vector<Vec>& vectors, std::size_t bodies) {
+  vectors.resize(bodies);
+  return {vectors.empty() ? nullptr : vectors.front().data(), 2 * bodies};
+}
+std::span<double> resized(std::vector<double>& scalars, std::size_t bodies) {
+  scalars.resize(bodies);
+  return scalars;
 }
 
 template <class T>
@@ -42,7 +37,7 @@ void FrameReader::read(std::size_t i, Frame& frame) const {
   clear(frame);
   FrameHash hash(frame.step, frame.time, frame.state_hash);
   const std::size_t present = read_present(i, frame, hash);
-  for (int f = 0; f < kFields; ++f) read_field(f, i, present, frame, hash);
+  for (RecordField field : kBodyFields) read_field(field, i, present, frame, hash);
   read_contacts(i, frame, hash);
   read_observables(i, frame, hash);
   if (hash.value() != frame.frame_hash) throw h5::Error("it does not match its hash");
@@ -52,23 +47,25 @@ void FrameReader::read_angles(std::size_t i, std::vector<double>& angles) const 
   Frame frame;
   FrameHash unused(0, 0.0, 0);
   const std::size_t present = read_present(i, frame, unused);
-  read_field(kAngle, i, present, frame, unused);
+  read_field(RecordField::angle, i, present, frame, unused);
   angles = std::move(frame.angle);
   for (std::size_t row = 0; row < angles.size(); ++row)
     if (!frame.has(row)) angles[row] = 0.0;
 }
 
-/// Returns how many bodies are in the frame: their ids stand in front, ascending.
+/// Returns how many bodies are in the frame: their ids stand in front, ascending. None where it has no ids.
 std::size_t FrameReader::read_present(std::size_t i, Frame& frame, FrameHash& hash) const {
   if (!changes_) return ids_.size();
+  frame.is_present.assign(ids_.size(), 0);
+  const std::optional<std::size_t> sample = present_when_.sample(i);
+  if (!sample) return 0;
   std::vector<std::uint32_t> found(ids_.size());
-  h5::read_row<std::uint32_t>(present_, i, found.data(), found.size() * sizeof(std::uint32_t));
+  h5::read_row<std::uint32_t>(present_, *sample, found.data(), found.size() * sizeof(std::uint32_t));
   const auto end = std::ranges::find(found, 0u);
   if (std::any_of(end, found.end(), [](std::uint32_t id) { return id != 0; }))
     throw h5::Error("id is not in order");
   found.erase(end, found.end());
   hash.add(std::as_bytes(std::span(found)));
-  frame.is_present.assign(ids_.size(), 0);
   rows_.clear();
   for (std::uint32_t id : found) {
     const auto row = static_cast<std::uint32_t>(std::ranges::lower_bound(ids_, id) - ids_.begin());
@@ -82,29 +79,26 @@ std::size_t FrameReader::read_present(std::size_t i, Frame& frame, FrameHash& ha
 
 /// Reads numbers as stored (T), and hands them out as doubles.
 template <class T>
-void FrameReader::read_numbers(int field, std::size_t sample, std::size_t present, FrameHash& hash) const {
-  const auto components = static_cast<std::size_t>(kComponents[static_cast<std::size_t>(field)]);
+void FrameReader::read_numbers(RecordField field, std::size_t sample, std::size_t present,
+                               FrameHash& hash) const {
   std::vector<T>* stored;
   if constexpr (std::is_same_v<T, double>)
     stored = &numbers_;
   else
     stored = &singles_;
-  stored->resize(ids_.size() * components);
-  h5::read_row<T>(fields_[static_cast<std::size_t>(field)].set, sample, stored->data(),
-                  stored->size() * sizeof(T));
-  stored->resize(present * components);
+  stored->resize(ids_.size() * components(field));
+  h5::read_row<T>(fields_[index(field)].set, sample, stored->data(), stored->size() * sizeof(T));
+  stored->resize(present * components(field));
   hash.add(std::as_bytes(std::span(*stored)));
-  if (!all_finite<T>(*stored))
-    throw h5::Error(std::string(kFieldName[static_cast<std::size_t>(field)]) + " is not finite");
+  if (!all_finite<T>(*stored)) throw h5::Error(std::string(name(field)) + " is not finite");
   if constexpr (!std::is_same_v<T, double>) numbers_.assign(stored->begin(), stored->end());
 }
 
-void FrameReader::read_field(int field, std::size_t i, std::size_t present, Frame& frame,
+void FrameReader::read_field(RecordField field, std::size_t i, std::size_t present, Frame& frame,
                              FrameHash& hash) const {
-  const Stored& stored = fields_[static_cast<std::size_t>(field)];
-  const std::optional<std::size_t> sample = stored.when.sample(i);
+  const std::optional<std::size_t> sample = schedule(field).sample(i);
   if (!sample) return;
-  if (field == kPosition && quantized_.quantum() > 0.0)
+  if (field == RecordField::position && quantized_.quantum() > 0.0)
     quantized_.read(*sample, numbers_, hash);
   else if (single_)
     read_numbers<float>(field, *sample, present, hash);
@@ -114,18 +108,15 @@ void FrameReader::read_field(int field, std::size_t i, std::size_t present, Fram
 }
 
 /// Bodies that are not in the frame have no numbers.
-void FrameReader::hand_out(int field, Frame& frame) const {
-  constexpr double kAbsent = std::numeric_limits<double>::quiet_NaN();
-  const auto [vectors, scalars] = place(field, frame);
+void FrameReader::hand_out(RecordField field, Frame& frame) const {
+  const std::size_t each = components(field), bodies = numbers_.size() / each;
   const auto row = [&](std::size_t k) { return changes_ ? rows_[k] : k; };
-  if (vectors) {
-    vectors->assign(ids_.size(), Vec(kAbsent, kAbsent));
-    for (std::size_t k = 0; k < numbers_.size() / 2; ++k)
-      (*vectors)[row(k)] = {numbers_[2 * k], numbers_[2 * k + 1]};
-  } else {
-    scalars->assign(ids_.size(), kAbsent);
-    for (std::size_t k = 0; k < numbers_.size(); ++k) (*scalars)[row(k)] = numbers_[k];
-  }
+  with_field(frame, field, [&](auto& values) {
+    const auto to = resized(values, ids_.size());
+    if (changes_) std::ranges::fill(to, std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t k = 0; k < bodies; ++k)
+      for (std::size_t c = 0; c < each; ++c) to[each * row(k) + c] = numbers_[each * k + c];
+  });
 }
 
 void FrameReader::read_contacts(std::size_t i, Frame& frame, FrameHash& hash) const {

@@ -26,7 +26,7 @@ class FrameReader {
   const std::vector<std::uint32_t>& ids() const { return ids_; }
 
   /// Which frames hold the field.
-  const Schedule& schedule(RecordField field) const { return fields_[static_cast<int>(field)].when; }
+  const Schedule& schedule(RecordField field) const { return fields_[index(field)].when; }
 
   /// Fills all but ids of a frame whose step, time and hashes are there, and holds it against its hash.
   void read(std::size_t i, Frame& frame) const;
@@ -53,17 +53,18 @@ class FrameReader {
   void expect_times(hid_t element, const Schedule& when, std::span<const std::int64_t> steps) const;
   void open_ids(hid_t throng, hid_t trajectory, std::span<const std::int64_t> steps, Record& record);
   void open_region(hid_t trajectory, std::span<const std::int64_t> steps, Record& record);
-  void open_field(hid_t trajectory, FieldIndex field, std::span<const std::int64_t> steps);
+  void open_field(hid_t trajectory, RecordField field, std::span<const std::int64_t> steps);
   void open_quantized(hid_t throng, std::span<const std::int64_t> steps, Record& record);
   void open_contacts(hid_t throng, std::span<const std::int64_t> steps);
   void open_observables(std::span<const std::int64_t> steps);
+  void expect_ids(std::span<const std::int64_t> steps) const;
   void complete(Record& record) const;
 
   std::size_t read_present(std::size_t i, Frame& frame, FrameHash& hash) const;
   template <class T>
-  void read_numbers(int field, std::size_t sample, std::size_t present, FrameHash& hash) const;
-  void read_field(int field, std::size_t i, std::size_t present, Frame& frame, FrameHash& hash) const;
-  void hand_out(int field, Frame& frame) const;
+  void read_numbers(RecordField field, std::size_t sample, std::size_t present, FrameHash& hash) const;
+  void read_field(RecordField field, std::size_t i, std::size_t present, Frame& frame, FrameHash& hash) const;
+  void hand_out(RecordField field, Frame& frame) const;
   void read_contacts(std::size_t i, Frame& frame, FrameHash& hash) const;
   void read_observables(std::size_t i, Frame& frame, FrameHash& hash) const;
 
@@ -73,8 +74,9 @@ class FrameReader {
   int minor_ = 0, every_ = 1;
   bool single_ = false, changes_ = false;
   std::vector<std::uint32_t> ids_;
-  h5::Dataset present_;  // u32 [frame, body], where frames hold some bodies only
-  std::array<Stored, kRecordFields> fields_;
+  Schedule present_when_;  // where frames hold some bodies only
+  h5::Dataset present_;    // u32 [sample, body]
+  std::array<Stored, kRecordFields.size()> fields_;
   mutable QuantizedReader quantized_;  // remembers where it is
   StoredContacts contacts_;
   StoredObservables observables_;

@@ -37,11 +37,12 @@ FrameReader::FrameReader(const h5::File& file, const Scene& scene, std::span<con
   const h5::Handle throng = h5::open_group(file.handle, "throng");
   const h5::Handle trajectory = h5::open_group(h5::open_group(file.handle, "particles"), "trajectory");
   open_ids(throng, trajectory, steps, record);
-  for (FieldIndex field : {kPosition, kAngle, kVelocity, kSpin})
-    if (h5::exists(trajectory, kFieldName[field])) open_field(trajectory, field, steps);
+  for (RecordField field : kBodyFields)
+    if (h5::exists(trajectory, name(field))) open_field(trajectory, field, steps);
   if (h5::exists(throng, "quantized")) open_quantized(throng, steps, record);
   if (h5::exists(throng, "contacts")) open_contacts(throng, steps);
   if (h5::exists(file.handle, "observables")) open_observables(steps);
+  if (changes_) expect_ids(steps);
   complete(record);
 }
 
@@ -87,37 +88,40 @@ void FrameReader::open_region(hid_t trajectory, std::span<const std::int64_t> st
   record.within = Eigen::AlignedBox2d(Vec(low[0], low[1]), Vec(high[0], high[1]));
   if (!(low[0] < high[0] && low[1] < high[1] && std::isfinite(high[0] - low[0] + high[1] - low[1])))
     throw h5::Error("the region is turned round");
-  expect_times(element, Schedule(1, steps), steps);
+  present_when_ = Schedule(h5::read_array<std::int64_t>(*file_, element, "step"), steps);
+  expect_times(element, present_when_, steps);
   present_ =
       h5::open_dataset<std::uint32_t>(*file_, element, "value", {kAny, ids_.size()}, h5::Storage::sparse);
+  expect_samples(present_.dims[0], present_when_.samples(), "id");
 }
 
-void FrameReader::open_field(hid_t trajectory, FieldIndex field, std::span<const std::int64_t> steps) {
-  const h5::Handle element = h5::open_group(trajectory, kFieldName[field]);
+void FrameReader::open_field(hid_t trajectory, RecordField field, std::span<const std::int64_t> steps) {
+  const h5::Handle element = h5::open_group(trajectory, name(field));
   std::vector<std::optional<hsize_t>> dims{kAny, ids_.size()};
-  if (kComponents[field] == 2) dims.push_back(2);
+  if (components(field) == 2) dims.push_back(2);
   const h5::Storage storage = changes_ ? h5::Storage::sparse : h5::Storage::whole;
-  Stored& stored = fields_[field];
+  Stored& stored = fields_[index(field)];
   stored.when = open_schedule(element, steps);
   expect_times(element, stored.when, steps);
   stored.set = single_ ? h5::open_dataset<float>(*file_, element, "value", dims, storage)
                        : h5::open_dataset<double>(*file_, element, "value", dims, storage);
-  expect_samples(stored.set.dims[0], stored.when.samples(), kFieldName[field]);
+  expect_samples(stored.set.dims[0], stored.when.samples(), name(field));
 }
 
 void FrameReader::open_quantized(hid_t throng, std::span<const std::int64_t> steps, Record& record) {
-  if (fields_[kPosition].when.every() > 0 || changes_) throw h5::Error("positions are stored in two ways");
+  Schedule& when = fields_[index(RecordField::position)].when;
+  if (when.every() > 0 || changes_) throw h5::Error("positions are stored in two ways");
   const h5::Handle group = h5::open_group(throng, "quantized");
   quantized_ = QuantizedReader(*file_, group, ids_.size());
   record.quantum = quantized_.quantum();
-  fields_[kPosition].when = open_schedule(group, steps);
-  expect_times(group, fields_[kPosition].when, steps);
-  expect_samples(quantized_.samples(), fields_[kPosition].when.samples(), "quantized");
+  when = open_schedule(group, steps);
+  expect_times(group, when, steps);
+  expect_samples(quantized_.samples(), when.samples(), "quantized");
 }
 
 void FrameReader::open_contacts(hid_t throng, std::span<const std::int64_t> steps) {
   const h5::Handle group = h5::open_group(throng, "contacts");
-  Schedule& when = fields_[kContacts].when;
+  Schedule& when = fields_[index(RecordField::contacts)].when;
   when = open_schedule(group, steps);
   expect_times(group, when, steps);
   const h5::Dataset offset = h5::open_dataset<std::uint64_t>(*file_, group, "offset", {kAny});
@@ -147,13 +151,20 @@ void FrameReader::open_observables(std::span<const std::int64_t> steps) {
   }
 }
 
+/// A frame that holds anything of bodies says which they are.
+void FrameReader::expect_ids(std::span<const std::int64_t> steps) const {
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    if (!present_when_.sample(i) &&
+        std::ranges::any_of(fields_, [&](const Stored& stored) { return stored.when.sample(i).has_value(); }))
+      throw h5::Error("id has too few frames");
+}
+
 /// As the scenario had it: rates of their own where they are not `every`.
 void FrameReader::complete(Record& record) const {
-  bool* const flags[] = {&record.position, &record.angle, &record.velocity, &record.spin, &record.contacts};
-  for (std::size_t f = 0; f < kRecordFields; ++f) {
-    const int rate = fields_[f].when.every();
-    *flags[f] = rate > 0;
-    record.own_every[f] = minor_ >= 2 && rate != every_ ? rate : 0;
+  for (RecordField field : kRecordFields) {
+    const int rate = schedule(field).every();
+    flag(record, field) = rate > 0;
+    record.own_every[index(field)] = minor_ >= 2 && rate != every_ ? rate : 0;
   }
   record.observables = observables_.when.every();
 }

@@ -129,10 +129,11 @@ void write_array(hid_t at, const char* name, std::span<const T> values, hsize_t 
 }
 
 Handle create_growing(hid_t at, const char* name, hid_t type, std::vector<hsize_t> dims,
-                      std::vector<hsize_t> chunk, Filters filters) {
+                      std::vector<hsize_t> chunk, Filters filters, bool sparse) {
   std::vector<hsize_t> limit = dims;
   dims[0] = 0;
   limit[0] = H5S_UNLIMITED;
+  if (sparse) limit[1] = H5S_UNLIMITED;  // never used: HDF5 takes the tree where two dimensions may grow
   const int rank = static_cast<int>(dims.size());
   const Handle where(H5Screate_simple(rank, dims.data(), limit.data()), H5Sclose, "cannot make a dataspace");
   const Handle layout = plain_layout();

@@ -38,9 +38,10 @@ void write_array(hid_t at, const char* name, std::span<const T> values, hsize_t 
 enum class Filters { none, fletcher32, packed };
 
 /// An empty dataset that grows in its first dimension; `dims` and `chunk` without it hold one row each. What
-/// was never written reads as zeros. Expects chunks with filters to be written whole.
+/// was never written reads as zeros. Expects chunks with filters to be written whole. `sparse`: few chunks
+/// are; the file then has an index of those, a tree, else one with a place for each that there could be.
 Handle create_growing(hid_t at, const char* name, hid_t type, std::vector<hsize_t> dims,
-                      std::vector<hsize_t> chunk, Filters filters);
+                      std::vector<hsize_t> chunk, Filters filters, bool sparse = false);
 
 /// A dataset in one piece, whose rows are written later.
 Handle create_fixed(hid_t at, const char* name, hid_t type, const std::vector<hsize_t>& dims);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "sim/record.h"
 
@@ -48,8 +49,9 @@
 ///   walls                 offset u64[W+1] -> points f64[,2]; closed u8, material u32
 /// ```
 /// What has an attribute `every` is in the frames whose step is a multiple of it. With record.within (1.2), `id` is
-/// such a group, too, with attributes min and max f64[2], the region, and value u32[F,N]: a frame's bodies
-/// stand in front, ascending by id, and 0, the fill value, in the other places; fields have the same order.
+/// a group, too, with attributes min and max f64[2], the region, and value u32[F,N]: a frame's bodies
+/// stand in front, ascending by id, and 0, the fill value, in the other places; fields have the same order. It is in
+/// the frames that its own step lists: those that hold a field of bodies or contacts.
 ///
 /// `state_hash` is throng::hash of the whole state, so that a run can be checked against another (before 1.1 it
 /// was another function, and there was no attribute `checkpoint`). `frame_hash`
@@ -75,13 +77,30 @@ inline constexpr std::size_t kRegionChunk = 256;                ///< bodies, whe
 inline constexpr std::size_t kRowChunk = 512;                   ///< rows: one page of 8-byte numbers
 
 /// What may be recorded of a body, in the order in which frame_hash covers it.
-enum FieldIndex { kPosition, kAngle, kVelocity, kSpin, kFields, kContacts = kFields };
+inline constexpr auto kBodyFields = std::span(kRecordFields).first<4>();
 
-inline constexpr std::array<const char*, kFields> kFieldName{"position", "angle", "velocity", "spin"};
-inline constexpr std::array<int, kFields> kComponents{2, 1, 2, 1};
+/// Does `work` with a body's field of a Frame or a State, a vector of Vec or double.
+template <class Of, class Work>
+decltype(auto) with_field(Of& of, RecordField field, Work work) {
+  switch (field) {
+    case RecordField::position:
+      return work(of.position);
+    case RecordField::angle:
+      return work(of.angle);
+    case RecordField::velocity:
+      return work(of.velocity);
+    default:
+      return work(of.spin);
+  }
+}
 
-inline bool is_quantized(const Record& record, FieldIndex field) {
-  return field == kPosition && record.quantum > 0.0;
+/// Numbers a body.
+inline constexpr std::size_t components(RecordField field) {
+  return field == RecordField::position || field == RecordField::velocity ? 2 : 1;
+}
+
+inline bool is_quantized(const Record& record, RecordField field) {
+  return field == RecordField::position && record.quantum > 0.0;
 }
 
 /// What the file says of its quantized positions.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/recording/quantized_reader.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "sim/recording/packed.h"
@@ -17,7 +18,8 @@ QuantizedReader::QuantizedReader(const h5::File& file, hid_t group, std::size_t 
   if (!(quantum_ >= 1e-9 && quantum_ <= 1e3)) throw h5::Error("quantum is out of range");
   if (h5::read_attribute<std::int64_t>(group, "key_every") != static_cast<std::int64_t>(kKeyEvery))
     throw h5::Error("key_every is unknown");
-  if (set_.chunk.size() != 3 || set_.chunk[0] != 1 || set_.chunk[1] == 0 || set_.chunk[2] != 2)
+  if (set_.chunk.size() != 3 || set_.chunk[0] != 1 || set_.chunk[1] == 0 ||
+      set_.chunk[1] > std::max<std::size_t>(1, bodies) || set_.chunk[2] != 2)
     throw h5::Error("position is not stored frame by frame");
 }
 

@@ -25,7 +25,15 @@ class Schedule {
     sample_ = std::move(sample);
   }
 
-  int every() const { return every_; }              ///< steps; 0: never
+  /// What is in the frames of these steps, ascending: samples up to the first step that no frame has.
+  Schedule(std::span<const std::int64_t> listed, std::span<const std::int64_t> steps) : every_(1) {
+    for (std::int64_t step : steps)
+      sample_.push_back(samples_ < listed.size() && listed[samples_] == step
+                            ? static_cast<std::uint32_t>(samples_++)
+                            : kNone);
+  }
+
+  int every() const { return every_; }              ///< steps; 0: never; 1 where they are listed
   std::size_t samples() const { return samples_; }  ///< in all frames
   std::optional<std::size_t> sample(std::size_t frame) const {
     if (every_ == 0) return std::nullopt;

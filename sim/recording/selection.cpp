@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/recording/selection.h"
 
+#include <algorithm>
 #include <numeric>
 
 #include "sim/periodic.h"
@@ -16,6 +17,10 @@ Selection::Selection(const Scene& scene)
   }
   row_of_.assign(scene.bodies.size() + 1, kNone);
   for (std::uint32_t row = 0; row < ids_.size(); ++row) row_of_[ids_[row]] = row;
+}
+
+bool Selection::is_order(std::span<const std::uint32_t> id) const {
+  return all() && std::ranges::equal(id, ids_);
 }
 
 bool Selection::is_within(const Vec& position) const {

@@ -33,6 +33,9 @@ class Selection {
   /// within the domain. Borders are in.
   bool is_within(const Vec& position) const;
 
+  /// Whether bodies in rows of these ids stand as the recording has them.
+  bool is_order(std::span<const std::uint32_t> id) const;
+
   /// Puts what stands in a body's row of `from`, so many numbers, into its row of `to`.
   template <int components>
   void bring(std::span<const std::uint32_t> id, const double* from, std::vector<double>& to) const {

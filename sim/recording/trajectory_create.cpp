@@ -84,8 +84,8 @@ void TrajectoryWriter::create_trajectory(const Scene& scene) {
   const h5::Handle group = h5::create_group(particles, "trajectory");
   write_box(group, scene.domain);
   create_ids(group);
-  for (FieldIndex field : {kPosition, kAngle, kVelocity, kSpin})
-    if (is_recorded(record_, static_cast<RecordField>(field))) create_field(group, field);
+  for (RecordField field : kBodyFields)
+    if (is_recorded(record_, field)) create_field(group, field);
 }
 
 void TrajectoryWriter::create_ids(hid_t group) {
@@ -98,12 +98,12 @@ void TrajectoryWriter::create_ids(hid_t group) {
   h5::write_attribute(element, "min", std::span<const double>(record_.within->min().data(), 2));
   h5::write_attribute(element, "max", std::span<const double>(record_.within->max().data(), 2));
   ids_ = FrameBlocks(element, "value", h5::type<std::uint32_t>(),
-                     FrameBlocks::Form{selection_.rows(), 1, kRegionChunk});
-  link_times(element, 0);
+                     FrameBlocks::Form{selection_.rows(), 1, kRegionChunk, false, true});
+  id_times_ = RateRows(element);
 }
 
-void TrajectoryWriter::create_field(hid_t group, FieldIndex field) {
-  const int rate = every(record_, static_cast<RecordField>(field));
+void TrajectoryWriter::create_field(hid_t group, RecordField field) {
+  const int rate = every(record_, field);
   h5::Handle element;
   if (is_quantized(record_, field)) {
     element = h5::create_group(file_, "throng/quantized");
@@ -111,10 +111,10 @@ void TrajectoryWriter::create_field(hid_t group, FieldIndex field) {
     h5::write_attribute(element, "key_every", static_cast<std::int64_t>(kKeyEvery));
     h5::write_attribute(element, "how", std::string_view(kHowQuantized));
   } else {
-    element = h5::create_group(group, kFieldName[field]);
+    element = h5::create_group(group, name(field));
   }
   h5::write_attribute(element, "every", std::int64_t{rate});
-  fields_[field] = FieldWriter(element, field, record_, selection_);
+  fields_[index(field)] = FieldWriter(element, field, record_, selection_);
   link_times(element, rate);
 }
 

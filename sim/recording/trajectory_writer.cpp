@@ -10,7 +10,7 @@ namespace throng::recording {
 namespace {
 
 /// No branch for each number: 0 x is 0 unless x is not finite.
-bool all_finite(const std::vector<double>& values) {
+bool all_finite(std::span<const double> values) {
   double sums[4] = {0, 0, 0, 0};
   const std::size_t whole = values.size() / 4 * 4;
   for (std::size_t i = 0; i < whole; i += 4)
@@ -19,23 +19,26 @@ bool all_finite(const std::vector<double>& values) {
   return sums[0] + sums[1] + sums[2] + sums[3] == 0.0;
 }
 
-const double* flat(const std::vector<Vec>& vectors) {
-  return vectors.empty() ? nullptr : vectors.front().data();
+std::span<const double> flat(const std::vector<Vec>& vectors) {
+  return {vectors.empty() ? nullptr : vectors.front().data(), 2 * vectors.size()};
+}
+std::span<const double> flat(const std::vector<double>& scalars) {
+  return scalars;
 }
 
-/// Moves the numbers of the rows that are present to the front. Returns how many rows they are.
-void compact(const std::vector<std::uint8_t>& is_present, std::size_t components,
-             std::vector<double>& values) {
-  std::size_t to = 0;
+/// Puts the numbers of the rows that are present to the front of `to`, which may be `from`.
+std::span<const double> compact(const std::vector<std::uint8_t>& is_present, std::size_t components,
+                                std::span<const double> from, std::vector<double>& to) {
+  std::size_t count = 0;
   for (std::size_t row = 0; row < is_present.size(); ++row)
-    for (std::size_t c = 0; is_present[row] && c < components; ++c)
-      values[to++] = values[row * components + c];
+    for (std::size_t c = 0; is_present[row] && c < components; ++c) to[count++] = from[row * components + c];
+  return std::span(to).first(count);
 }
 
 }  // namespace
 
-bool TrajectoryWriter::holds(int field, std::int64_t step) const {
-  return is_due(every(record_, static_cast<RecordField>(field)), step);
+bool TrajectoryWriter::holds(RecordField field, std::int64_t step) const {
+  return is_due(every(record_, field), step);
 }
 
 void TrajectoryWriter::append(const State& state, std::span<const ContactRow> contacts,
@@ -59,7 +62,7 @@ std::uint64_t TrajectoryWriter::append_gathered(std::int64_t step, std::uint64_t
   const double time = static_cast<double>(step) * dt_;
   FrameHash hash(step, time, state_hash);
   std::size_t bytes = write_fields(step, hash);
-  if (holds(kContacts, step)) bytes += contacts_.append(chosen(contacts), hash);
+  if (holds(RecordField::contacts, step)) bytes += contacts_.append(chosen(contacts), hash);
   if (observables_ && is_due(record_.observables, step))
     bytes += observables_.append(observables.value(), hash);
   for (Rate& rate : rates_)
@@ -73,19 +76,24 @@ std::uint64_t TrajectoryWriter::append_gathered(std::int64_t step, std::uint64_t
   return hash.value();
 }
 
-/// Brings what is due into the order of the file.
+/// A field's numbers in the order of the file: those of the state itself, where they stand so.
+std::span<const double> TrajectoryWriter::in_rows(RecordField field, const State& state) {
+  const auto from = with_field(state, field, [](const auto& numbers) { return flat(numbers); });
+  if (selection_.is_order(state.id)) return from;
+  std::vector<double>& values = fields_[index(field)].values();
+  components(field) == 2 ? selection_.bring<2>(state.id, from.data(), values)
+                         : selection_.bring<1>(state.id, from.data(), values);
+  return values;
+}
+
 void TrajectoryWriter::gather(const State& state) {
-  const double* const from[kFields] = {flat(state.position), state.angle.data(), flat(state.velocity),
-                                       state.spin.data()};
-  for (int f = 0; f < kFields; ++f) {
-    if (!holds(f, state.step)) continue;
-    std::vector<double>& values = fields_[f].values();
-    kComponents[f] == 2 ? selection_.bring<2>(state.id, from[f], values)
-                        : selection_.bring<1>(state.id, from[f], values);
-    if (!all_finite(values))
+  for (RecordField field : kBodyFields) {
+    if (!holds(field, state.step)) continue;
+    due_[index(field)] = in_rows(field, state);
+    if (!all_finite(due_[index(field)]))
       throw std::runtime_error("the state of step " + std::to_string(state.step) + " is not finite");
   }
-  if (!selection_.changes()) return;
+  if (!selection_.changes() || !has_bodies(record_, state.step)) return;
   is_present_.assign(selection_.rows(), 0);
   for (std::size_t body = 0; body < state.id.size(); ++body)
     if (const std::uint32_t row = selection_.row_of(state.id[body]); row != Selection::kNone)
@@ -95,17 +103,13 @@ void TrajectoryWriter::gather(const State& state) {
 
 /// The fields of a frame are in the file's order already.
 void TrajectoryWriter::gather(const Frame& frame) {
-  const std::vector<Vec>* vectors[kFields] = {&frame.position, nullptr, &frame.velocity, nullptr};
-  const std::vector<double>* scalars[kFields] = {nullptr, &frame.angle, nullptr, &frame.spin};
-  for (int f = 0; f < kFields; ++f) {
-    if (!holds(f, frame.step)) continue;
-    const std::size_t rows = vectors[f] ? vectors[f]->size() : scalars[f]->size();
-    if (rows != selection_.rows()) throw h5::Error(std::string(kFieldName[f]) + " is missing in a frame");
-    if (rows == 0) continue;
-    const double* values = scalars[f] ? scalars[f]->data() : vectors[f]->front().data();
-    std::copy_n(values, fields_[f].values().size(), fields_[f].values().begin());
+  for (RecordField field : kBodyFields) {
+    if (!holds(field, frame.step)) continue;
+    due_[index(field)] = with_field(frame, field, [](const auto& numbers) { return flat(numbers); });
+    if (due_[index(field)].size() != selection_.rows() * components(field))
+      throw h5::Error(std::string(name(field)) + " is missing in a frame");
   }
-  if (!selection_.changes()) return;
+  if (!selection_.changes() || !has_bodies(record_, frame.step)) return;
   is_present_ = frame.is_present;
   is_present_.resize(selection_.rows(), 1);
   keep_present(frame.step);
@@ -116,22 +120,24 @@ void TrajectoryWriter::keep_present(std::int64_t step) {
   present_.clear();
   for (std::size_t row = 0; row < is_present_.size(); ++row)
     if (is_present_[row]) present_.push_back(selection_.ids()[row]);
-  for (int f = 0; f < kFields; ++f)
-    if (holds(f, step)) compact(is_present_, static_cast<std::size_t>(kComponents[f]), fields_[f].values());
+  for (RecordField field : kBodyFields)
+    if (holds(field, step))
+      due_[index(field)] =
+          compact(is_present_, components(field), due_[index(field)], fields_[index(field)].values());
 }
 
 /// Returns the bytes that they took.
 std::size_t TrajectoryWriter::write_fields(std::int64_t step, FrameHash& hash) {
   std::size_t bytes = 0;
-  if (ids_) {
+  if (ids_ && has_bodies(record_, step)) {
     const auto ids = std::as_bytes(std::span(present_));
     hash.add(ids);
     ids_.write(ids);
+    id_times_.append(step, static_cast<double>(step) * dt_);
     bytes += ids.size();
   }
-  const std::size_t bodies = ids_ ? present_.size() : selection_.rows();
-  for (int f = 0; f < kFields; ++f)
-    if (holds(f, step)) bytes += fields_[f].append(bodies, hash);
+  for (RecordField field : kBodyFields)
+    if (holds(field, step)) bytes += fields_[index(field)].append(due_[index(field)], hash);
   return bytes;
 }
 
@@ -147,6 +153,7 @@ std::span<const ContactRow> TrajectoryWriter::chosen(std::span<const ContactRow>
 /// Those of the frames come last, and of these the hashes.
 template <class F>
 void TrajectoryWriter::for_each_log(F f) {
+  if (ids_) id_times_.for_each_log(f);
   for (Rate& rate : rates_) rate.rows.for_each_log(f);
   if (contacts_) contacts_.for_each_log(f);
   if (observables_) observables_.for_each_log(f);

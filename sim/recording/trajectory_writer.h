@@ -65,11 +65,12 @@ class TrajectoryWriter {
   void create_rates(hid_t throng);
   void create_trajectory(const Scene& scene);
   void create_ids(hid_t group);
-  void create_field(hid_t group, FieldIndex field);
+  void create_field(hid_t group, RecordField field);
   void create_sampled();
   void link_times(hid_t element, int every);
-  bool holds(int field, std::int64_t step) const;
+  bool holds(RecordField field, std::int64_t step) const;
   void gather(const State& state);
+  std::span<const double> in_rows(RecordField field, const State& state);
   void gather(const Frame& frame);
   void keep_present(std::int64_t step);
   std::uint64_t append_gathered(std::int64_t step, std::uint64_t state_hash,
@@ -90,7 +91,9 @@ class TrajectoryWriter {
   std::array<RowLog, kRows> rows_;
   std::vector<Rate> rates_;  ///< that are not those of all frames
   FrameBlocks ids_;          ///< where the recorded bodies change
-  std::array<FieldWriter, kFields> fields_;
+  RateRows id_times_;
+  std::array<FieldWriter, kBodyFields.size()> fields_;
+  std::array<std::span<const double>, kBodyFields.size()> due_;  ///< of the frame in the making
   ContactWriter contacts_;
   ObservableWriter observables_;
   std::vector<std::uint8_t> is_present_;  ///< by row of the selection, where that changes

@@ -17,6 +17,34 @@ TEST(Record, MakesAFrameWhereAnythingIsDue) {
   EXPECT_EQ(frames, (std::vector<int>{0, 4, 6, 8, 10, 12, 16, 18, 20, 24}));
 }
 
+/// It happened: observables alone, each hundred steps, made a frame of each step.
+TEST(Record, MakesNoFrameThatHoldsNothing) {
+  Record record;
+  record.position = record.angle = record.velocity = false;
+  record.observables = 10;
+  EXPECT_EQ(rates(record), std::vector<int>{10});
+  EXPECT_EQ(count_frames(record, 25), 3);
+  record.spin = true;
+  record.own_every[index(RecordField::spin)] = 4;
+  std::vector<int> frames, of_bodies;
+  for (int step = 0; step <= 12; ++step) {
+    if (is_frame(record, step)) frames.push_back(step);
+    if (has_bodies(record, step)) of_bodies.push_back(step);
+  }
+  EXPECT_EQ(frames, (std::vector<int>{0, 4, 8, 10, 12}));
+  EXPECT_EQ(of_bodies, (std::vector<int>{0, 4, 8, 12}));
+}
+
+/// Their hashes still tell one run from another.
+TEST(Record, MakesFramesOfNothingWhereNothingIsRecorded) {
+  Record record;
+  record.position = record.angle = record.velocity = false;
+  record.every = 3;
+  EXPECT_EQ(rates(record), std::vector<int>{3});
+  EXPECT_EQ(count_frames(record, 7), 3);
+  for (int step = 0; step < 7; ++step) EXPECT_EQ(is_frame(record, step), step % 3 == 0);
+}
+
 TEST(Record, GivesARateOfItsOwnOnlyToWhatIsRecorded) {
   Record record;
   record.every = 3;

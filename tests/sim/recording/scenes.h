@@ -82,6 +82,49 @@ inline State state_at(const Scene& scene, std::int64_t step) {
   return state;
 }
 
+/// None to three of them, of the first four bodies.
+inline std::vector<ContactRow> contacts_at(std::int64_t step) {
+  std::vector<ContactRow> rows;
+  for (std::int64_t k = 0; k < step % 4; ++k)
+    rows.push_back({static_cast<std::uint32_t>(1 + k),
+                    k == 0 ? 0 : static_cast<std::uint32_t>(2 + k),
+                    0.5 * static_cast<double>(step + k),
+                    {0.25 * static_cast<double>(k), 1.0}});
+  return rows;
+}
+
+/// Adds each step from `first` to `last` at which a frame is due.
+inline void record_steps(Recorder& recorder, const Scene& scene, std::int64_t first, std::int64_t last) {
+  for (std::int64_t step = first; step <= last; ++step)
+    if (is_frame(scene.record, step)) recorder.record(state_at(scene, step), contacts_at(step));
+}
+
+/// A recording of the steps up to `last`.
+inline void record_run(const std::string& path, const Scene& scene, std::int64_t last) {
+  Recorder recorder(path, scene, provenance());
+  record_steps(recorder, scene, 0, last);
+  recorder.finish();
+}
+
+inline int& own_every(Scene& scene, RecordField field) {
+  return scene.record.own_every[index(field)];
+}
+
+/// All that may be asked of a recording: of some bodies, at several rates, contacts, observables, and
+/// positions quantized, or of who is in a region of the mixed scene, as float32.
+inline Record full_record(bool region) {
+  Record record;
+  record.every = 2;
+  record.contacts = record.spin = true;
+  record.own_every[index(RecordField::velocity)] = 3;
+  record.observables = 5;
+  record.ids = {1, 2, 3, 4, 6};
+  record.quantum = region ? 0.0 : 1e-3;
+  record.single = region;
+  if (region) record.within = Eigen::AlignedBox2d(Vec(1.0, -3.0), Vec(3.502, 9.0));
+  return record;
+}
+
 /// Records `frames` states of the drift above, a frame each `record.every` steps, and finishes.
 inline void record_drift(const std::string& path, const Scene& scene, int frames) {
   Recorder recorder(path, scene, provenance());

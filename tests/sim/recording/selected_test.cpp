@@ -14,28 +14,6 @@ namespace {
 using namespace testing_recordings;
 using testing::HasSubstr;
 
-int& own_every(Scene& scene, RecordField field) {
-  return scene.record.own_every[static_cast<std::size_t>(field)];
-}
-
-std::vector<ContactRow> contacts_at(std::int64_t step) {
-  std::vector<ContactRow> rows;
-  for (std::int64_t k = 0; k < step % 4; ++k)
-    rows.push_back({static_cast<std::uint32_t>(1 + k),
-                    k == 0 ? 0 : static_cast<std::uint32_t>(2 + k),
-                    0.5 * static_cast<double>(step + k),
-                    {0.25 * static_cast<double>(k), 1.0}});
-  return rows;
-}
-
-/// Records each step up to `last` at which a frame is due.
-void record_run(const std::string& path, const Scene& scene, std::int64_t last) {
-  Recorder recorder(path, scene, provenance());
-  for (std::int64_t step = 0; step <= last; ++step)
-    if (is_frame(scene.record, step)) recorder.record(state_at(scene, step), contacts_at(step));
-  recorder.finish();
-}
-
 TEST(Selected, FieldsAreInTheFramesOfTheirOwnRate) {
   const Folder folder;
   Scene scene = mixed_scene(20);
@@ -154,6 +132,26 @@ TEST(Selected, RegionsHoldWhoIsInThem) {
   EXPECT_GT(least, 100u) << "some are in";
   EXPECT_LT(most, 600u) << "some are out";
   EXPECT_LT(least, most) << "some come or go";
+}
+
+/// Frames of observables alone say nothing of who is in the region, and go on from anywhere, too.
+TEST(Selected, RegionsHoldNobodyWhereNothingOfBodiesIsDue) {
+  const Folder folder;
+  Scene scene = mixed_scene(30);
+  scene.record.within = Eigen::AlignedBox2d(Vec(3, -30), Vec(12.5, 20));
+  scene.record.every = 4;
+  scene.record.observables = 6;
+  own_every(scene, RecordField::velocity) = 8;
+  record_run(folder / "a.h5", scene, 24);
+  const Recording recording(folder / "a.h5");
+  ASSERT_EQ(recording.frames(), 9u);
+  for (std::size_t i = recording.frames(); i-- > 0;) {
+    const Frame frame = recording.frame(i);
+    EXPECT_EQ(frame.bodies() > 0, frame.step % 4 == 0) << frame.step;
+    EXPECT_EQ(frame.position.empty(), frame.step % 4 != 0) << frame.step;
+    EXPECT_EQ(frame.velocity.empty(), frame.step % 8 != 0) << frame.step;
+    EXPECT_EQ(frame.observables.has_value(), frame.step % 6 == 0) << frame.step;
+  }
 }
 
 TEST(Selected, EmptyRegionsAreFramesToo) {
@@ -289,8 +287,7 @@ TEST(Selected, GoesOnFromAnyFrameAsIfNeverStopped) {
       {
         const Recording before(path + ".part");
         Recorder recorder(path, scene, provenance(), before, kept);
-        for (std::int64_t step = kept == 0 ? 0 : whole.steps()[kept - 1] + 1; step <= 40; ++step)
-          if (is_frame(scene.record, step)) recorder.record(state_at(scene, step), contacts_at(step));
+        record_steps(recorder, scene, kept == 0 ? 0 : whole.steps()[kept - 1] + 1, 40);
         recorder.finish();
       }
       const Recording again(path);
