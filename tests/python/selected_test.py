@@ -89,6 +89,28 @@ class Selected(Program):
                 for row, some in zip(ids[:], inside):
                     np.testing.assert_array_equal(row[row != ids.fillvalue], np.flatnonzero(some) + 1)
 
+    def test_frames_without_bodies_hold_no_ids(self):
+        with self.whole() as whole, self.selected(
+                "every=4", "observables=6", "within=[[0.75, 0], [1.8, 3]]") as recording:
+            np.testing.assert_array_equal(recording.step, [0, 4, 6, 8, 12, 16, 18, 20])
+            every = whole.position[::4]
+            inside = (every[..., 0] >= 0.75) & (every[..., 0] <= 1.8)
+            np.testing.assert_array_equal(recording.position[recording.position.frames],
+                                          np.where(inside[..., None], every, np.nan))
+            with h5py.File(self.path("selected.h5")) as file:
+                np.testing.assert_array_equal(file["particles/trajectory/id/step"], range(0, 21, 4))
+                self.assertEqual(len(file["particles/trajectory/id/value"]), 6)
+        self.assertEqual(self.throng("export", "selected.h5", "--format", "csv", "-o", "a.csv"), (0, ""))
+        with open(self.path("a.csv"), encoding="utf8") as file:
+            self.assertEqual({int(row["step"]) % 4 for row in csv.DictReader(file)}, {0})
+        self.assertEqual(self.throng("resume", "selected.h5", "--until", "0.4", "--progress", "none")[0], 0)
+        self.assertEqual(self.throng("replay", "selected.h5", "--verify"), (0, ""))
+
+    def test_observables_alone_make_the_frames_that_hold_them(self):
+        with self.selected("fields=[]", "observables=5") as recording:
+            np.testing.assert_array_equal(recording.step, range(0, 21, 5))
+            self.assertEqual(len(recording.observables["momentum"][0]), 5)
+
     def test_contacts_and_observables_are_read(self):
         with self.whole() as whole, self.selected(
                 "fields=['position', 'contacts']", "observables=4") as recording:
@@ -210,8 +232,7 @@ class Forged(Program):
     def refuses(self, path, *datasets):
         sound = pathlib.Path(path).read_bytes()
         self.assertEqual(self.throng("info", path)[0], 0)
-        for wrong, said in ((lambda rows: rows[:], "the steps and times of samples are not those of their frames"),
-                            (lambda rows: rows[:-1], "(step|time) has too few frames")):
+        for wrong in (lambda rows: rows[:], lambda rows: rows[:-1]):
             for name in datasets:
                 pathlib.Path(path).write_bytes(sound)
                 with h5py.File(path, "r+", libver="latest") as file:
@@ -221,7 +242,31 @@ class Forged(Program):
                     file.create_dataset(name, data=wrong(own), chunks=(512,), maxshape=(None,))
                 code, error = self.throng("info", path)
                 self.assertEqual(code, 2, name)
-                self.assertRegex(error, f"^throng: {path} is damaged: {said}\n$")
+                self.assertRegex(error, f"^throng: {path} is damaged: (the steps and times of samples are not those of their frames"
+                                        r"|(step|time|id) has too few frames)\n$")
+
+    def test_sizes_beyond_those_of_the_file_are_refused(self):
+        """A megabyte of zeros, deflated, or nothing at all may claim any number of rows, and any size of chunk."""
+        options = ("fields=['position', 'contacts']", "observables=4")
+        whole = self.recorded("whole.h5", *options), "f8", {"fletcher32": True}
+        quantized = self.recorded("quantized.h5", *options, "quantize=0.01"), "u4", {
+            "fletcher32": True, "shuffle": True, "compression": "gzip"}
+        for (path, number, filters), name, more in (
+                (whole, "particles/trajectory/position/value", (4, 2)), (quantized, "throng/quantized/position", (4, 2)),
+                (whole, "throng/contacts/point", (2,)), (whole, "observables/momentum/value", (2,))):
+            sound = pathlib.Path(path).read_bytes()
+            for rows, chunk, said in ((10 ** 10, (1, *more), "claims more than the file can hold"),
+                                      (21, (1 << 22, *more), "chunks (that are too large|of another form)|not stored frame by frame")):
+                pathlib.Path(path).write_bytes(sound)
+                with h5py.File(path, "r+", libver="latest") as file:
+                    del file[name]
+                    file.create_dataset(name, (rows, *more), number, chunks=chunk, maxshape=(None, *more), **filters)
+                code, error = self.throng("info", path)
+                self.assertEqual(code, 2, (name, rows))
+                self.assertRegex(error, said)
+                with self.assertRaisesRegex(ValueError, said), throng_read.open(path) as recording:
+                    recording.contacts(0), recording.observables
+            pathlib.Path(path).write_bytes(sound)
 
     def recorded(self, name, *record):
         return self.record(name, *(word for part in record for word in ("--set", "record." + part)))

@@ -198,7 +198,7 @@ class Refusals(Program):
             "is no hard link": replaced(hash_, lambda f, n: f.__setitem__(n, h5py.SoftLink("/throng/frames/step"))),
             "is no dataset of its own": replaced(value, lambda f, n: f.create_dataset(
                 n, (21, 4, 2), "f8", external=[(secret, 0, h5py.h5f.UNLIMITED)])),
-            "is larger than the file": replaced(hash_, lambda f, n: f.create_dataset(
+            "claims more than the file can hold": replaced(hash_, lambda f, n: f.create_dataset(
                 n, (10**12,), "u8", chunks=(1000,))),
             "has another form": replaced(value, lambda f, n: f.create_dataset(n, (20, 4, 2), "f8")),
             "has holes": lambda f: f[hash_].__setitem__(5, 0),
@@ -219,7 +219,7 @@ class Refusals(Program):
             file["observables/momentum/value"].resize((10**12, 2))
         with throng_read.open(path) as recording:
             for read in (lambda: recording.contacts(0), lambda: recording.observables):
-                self.assertRaisesRegex(ValueError, "is larger than the file", read)
+                self.assertRaisesRegex(ValueError, "claims more than the file can hold", read)
         with h5py.File(path, "r+") as file:
             del file["throng/quantized/position"]
             file["throng/quantized"].create_dataset("position", (21, 4, 2), "u4", chunks=(21, 4, 2), compression=1)

@@ -20,6 +20,7 @@ none, nor do the lists of frames: `throng replay --verify`, or any export by thr
 their frame. Where a file is no recording, `open` raises
 NotARecording with one sentence. The layout is that of sim/recording/layout.h, which says what each name means.
 """
+import math
 import os
 from collections import namedtuple
 
@@ -29,7 +30,8 @@ import numpy as np
 MAJOR = 1  # of the layouts that this file reads
 SIGNATURE = b"\x89HDF\r\n\x1a\n"
 MOST_CHUNK = 16 << 20  # bytes, unpacked
-SLACK = 1 << 20  # bytes by which the file of a killed run may fall short of what it declares
+SLACK = 64_000_000  # bytes by which the file of a run that did not end may fall short of what it declares
+DENSEST = 1032  # bytes that deflate can make of one
 
 Frame = namedtuple("Frame", "step time hash position angle velocity spin")  # None where the frame has none
 Contacts = namedtuple("Contacts", "a b impulse point")  # ids, 0 for obstacles; N s; (x, y) in m
@@ -135,12 +137,12 @@ class Quantized:
 class Region:
     """A field of bodies that come and go, a row for each that ever may: NaN while it is away."""
 
-    def __init__(self, values, present, frames, ids):
-        self._values, self._present, self._frames, self._ids = values, present, frames, ids
+    def __init__(self, values, present, samples, frames, ids):
+        self._values, self._present, self._samples, self._frames, self._ids = values, present, samples, frames, ids
         self.shape, self.dtype = values.shape, values.dtype
 
     def __getitem__(self, sample):
-        found = self._present[int(self._frames[sample])]
+        found = self._present[int(self._samples[sample])]
         behind = found[np.count_nonzero(found):]
         found = found[:np.count_nonzero(found)]
         if behind.any() or not np.isin(found, self._ids).all() or not (np.diff(found.astype("i8")) > 0).all():
@@ -185,6 +187,7 @@ class Recording:
         changes = "throng/bodies/id" in self._file  # bodies come into a region, and leave it
         self.ids = self._all("throng/bodies/id" if changes else "particles/trajectory/id")
         self._present = self._get("particles/trajectory/id/value") if changes else None
+        self._present_step = self._all("particles/trajectory/id/step") if changes else None
         for field in ("position", "angle", "velocity", "spin"):
             setattr(self, field, self._field(f"particles/trajectory/{field}"))
         if "throng/quantized" in self._file:
@@ -253,21 +256,28 @@ class Recording:
     def _field(self, path):
         if path not in self._file:
             return None
-        frames, values = self._frames_of(path), self._get(path + "/value")
+        frames = self._frames_of(path)
+        values = (self._get if self._present is not None else self._bounded)(path + "/value")
         if values.dtype.kind != "f" or values.shape[0] < len(frames) or values.shape[1] != len(self.ids):
             raise ValueError(f"{path} has another form")
         if self._present is not None:
-            if self._present.shape[0] < len(self) or self._present.shape[1:] != (len(self.ids),):
-                raise ValueError("particles/trajectory/id has another form")
-            values = Region(values, self._present, frames, self.ids)
+            values = Region(values, self._present, self._samples_of_ids(frames), frames, self.ids)
         return Field(path.rpartition("/")[2], values, frames, self.time)
 
+    def _samples_of_ids(self, frames):
+        """The rows of id that are these frames."""
+        samples = np.searchsorted(self._present_step, self.step[frames])
+        if self._present.shape[1:] != (len(self.ids),) or (samples >= len(self._present)).any() or \
+                not np.array_equal(self._present_step[samples], self.step[frames]):
+            raise ValueError("particles/trajectory/id has another form")
+        return samples
+
     def _quantized(self, path):
-        frames, stored = self._frames_of(path), self._get(path + "/position")
+        frames, stored = self._frames_of(path), self._bounded(path + "/position", DENSEST)
         if stored.dtype != np.dtype("u4") or stored.shape[0] < len(frames) or stored.shape[1:] != (len(self.ids), 2):
             raise ValueError(f"{path} has another form")
         rows, bodies, columns = stored.chunks or (0, 0, 0)
-        if rows != 1 or bodies > len(self.ids) or columns != 2 or 8 * bodies > MOST_CHUNK:
+        if rows != 1 or not 0 < bodies <= max(1, len(self.ids)) or columns != 2:
             raise ValueError(f"{path} has chunks of another form")
         return Field("position", Quantized(self._file[path]), frames, self.time)
 
@@ -300,13 +310,16 @@ class Recording:
         dataset = self._file[path]
         if not isinstance(dataset, h5py.Dataset) or dataset.is_virtual or dataset.external:
             raise ValueError(f"{path} is no dataset of its own")
+        if math.prod(dataset.chunks or ()) * dataset.dtype.itemsize > MOST_CHUNK:
+            raise ValueError(f"{path} has chunks that are too large")
         return dataset
 
-    def _bounded(self, path):
+    def _bounded(self, path, density=1):
         """One that claims no more than the file can hold."""
         dataset = self._get(path)
-        if dataset.size * dataset.dtype.itemsize > os.path.getsize(self._path) + SLACK:
-            raise ValueError(f"{path} is larger than the file")
+        room = os.path.getsize(self._path) + (SLACK if self._file.swmr_mode else 0)
+        if math.prod(dataset.shape) * dataset.dtype.itemsize > density * room:
+            raise ValueError(f"{path} claims more than the file can hold")
         return dataset
 
     def _all(self, path):
