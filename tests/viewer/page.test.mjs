@@ -7,6 +7,23 @@ import { alter, browser, GAS, MIXED, path, record, throng } from "./helper.mjs";
 
 const EVIL = MIXED.replace('name = "mixed"', 'name = "<script>document.title=1</script><img src=x onerror=document.title=2>"');
 
+const AREAS = `throng = 1
+name = "areas"
+time = { dt = 0.01, until = 0.2 }
+walkable = "POLYGON ((0 0, 10 0, 10 5, 0 5, 0 0))"
+[areas]
+start = "POLYGON ((0 0, 2 0, 2 5, 0 5, 0 0), (0.5 2, 1.5 2, 1.5 3, 0.5 3, 0.5 2))"
+"<b>exit</b>" = [[9, 2], [10, 2], [10, 3], [9.5, 2.3], [9, 3]]
+[shapes]
+ball = { disc = { radius = 0.1 } }
+[[bodies]]
+shape = "ball"
+at = [4, 1]
+[[bodies]]
+shape = "ball"
+at = [6, 1]
+`;
+
 let chromium;
 
 before(async () => {
@@ -198,6 +215,34 @@ test("bodies that come and go are drawn while they are there, and counted", asyn
   await page.waitForFunction(() => globalThis.replay.shown?.frame === 99);
   assert.equal(await page.evaluate(() => globalThis.replay.following), true);
   assert.ok(Number.isFinite(await page.evaluate(() => globalThis.replay.camera.x)));
+  assert.deepEqual(errors, []);
+  await done();
+});
+
+test("areas are filled and named, and those who go together have a colour of their own", async () => {
+  record("areas", AREAS);
+  const { page, errors, done } = await visit("mixed.html");
+  await page.setInputFiles("#file", path("areas.h5"));
+  await page.waitForFunction(() => globalThis.replay?.description.areas.length === 2 && globalThis.replay.shown);
+  await page.evaluate(() => { globalThis.replay.camera.fit([0, 0, 10, 5]); globalThis.replay.dirty = true; });
+  await page.waitForSelector("#areas span.goal", { state: "detached" });  // nobody goes anywhere
+  assert.deepEqual(await page.locator("#areas span:visible").allTextContents(), ["<b>exit</b>", "start"]);
+  const shade = (x, y) => page.evaluate(([x, y]) => {
+    const { stage: { gl, canvas }, camera } = globalThis.replay, [px, py] = camera.pixel(x, y), ratio = canvas.width / camera.width, bytes = new Uint8Array(4);
+    globalThis.replay.dirty = true;
+    globalThis.replay.tick(0);
+    gl.readPixels(Math.round(px * ratio), canvas.height - Math.round(py * ratio), 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+    return [...bytes.subarray(0, 3)];
+  }, [x, y]);
+  const [start, hole, notch, floor] = [await shade(1, 4.2), await shade(1, 2.5), await shade(9.5, 2.7), await shade(5, 4)];
+  assert.deepEqual([hole, notch, floor], [[255, 255, 255], [255, 255, 255], [255, 255, 255]]);
+  assert.ok(start[0] < 240 && start[2] > 245, `${start}`);
+  assert.ok((await shade(9.2, 2.2))[0] < 240);
+  await page.selectOption("#colouring", "group");
+  assert.match(await text(page, "legend"), /ball 1.*ball 2/);
+  await page.keyboard.press("g");
+  await page.waitForFunction(() => [...document.querySelectorAll("#areas span")].every(label => label.hidden));
+  assert.deepEqual(await shade(1, 4.2), [255, 255, 255]);
   assert.deepEqual(errors, []);
   await done();
 });

@@ -10,9 +10,8 @@ import { count, length, short, si, toStep } from "../../tools/viewer/src/view/fo
 import { framing } from "../../tools/viewer/src/view/framing.js";
 import { Frames } from "../../tools/viewer/src/view/frames.js";
 import { mesh, rounded } from "../../tools/viewer/src/view/mesh.js";
-import { KINEMATIC, PLAIN, ramp, STATIC, table } from "../../tools/viewer/src/view/palette.js";
+import { GROUP, KINEMATIC, PLAIN, ramp, STATIC, table } from "../../tools/viewer/src/view/palette.js";
 import { frameAt, Player, speeds } from "../../tools/viewer/src/view/player.js";
-import { gravityOf } from "../../tools/viewer/src/reader/scene.js";
 import { niceTop, percentile99, spread } from "../../tools/viewer/src/reader/overview.js";
 import { coarseFirst } from "../../tools/viewer/src/reader/scan.js";
 import { samples } from "../../tools/viewer/src/trails.js";
@@ -24,7 +23,7 @@ const pair = { name: "pair", kind: 2, radius: 1, gyration2: 1, outline: new Floa
 
 function scene(shapes, rows, kinds = rows.map(() => 0)) {
   const n = rows.length, column = values => Float64Array.from(values);
-  return { name: "s", description: "", version: "", domain: UNBOUNDED, gravity: [0, -1], shapes, materials: ["default"], walls: [], fields: ["position", "velocity"], times: column([0, 1]), steps: column([0, 1]), complete: true,
+  return { name: "s", description: "", version: "", domain: UNBOUNDED, gravity: [0, -1], shapes, materials: ["default"], walls: [], areas: [], groups: [], fields: ["position", "velocity"], times: column([0, 1]), steps: column([0, 1]), complete: true,
            bodies: { count: n, changes: false, id: column(rows.map((_, i) => i + 1)), shape: column(rows), material: new Float64Array(n), kind: column(kinds), radius: new Float64Array(n).fill(0.5), mass: new Float64Array(n).fill(1) } };
 }
 
@@ -41,6 +40,12 @@ test("fitting shows all of an extent, with room for legend and scale", () => {
   camera.fit([0, 0, 10, 100]);
   assert.deepEqual([camera.x, camera.y], [5, 50]);
   assert.ok(camera.world(0, 38)[1] >= 100 - 1e-9 && camera.world(0, 562)[1] <= 1e-9);
+});
+
+test("a place and its pixel are one another's", () => {
+  const camera = Object.assign(new Camera(), { width: 800, height: 600, x: 3, y: -2, scale: 40 }), [px, py] = camera.pixel(5, 1);
+  assert.deepEqual([px, py], [480, 180]);
+  assert.deepEqual(camera.world(px, py), [5, 1]);
 });
 
 test("dragging moves what is seen with the pointer", () => {
@@ -201,6 +206,15 @@ test("colours are those that say something of the recording", () => {
   assert.deepEqual(keys({ ...scene([disc, box], [0, 1]), fields: ["position"] }), ["shape", "id", "overlap", "plain"]);
 });
 
+test("groups are told apart where shapes do not do it", () => {
+  const groups = [{ name: "left", first: 1, count: 2 }, { name: "right", first: 3, count: 3 }], none = { topSpeed: 1, starts: { heights: new Float64Array(5), low: 0, high: 0 } };
+  const d = { ...scene([disc, box], [0, 1, 0, 1, 1]), groups }, by = colourings(d, none).find(({ key }) => key === "group");
+  assert.deepEqual(by.legend.groups.map(({ name }) => name), ["left", "right"]);
+  assert.deepEqual([0, 1, 2, 3, 4].map(row => by.place(row, {}) - GROUP), [0, 0, 1, 1, 1]);
+  const chosen = { ...d, bodies: { ...scene([disc, box], [0, 1, 1]).bodies, id: Float64Array.of(2, 4, 5) } };
+  assert.equal(colourings(chosen, none).some(({ key }) => key === "group"), false);
+});
+
 test("agents move by themselves; who is not known to be fast or high has a plain colour", () => {
   const d = scene([disc], [0, 0], [3, 3]), places = new Float32Array(2), all = colourings(d, { topSpeed: 2, starts: { heights: Float64Array.of(0, NaN), low: 0, high: 1 } });
   colour(all[0], d, { values: { velocity: Float64Array.of(2, 0, NaN, NaN) } }, places);
@@ -264,6 +278,7 @@ test("lines of axes are round and few", () => {
   assert.deepEqual(ticks(0, 10), [0, 5, 10]);
   assert.deepEqual(ticks(0, 0.8, 5), [0, 0.2, 0.4, 0.6, 0.8]);
   assert.deepEqual(ticks(3, 3), []);
+  assert.deepEqual(axis({ curves: [{ value: p => p.largest }] }, [{ largest: 0 }, { largest: NaN }]).lines, []);
   const points = [1e-5, 1e-4, 1e-2].map((largest, frame) => ({ frame, time: frame, largest }));
   const { at, lines } = axis({ curves: [{ value: p => p.largest }], decades: true }, points);
   assert.deepEqual(lines, [1e-4, 1e-3, 1e-2]);
@@ -292,12 +307,6 @@ test("trails take the same frames until time is a sample further", () => {
   assert.deepEqual(samples(7, 3), { first: 0, frames: [0, 3, 6] });
   assert.deepEqual(samples(8, 3), samples(7, 3));
   assert.equal(samples(300, 3).frames.length, 24);
-});
-
-test("gravity is that of the head of the scenario, or none", () => {
-  assert.deepEqual(gravityOf("throng = 1\ngravity = [0.0, -9.81]\n[shapes]\n"), [0, -9.81]);
-  assert.deepEqual(gravityOf("throng = 1\n[shapes]\ngravity = [1, 2]\n"), [0, 0]);
-  assert.equal(gravityOf("something else"), null);
 });
 
 test("numbers read well", () => {

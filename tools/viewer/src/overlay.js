@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is drawn under and over the bodies: domain and walls; contacts; the picked body, its sensing radius and whom it senses.
+// What is drawn under and over the bodies: areas, domain and walls; contacts; the picked body, its sensing radius and whom it senses.
 import { Lines } from "./gl/lines.js";
 import { styleColour } from "./ui/dom.js";
 
@@ -7,6 +7,7 @@ const FAR = 300;  // views between camera and anchor from which places are kept 
 
 export class Overlay {
   paper = [255, 255, 255];
+  showAreas = true;
   #anchor = [NaN, NaN];
 
   /** @param {import("./reader/recording.js").Description} description @param {import("./gl/stage.js").Stage} stage @param {number} radius  m, of a typical body */
@@ -20,7 +21,7 @@ export class Overlay {
   /** Takes the colours of the page's style. */
   restyle() {
     this.paper = styleColour("--paper");
-    this.colours = { wall: styleColour("--wall"), domain: styleColour("--domain"), link: styleColour("--link"), pick: styleColour("--pick") };
+    this.colours = { wall: styleColour("--wall"), domain: styleColour("--domain"), link: styleColour("--link"), pick: styleColour("--pick"), area: styleColour("--area"), goal: styleColour("--goal") };
     this.#anchor = [NaN, NaN];
   }
 
@@ -36,11 +37,20 @@ export class Overlay {
     this.#picked(view, what);
   }
 
-  /** Domain and walls. @param {import("./gl/stage.js").View} view */
+  /** Areas show, or not. @param {boolean} on */
+  setAreas(on) {
+    this.showAreas = on;
+    this.#anchor = [NaN, NaN];
+  }
+
+  /** Areas, domain and walls. @param {import("./gl/stage.js").View} view */
   #still(view) {
     this.#anchor = [view.x, view.y];
     const lines = new Lines(this.#anchor), { domain, walls } = this.description, colours = this.colours;
     if (!colours) return;
+    const areas = this.showAreas ? this.description.areas : [];
+    this.stage.areas.load(this.#anchor, areas.map(({ rings, goal }) => ({ rings, colour: [...(goal ? colours.goal : colours.area), goal ? 0.16 : 0.1] })));
+    for (const { rings, goal } of areas) for (const points of rings) lines.path(points, true, 1.5, goal ? colours.goal : colours.area, 4);
     const [left, bottom] = domain.min, [right, top] = domain.max;
     if (domain.kind !== "unbounded") lines.path([left, bottom, right, bottom, right, top, left, top], true, 2, colours.domain, domain.kind === "periodic" ? 6 : 0);
     for (const { points, closed } of walls) lines.path(points, closed, 2.5, colours.wall);

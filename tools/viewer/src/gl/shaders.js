@@ -132,3 +132,12 @@ in vec4 colour; in float across, alpha;
 uniform float width;
 out vec4 shown;
 void main() { shown = colour * alpha * clamp(0.5 * width - abs(across) + 0.5, 0.0, 1.0); }`];
+
+export const AREA = [`
+layout(location = 0) in vec2 point;  // m, from the anchor
+uniform vec2 pixels, anchor;
+uniform float scale;
+void main() { gl_Position = vec4(2.0 * (point + anchor) * scale / pixels, 0.0, 1.0); }`, `
+uniform vec4 paint;
+out vec4 shown;
+void main() { shown = paint; }`];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The picture: what lies behind, the bodies, what is drawn over them.
+import { AreaPainter } from "./areas.js";
 import { BodyPainter } from "./bodies.js";
 import { LinePainter } from "./lines.js";
 import { WIDTH } from "./shaders.js";
@@ -14,10 +15,11 @@ import { TrailPainter } from "./trails.js";
 export class Stage {
   /** Throws where the browser has no WebGL2. @param {HTMLCanvasElement} canvas */
   constructor(canvas) {
-    const gl = canvas.getContext("webgl2", { antialias: true, alpha: false, powerPreference: "high-performance", preserveDrawingBuffer: false });
+    const gl = canvas.getContext("webgl2", { antialias: true, alpha: false, stencil: true, powerPreference: "high-performance", preserveDrawingBuffer: false });
     if (!gl) throw new Error("this browser has no WebGL2, which the picture needs");
     this.gl = gl;
     this.canvas = canvas;
+    this.areas = new AreaPainter(gl);
     this.under = new LinePainter(gl);
     this.over = new LinePainter(gl);
     this.links = new LinePainter(gl);
@@ -67,12 +69,13 @@ export class Stage {
     const { gl, canvas } = this;
     gl.viewport(0, 0, canvas.width, canvas.height);
     gl.clearColor(r / 255, g / 255, b / 255, 1);
-    gl.clear(gl.COLOR_BUFFER_BIT);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.STENCIL_BUFFER_BIT);
   }
 
   /** @param {View} view @param {{turns: boolean, trail: {first: number, frames: number[], longest: number} | null, links: boolean}} what */
   draw(view, { turns, trail, links }) {
     const { gl } = this;
+    this.areas.draw(view);
     this.under.draw(view);
     this.#clip(view, () => {
       gl.activeTexture(gl.TEXTURE1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What of a recording never changes: names, domain, shapes, bodies, walls. The file's form is sim/recording/layout.h.
 import { attribute, BadFile, damaged, numbers, texts } from "./h5.js";
+import { areasOf, gravityOf, groupsOf, sections } from "./scenario.js";
 
 /**
  * @typedef {import("./h5.js").OpenFile} File
@@ -14,7 +15,7 @@ import { attribute, BadFile, damaged, numbers, texts } from "./h5.js";
  * @typedef {{points: Float64Array, closed: boolean}} Wall
  * @typedef {{kind: "unbounded" | "box" | "periodic", min: number[], max: number[]}} Domain
  * @typedef {{name: string, description: string, version: string, domain: Domain, gravity: number[] | null, shapes: Shape[],
- *   materials: string[], bodies: Bodies, walls: Wall[]}} Scene
+ *   materials: string[], bodies: Bodies, walls: Wall[], areas: import("./scenario.js").Area[], groups: import("./scenario.js").Group[]}} Scene
  */
 
 /** @param {any} value @returns {string} */
@@ -102,18 +103,6 @@ function readWalls(file) {
   return lines.map((points, i) => ({ points, closed: closed[i] !== 0 }));
 }
 
-/**
- * Gravity as the resolved scenario has it, whose first lines are throng's own print; null where it can't be told.
- * @param {string} resolved
- */
-export function gravityOf(resolved) {
-  const head = resolved.split(/^\s*\[/m, 1)[0], number = "([-+0-9.eE]+)";
-  const found = new RegExp(`^gravity\\s*=\\s*\\[\\s*${number}\\s*,\\s*${number}\\s*\\]`, "m").exec(head);
-  if (!found) return /^throng\s*=/m.test(head) ? [0, 0] : null;
-  const gravity = [Number(found[1]), Number(found[2])];
-  return gravity.every(Number.isFinite) ? gravity : null;
-}
-
 /** Throws unless this program can read the file. @param {File} file */
 export function expectVersion(file) {
   const version = attribute(file.get("throng"), "version");
@@ -125,8 +114,10 @@ export function expectVersion(file) {
 export function readScene(file) {
   expectVersion(file);
   const throng = file.get("throng"), shapes = readShapes(file), materials = texts(file, "throng/materials/name", [-1]);
-  const [resolved] = texts(file, "parameters/resolved", []);
+  const scenario = sections(texts(file, "parameters/resolved", [])[0] ?? ""), parameters = file.get("parameters");
+  const bodies = readBodies(file, shapes.length, materials.length);
   return { name: text(attribute(throng, "name")), description: text(attribute(throng, "description")),
-           version: text(attribute(file.get("parameters"), "version")), domain: readDomain(file), gravity: gravityOf(resolved),
-           shapes, materials, bodies: readBodies(file, shapes.length, materials.length), walls: readWalls(file) };
+           version: text(attribute(parameters, "version")), domain: readDomain(file), gravity: gravityOf(scenario),
+           shapes, materials, bodies, walls: readWalls(file), areas: areasOf(scenario),
+           groups: groupsOf(scenario, Number(attribute(parameters, "bodies") ?? bodies.count)) };
 }

@@ -8,6 +8,7 @@ import { speeds } from "../view/player.js";
 import { byId, fillSelect, isDark } from "./dom.js";
 import { facts, showFacts, showSensed } from "./inspector.js";
 import { bindKeys } from "./keys.js";
+import { Labels } from "./labels.js";
 import { showLegend } from "./legend.js";
 import { bindPointer } from "./pointer.js";
 
@@ -19,6 +20,7 @@ const RANGE = 1000;  // steps of the slider of the sensing radius: from 1 to 100
 export class Controls {
   replay = /** @type {Replay | null} */ (null);
   charts = /** @type {import("./charts.js").Charts | null} */ (null);
+  #labels = new Labels([]);
   #last = 0;
   #told = 0;
 
@@ -47,6 +49,9 @@ export class Controls {
     const seconds = [0, 0.02, 0.1, 0.4].map(part => Number(roundBelow(Math.max(1e-12, part * (player.last - player.first))).toPrecision(1)));
     fillSelect(byId("trails"), seconds.map((s, i) => ({ value: i === 0 ? "0" : String(s), text: i === 0 ? "none" : `${short(s)} s` })), "0");
     byId("contacts").checked = false;
+    byId("areas-row").hidden = d.areas.length === 0;
+    byId("show-areas").checked = true;
+    this.#labels = new Labels(d.areas);
     byId("pick").max = bodies.id[bodies.count - 1] ?? 1;
     player.loop = byId("loop").checked;
     this.#pick(-1);
@@ -66,7 +71,10 @@ export class Controls {
   #tick(at) {
     const { replay } = this, seconds = Math.min(0.1, (at - this.#last) / 1000);
     this.#last = at;
-    if (replay && replay.tick(seconds)) this.#tell(replay, at);
+    if (replay && replay.tick(seconds)) {
+      this.#labels.show(replay.camera, replay.overlay.showAreas);
+      this.#tell(replay, at);
+    }
     requestAnimationFrame(next => this.#tick(next));
   }
 
@@ -139,6 +147,7 @@ export class Controls {
     });
     byId("trails").onchange = this.#with(({ trails }) => { trails.seconds = Number(byId("trails").value); });
     byId("contacts").onchange = this.#with(replay => { replay.showContacts = byId("contacts").checked; replay.need(); });
+    byId("show-areas").onchange = this.#with(({ overlay }) => overlay.setAreas(byId("show-areas").checked));
     byId("pick").onchange = this.#with(({ description: { bodies } }) => this.#pick(bodies.id.indexOf(Number(byId("pick").value))));
     byId("follow").onclick = this.#follow;
     byId("radius").oninput = this.#with(replay => this.#radius(replay.radius * 100 ** (Number(byId("radius").value) / RANGE)));
@@ -219,6 +228,7 @@ export class Controls {
       { keys: ["c"], shown: "C", says: "other colours", does: () => this.#choose("colouring", 1) },
       { keys: ["t"], shown: "T", says: "other trails", does: () => this.#choose("trails", 1) },
       { keys: ["k"], shown: "K", says: "contacts", does: () => byId("contacts").click() },
+      { keys: ["g"], shown: "G", says: "areas", does: () => byId("show-areas").click() },
       { keys: ["p"], shown: "P", says: "panel", does: () => byId("panel-toggle").click() },
       { keys: ["o"], shown: "O", says: "open another recording", does: () => byId("open").click() },
       { keys: ["?"], shown: "?", says: "these keys", does: () => byId("keys").showModal() },

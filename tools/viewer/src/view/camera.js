@@ -33,6 +33,11 @@ export class Camera {
     this.fitted = false;
   }
 
+  /** The pixel over a place. @param {number} x @param {number} y */
+  pixel(x, y) {
+    return [this.width / 2 + (x - this.x) * this.scale, this.height / 2 - (y - this.y) * this.scale];
+  }
+
   /** The place under a pixel. @param {number} px @param {number} py */
   world(px, py) {
     return [this.x + (px - this.width / 2) / this.scale, this.y - (py - this.height / 2) / this.scale];

@@ -28,9 +28,25 @@ function ranked(group, kind, names) {
   return { names: [...rank.keys()].map(value => names[value] || "(no name)"), rank: (/** @type {number} */ row) => rank.get(group[row]) };
 }
 
+/** The group of each body, by row. @param {Description} d */
+function groupRows({ bodies, groups: all }) {
+  const rows = new Float64Array(bodies.count);
+  for (let row = 0, group = 0; row < bodies.count; ++row) {
+    while (group < all.length - 1 && bodies.id[row] >= all[group + 1].first) ++group;  // ids ascend
+    rows[row] = group;
+  }
+  return rows;
+}
+
+/** Whether two ways to tell bodies apart tell the same ones apart. @param {Float64Array} a @param {Float64Array} b */
+function sameGroups(a, b) {
+  return new Set(Array.from(a, (value, row) => `${value} ${b[row]}`)).size === new Set(a).size && new Set(a).size === new Set(b).size;
+}
+
 /** The colourings that say something of this recording. @param {Description} d @param {import("../reader/overview.js").Overview} overview @returns {Colouring[]} */
 export function colourings(d, { topSpeed, starts }) {
   const { bodies, shapes, materials } = d, shape = ranked(bodies.shape, bodies.kind, shapes.map(s => s.name)), material = ranked(bodies.material, bodies.kind, materials);
+  const grouped = groupRows(d), group = ranked(grouped, bodies.kind, d.groups.map(({ name }) => name));
   const radii = bodies.radius.slice().sort(), middle = radii.length ? radii[radii.length >> 1] : 1, deep = 0.05 * middle;
   /** @type {(Colouring | false)[]} */
   const all = [
@@ -38,6 +54,8 @@ export function colourings(d, { topSpeed, starts }) {
       legend: topSpeed > 0 ? scale("0", `${short(topSpeed)} m/s`) : null,
       place: (row, { values: { velocity } }) => velocity && topSpeed > 0 ? level(Math.sqrt(velocity[2 * row] ** 2 + velocity[2 * row + 1] ** 2) / topSpeed) : level(0) },
     shape.names.length > 1 && { key: "shape", name: "shape", needs: null, legend: groups(shape.names), place: row => groupPlace(shape.rank(row)) },
+    group.names.length > 1 && !sameGroups(grouped, bodies.shape) &&
+      { key: "group", name: "group", needs: null, legend: groups(group.names), place: row => groupPlace(group.rank(row)) },
     material.names.length > 1 && { key: "material", name: "material", needs: null, legend: groups(material.names), place: row => groupPlace(material.rank(row)) },
     bodies.count > 1 && { key: "id", name: "id", needs: null, legend: scale(count(bodies.id[0]), count(bodies.id[bodies.count - 1])),
       place: row => level(row / (bodies.count - 1)) },

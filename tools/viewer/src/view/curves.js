@@ -45,7 +45,8 @@ export function ticks(low, high, most = 3) {
  */
 export function axis({ curves, decades }, points) {
   const values = Float64Array.from(curves.flatMap(({ value }) => points.map(value)).filter(v => v > 0)).sort(), top = values[values.length - 1] ?? 1;
-  if (!decades || values.length === 0) return { at: value => value / (1.06 * top), lines: ticks(0, 1.06 * top).filter(v => v > 0) };
+  if (values.length === 0) return { at: () => 0, lines: [] };
+  if (!decades) return { at: value => value / (1.06 * top), lines: ticks(0, 1.06 * top).filter(v => v > 0) };
   const low = Math.floor(Math.log10(values[Math.floor(values.length / 20)])), high = Math.max(low + 1, Math.log10(1.2 * top)), lines = [];
   const every = Math.max(1, Math.ceil((high - low) / 4));
   for (let k = low + every; k <= high; k += every) lines.push(Number((10 ** k).toPrecision(6)));
