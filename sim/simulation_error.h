@@ -18,15 +18,22 @@ constexpr double kFarthestPlace = 1e12;  ///< m; the spacing of doubles there is
 /// Throws SimulationError that names the step, the body and where it is.
 [[noreturn]] void fail_at_body(const State& state, std::size_t row);
 
-/// The same where the body in that row has a velocity that is no number, or is farther out than
-/// kFarthestPlace.
+/// Whether that place is one that a run bears: nearer than kFarthestPlace.
+inline bool is_near(const Vec& place) {
+  return std::abs(place.x()) < kFarthestPlace && std::abs(place.y()) < kFarthestPlace;
+}
+
+/// Whether a step can begin with the body in that row: it is near, its angle and the squares of velocity and
+/// spin are finite.
+inline bool can_go_on(const State& state, std::size_t row) {
+  const double spin = state.spin[row];
+  const double motion = state.velocity[row].squaredNorm() + spin * spin + state.angle[row];
+  return is_near(state.position[row]) && motion - motion == 0.0;
+}
+
+/// Throws as fail_at_body() where the body can't go on.
 inline void check_body(const State& state, std::size_t row) {
-  const Vec& p = state.position[row];
-  const Vec& v = state.velocity[row];
-  const double motion = v.x() + v.y() + state.spin[row] + state.angle[row];
-  const bool sound =
-      std::abs(p.x()) < kFarthestPlace && std::abs(p.y()) < kFarthestPlace && motion - motion == 0.0;
-  if (!sound) fail_at_body(state, row);
+  if (!can_go_on(state, row)) fail_at_body(state, row);
 }
 
 }  // namespace throng

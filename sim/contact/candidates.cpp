@@ -32,6 +32,12 @@ std::vector<broadphase::Extent> extents(const Obstacles& obstacles) {
       " reaches farther in a step than a quarter of the period: take a shorter dt or a wider domain");
 }
 
+/// Where bodies were hit so hard, or contacts of a forged checkpoint push so hard, that no double holds it.
+[[noreturn]] void fail_at_infinity(const State& state, std::uint32_t body) {
+  throw SimulationError("step " + std::to_string(state.step + 1) + ": body " +
+                        std::to_string(state.id[body]) + " gets infinitely far within it");
+}
+
 /// Every pair of a small scene, and a thousand partners each in a large one: more is a step so long that
 /// nearly all might meet.
 [[noreturn]] void fail_at_crowd(const State& state, std::size_t pairs) {
@@ -84,6 +90,7 @@ void Candidates::place(const State& state, double dt) {
     }
     if (!widened_.empty()) margin_[i] = std::max(margin_[i], widened_[body]);
     reach_[i] = radius + margin_[i];
+    if (!std::isfinite(reach_[i])) fail_at_infinity(state, body);
     if (plan_.periodic && 4.0 * reach_[i] > period_.size.minCoeff()) fail_at_period(state, body);
   }
   if (plan_.periodic && !colliders_.centre.empty()) wrap_centres();

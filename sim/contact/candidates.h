@@ -19,8 +19,8 @@ class Candidates {
   Candidates(const Scene& scene, const Plan& plan);
 
   /// Replaces all pairs by those of the dt (s) that begins with `state`. Allocates only to grow. Throws
-  /// SimulationError where a body reaches farther than a quarter of the period, since it could meet two
-  /// images of another, and where nearly everybody could meet everybody in a large scene.
+  /// SimulationError where a body reaches infinitely far, or farther than a quarter of the period, since it
+  /// could meet two images of another, and where nearly everybody could meet everybody in a large scene.
   void find(const State& state, double dt);
 
   /// Whether some body got farther, in the step that began with `state` and brought `bodies` to where they

@@ -19,6 +19,7 @@
 #include "sim/input_error.h"
 #include "sim/recording/frame_hash.h"
 #include "sim/recording/output_file.h"
+#include "sim/simulation_error.h"
 
 namespace throng::recording {
 
@@ -214,7 +215,7 @@ bool are_names(std::vector<std::uint32_t> id, std::int64_t arrived) {
 
 bool is_sound(const CrowdState& crowd, std::int64_t step) {
   const auto past = [step](std::int64_t s) { return s >= 0 && s <= step; };
-  return std::all_of(crowd.stand.begin(), crowd.stand.end(), [](const Vec& p) { return p.allFinite(); }) &&
+  return std::all_of(crowd.stand.begin(), crowd.stand.end(), is_near) &&
          std::all_of(crowd.stand_step.begin(), crowd.stand_step.end(), past) && past(crowd.last_arrival) &&
          crowd.arrived >= 0 && crowd.wall_corrections >= 0;
 }
@@ -224,9 +225,7 @@ bool is_sound(const State& state) {
     return std::isfinite(c.normal) && std::isfinite(c.tangent);
   };
   for (std::size_t row = 0; row < state.id.size(); ++row)
-    if (!state.position[row].allFinite() || !state.velocity[row].allFinite() ||
-        !std::isfinite(state.angle[row]) || !std::isfinite(state.spin[row]))
-      return false;
+    if (!can_go_on(state, row)) return false;
   return state.step >= 0 && is_sound(state.crowd, state.step) && are_names(state.id, state.crowd.arrived) &&
          is_ascending(state.disc_contacts) && is_ascending(state.point_contacts) &&
          std::all_of(state.disc_contacts.begin(), state.disc_contacts.end(), finite) &&

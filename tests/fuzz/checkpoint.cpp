@@ -77,7 +77,8 @@ void expect_sound(const State& state) {
 /// Contacts of the file may be of bodies that do not touch, or do not exist.
 void go_on(const State& state) {
   static const Scene scene = testing_recordings::mixed_scene(5);
-  if (state.id.size() != scene.bodies.size() || state.crowd.arrived > 0) return;  // as `throng resume`
+  if (state.id.size() != scene.bodies.size() || state.crowd.arrived > 0 || state.step > scene.time.steps())
+    return;  // as `throng resume`
   const std::unique_ptr<Simulation> run = simulation(scene);
   if (!run->restore(state)) return;
   try {

@@ -212,5 +212,16 @@ TEST(Step, ABodyThatLeavesTheRepresentablePlaneEndsTheRunByName) {
   }
 }
 
+TEST(Step, ABodyThatGetsInfinitelyFarWithinAStepEndsTheRunByName) {
+  Trial run(std::string("time = { dt = 0.01, until = 1 }\n") + kDisc + ball(0, 0, 0, 0) + ball(3, 0, 0, 0));
+  run.state.velocity[1] = {1e200, 0.0};  // whose square no double holds
+  try {
+    run.steps(1);
+    FAIL() << "the run went on";
+  } catch (const SimulationError& error) {
+    EXPECT_THAT(std::string(error.what()), ::testing::HasSubstr("step 1: body 2 gets infinitely far"));
+  }
+}
+
 }  // namespace
 }  // namespace throng

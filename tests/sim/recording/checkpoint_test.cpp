@@ -145,17 +145,25 @@ TEST(Checkpoint, SaysWhatIsWrongWithAFileThatIsNone) {
   EXPECT_THAT(refusal(folder / "text"), HasSubstr("is no checkpoint"));
 }
 
-/// Sound checksums over a state that no run has: numbers that are not finite, ids twice, contacts out of
-/// order.
-TEST(Checkpoint, RefusesStatesThatNoRunHas) {
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Whether `state`, under sound checksums, is refused for what it is.
+bool is_refused(const State& state) {
   const Folder folder;
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto refused = [&](auto change) {
-    State state = touching_state(5);
-    change(state);
-    write_checkpoint(folder / "a.ckpt", origin(), state);
-    return refusal(folder / "a.ckpt").find("its state cannot be that of a run") != std::string::npos;
-  };
+  write_checkpoint(folder / "a.ckpt", origin(), state);
+  return refusal(folder / "a.ckpt").find("its state cannot be that of a run") != std::string::npos;
+}
+
+bool is_refused(void change(State&)) {
+  State state = touching_state(5);
+  change(state);
+  return is_refused(state);
+}
+
+/// Numbers that are not finite, ids twice, contacts out of order.
+TEST(Checkpoint, RefusesStatesThatNoRunHas) {
+  const auto refused = [](void change(State&)) { return is_refused(change); };
   EXPECT_FALSE(refused([](State&) {}));
   EXPECT_TRUE(refused([](State& s) { s.position[1].y() = nan; }));
   EXPECT_TRUE(refused([](State& s) { s.velocity[1].x() = nan; }));
@@ -169,6 +177,43 @@ TEST(Checkpoint, RefusesStatesThatNoRunHas) {
   EXPECT_TRUE(refused([](State& s) { s.id[3] = 0; }));
   EXPECT_TRUE(refused([](State& s) { s.id[3] = 8; }));
   EXPECT_TRUE(refused([](State& s) { s.step = -1; }));
+}
+
+/// It happened: a finite velocity of 1e200 m/s passed, its square did not, and the broadphase was asked for
+/// infinite discs.
+TEST(Checkpoint, RefusesPlacesAndSpeedsThatEveryStepWouldHaveRefused) {
+  const auto refused = [](void change(State&)) { return is_refused(change); };
+  EXPECT_FALSE(refused([](State& s) { s.position[1] = {9.9e11, -9.9e11}; }));
+  EXPECT_TRUE(refused([](State& s) { s.position[1].x() = 1e12; }));
+  EXPECT_TRUE(refused([](State& s) { s.position[1].y() = -1e300; }));
+  EXPECT_FALSE(refused([](State& s) { s.velocity[1] = {9e153, -9e153}; }));
+  EXPECT_TRUE(refused([](State& s) { s.velocity[1].x() = 1e200; }));
+  EXPECT_TRUE(refused([](State& s) { s.velocity[1] = {-1e154, 1e154}; }));
+  EXPECT_TRUE(refused([](State& s) { s.velocity[1].y() = infinity; }));
+  EXPECT_TRUE(refused([](State& s) { s.spin[1] = -1e200; }));
+  EXPECT_TRUE(refused([](State& s) { s.angle[1] = infinity; }));
+  EXPECT_TRUE(refused([](State& s) { s.disc_contacts[1].tangent = infinity; }));
+  EXPECT_TRUE(refused([](State& s) { s.point_contacts[1].normal = infinity; }));
+}
+
+TEST(Checkpoint, RefusesCrowdsThatNoRunHas) {
+  const auto refused = [](auto change) {
+    State state = state_at(mixed_scene(7), 5);
+    state.crowd.stand = state.position;
+    state.crowd.stand_step.assign(7, 5);
+    change(state.crowd);
+    return is_refused(state);
+  };
+  EXPECT_FALSE(refused([](CrowdState&) {}));
+  EXPECT_FALSE(refused([](CrowdState& c) { c.arrived = 3, c.last_arrival = 5, c.wall_corrections = 9; }));
+  EXPECT_TRUE(refused([](CrowdState& c) { c.stand[6].x() = nan; }));
+  EXPECT_TRUE(refused([](CrowdState& c) { c.stand[6].y() = -1e12; }));
+  EXPECT_TRUE(refused([](CrowdState& c) { c.stand_step[6] = 6; }));
+  EXPECT_TRUE(refused([](CrowdState& c) { c.stand_step[0] = -1; }));
+  EXPECT_TRUE(refused([](CrowdState& c) { c.arrived = -1; }));
+  EXPECT_TRUE(refused([](CrowdState& c) { c.last_arrival = 6; }));
+  EXPECT_TRUE(refused([](CrowdState& c) { c.last_arrival = -1; }));
+  EXPECT_TRUE(refused([](CrowdState& c) { c.wall_corrections = -1; }));
 }
 
 TEST(Checkpoint, NamesTheLineInWhichScenariosDiffer) {
