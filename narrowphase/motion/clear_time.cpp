@@ -20,28 +20,35 @@ double length(const Vec& v) {
   return direction(v, {1.0, 0.0}).length;
 }
 
-/// Along an axis that turns with the one that stays.
+/// Along an axis that turns with the one that stays. What doesn't turn may have its origin anywhere: in that
+/// of the other.
 ClearTime clear_time(const Standing& stays, double spin, const Standing& moves, double spin_moving,
                      const Vec& normal, const Vec& velocity, const RelativeMotion& motion, double margin,
                      const ClearTime& wanted) {
-  const Vec offset = moves.pose.position - stays.pose.position;
+  const Vec between = moves.pose.position - stays.pose.position, none{0.0, 0.0};
+  const Vec offset = spin_moving == 0.0 ? none : between, recentred = spin_moving == 0.0 ? between : none;
   double floor = -std::numeric_limits<double>::infinity();
   for (const Vec& v : stays.vertices) floor = std::max(floor, dot(normal, stays.pose.rotate(v)));
-  const double distance = length(offset);
-  const double farthest = distance + motion.speed * std::max(wanted.before, wanted.after);
+  const double distance = length(offset), far = length(recentred) + moves.far;
   const double turn = std::abs(spin), turning = std::abs(spin_moving - spin);
-  const double bend = (1.0 + 0x1p-40) * (motion.acceleration + bend_of_origins(spin, motion.speed, farthest) +
-                                         bend_of_vertex(turning, moves.far));
-  const double rounding = 0x1p-46 * (motion.speed + turn * distance + turning * moves.far);
+  const auto bend = [&](double reach) {
+    const double origins = motion.acceleration + bend_of_origins(spin, motion.speed, distance);
+    return (1.0 + 0x1p-40) * (origins + bend_of_vertex(turning, reach));
+  };
+  const double most = bend(far);
+  if (!(most < std::numeric_limits<double>::infinity())) return {0.0, 0.0};
+  const double rounding = 0x1p-46 * (motion.speed + turn * distance + turning * far);
   const double height = dot(normal, offset) - floor - margin;
   const double slope = rate_of_origins(normal, spin, velocity, offset);
   ClearTime clear = wanted;
   for (const Vec& v : moves.vertices) {
-    const Vec u = moves.pose.rotate(v);
+    const Vec u = recentred + moves.pose.rotate(v);
     const double h = height + dot(normal, u), rising = slope + (spin - spin_moving) * cross(normal, u);
-    if (!(h > 0.0) || !(bend < std::numeric_limits<double>::infinity())) return {0.0, 0.0};
-    shorten({h, -rising - rounding, bend}, clear.before);
-    shorten({h, rising - rounding, bend}, clear.after);
+    if (!(h > 0.0)) return {0.0, 0.0};
+    const bool near = 4.0 * dot(u, u) < far * far;
+    const double bends = near ? bend(length(u)) : most;
+    shorten({h, -rising - rounding, bends}, clear.before);
+    shorten({h, rising - rounding, bends}, clear.after);
   }
   constexpr double kRounding = 1.0 - 0x1p-46;
   return {kRounding * clear.before, kRounding * clear.after};

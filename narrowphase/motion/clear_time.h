@@ -44,10 +44,10 @@ inline ClearTime shorter(const ClearTime& x, const ClearTime& y) {
 
 /// For how long before and after the instant the gap along the normal surely stays open, the normal turning
 /// with a or with b, whichever serves longer; at most `wanted`. Along such an axis one of the two doesn't
-/// change, and each vertex of the other is at least h + h' t - M t^2 / 2 away, M = acceleration + |w| (2
-/// speed + |w| distance of the origins) + (difference of spins)^2 far, w the axis' spin. Near grazing, where
-/// h' is small, it lasts as sqrt(h / M), where distance over rate would last as h. O(n + m); allocates
-/// nothing.
+/// change, and each vertex of the other is at least h + h' t - M t² / 2 away, M = acceleration + |w| (2 speed
+/// + |w| distance of the origins now) + (difference of spins)² its own distance from its origin, w the axis'
+/// spin; what doesn't spin has its origin in each vertex. Near grazing, where h' is small, it lasts as
+/// sqrt(h / M), where distance over rate would last as h. O(n + m); allocates nothing.
 ClearTime clear_time(const OpenGap& gap, const RelativeMotion& motion, const ClearTime& wanted);
 
 /// Two balls: `arm` goes from the thing's origin to the ball's centre, `offset` from a's centre to b's;

@@ -18,10 +18,6 @@ class Advance {
   Advance(const MovingConvexPair& pair, const TimeSpan& span, double duration,
           const ContactQuestion& question)
       : pair_(pair), span_(span), duration_(duration), question_(question), time_(span.from) {
-    farthest_ = std::max(length(pair.offset_at(span.from) + pair.arms),
-                         length(pair.offset_at(span.until) + pair.arms));
-    bend_a_ = bend(pair, pair.spin_a, farthest_), bend_b_ = bend(pair, pair.spin_b, farthest_);
-    bend_world_ = bend(pair, 0.0, farthest_);
     width_ = question.width * pair.size();
     if (question.features) features_ = *question.features;
   }
@@ -33,8 +29,6 @@ class Advance {
   }
 
  private:
-  static double length(const Vec& v) { return direction(v, {1.0, 0.0}).length; }
-
   FirstContact search() {
     look(time_);
     if (seen_.distance <= 0.0) return result(Verdict::hit, time_, time_);
@@ -66,18 +60,22 @@ class Advance {
     if (features_.edge < of_edge.normals.size()) {
       const Vec normal = stands.rotate(of_edge.normals[features_.edge]);
       if (features_.vertex_of_b ? normal == seen_.normal : normal == -seen_.normal)
-        return features_.vertex_of_b ? TurningAxis{seen_.normal, pair_.spin_a, bend_a_}
-                                     : TurningAxis{seen_.normal, pair_.spin_b, bend_b_};
+        return axis(features_.vertex_of_b ? pair_.spin_a : pair_.spin_b);
     }
-    return {seen_.normal, 0.0, bend_world_};
+    return axis(0.0);
   }
+
+  TurningAxis axis(double spin) const { return {seen_.normal, spin, bend(pair_, spin, apart())}; }
+
+  /// The two centres now. m.
+  double apart() const { return direction(placed_.b.position + pair_.arms, {1.0, 0.0}).length; }
 
   /// Every bend by itself, which takes longer, where a path grazes: most are answered before.
   GapParabola gap_along(const TurningAxis& axis) const {
     constexpr int kUsual = 8;
     const double most = span_.until - time_;
     if (evaluations_ <= kUsual) return gap_parabola(pair_, placed_, axis, pair_.rounding, most);
-    const double bend = bend_of_origins(axis.spin, pair_.speed, farthest_);
+    const double bend = bend_of_origins(axis.spin, pair_.speed, apart());
     return gap_parabola_by_vertex(pair_, placed_, {axis.normal, axis.spin, bend}, pair_.rounding, most);
   }
 
@@ -141,7 +139,7 @@ class Advance {
   TimeSpan span_;
   double duration_;
   const ContactQuestion& question_;
-  double time_, width_, farthest_, bend_a_, bend_b_, bend_world_;
+  double time_, width_;
   ClosestFeatures features_;
   PlacedPair placed_;
   Separation seen_;  ///< at time_, where a's origin is (0, 0)

@@ -97,8 +97,8 @@ GapParabola lowest_root(const Lowest<OneSide>& all, double most) {
 
 }  // namespace
 
-double bend(const MovingConvexPair& pair, double spin, double farthest) {
-  return bend_of_origins(spin, pair.speed, farthest) + bend_of_vertex(pair.spin_a - spin, pair.reach_a) +
+double bend(const MovingConvexPair& pair, double spin, double apart) {
+  return bend_of_origins(spin, pair.speed, apart) + bend_of_vertex(pair.spin_a - spin, pair.reach_a) +
          bend_of_vertex(pair.spin_b - spin, pair.reach_b);
 }
 

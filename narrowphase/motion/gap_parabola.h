@@ -24,9 +24,9 @@ struct GapParabola {
   double holds;      ///< s from then, or the `most` asked for; 0 where the gap is not above 0
 };
 
-/// The bend of every gap along an axis of that spin: all accelerations in the axis' frame, while b's origin
-/// is no farther from a's than `farthest`.
-double bend(const MovingConvexPair& pair, double spin, double farthest);
+/// The bend of every gap along an axis of that spin, from when the centres are `apart`, on and back: see
+/// `bend_of_origins`. With the most that they are apart in some time, also its second derivative there.
+double bend(const MovingConvexPair& pair, double spin, double apart);
 
 /// The gap along the axis is at least the least over all pairs of vertices of gap + rate t - bend t² / 2,
 /// less `margin`. O(n + m), O(log n + log m) for many vertices.

@@ -41,11 +41,12 @@ inline double rate_of_origins(const Vec& normal, double spin, const Vec& velocit
   return dot(normal, velocity) + spin * cross(normal, offset);
 }
 
-/// How they bend their gap along it at most, no faster than `speed` and no farther apart than `farthest`: the
-/// Coriolis and the centrifugal acceleration in the axis' frame. m/s².
-inline double bend_of_origins(double spin, double speed, double farthest) {
+/// How they bend their gap along it at most, for as long as they go straight at `speed`, `apart` being their
+/// distance now: n(t).(o + v t) is at least n.o + (n'.o + n.v) t - (|w|² |o| + 2 |w| |v|) t² / 2, for n turns
+/// by no more than |w| t from where it was. m/s².
+inline double bend_of_origins(double spin, double speed, double apart) {
   const double turn = std::abs(spin);
-  return turn * (2.0 * speed + turn * farthest);
+  return turn * (2.0 * speed + turn * apart);
 }
 
 /// How much a vertex adds that is `reach` from its origin, which turns by `turning` in the axis' frame. m/s².

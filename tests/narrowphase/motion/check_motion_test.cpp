@@ -104,6 +104,30 @@ TEST(CheckMotion, NeedsFewDistancesToPassAPostClosely) {
   }
 }
 
+/// The flat side of a bar over the thorn of a static scene, which stands by its origin or 1,000 m away.
+TEST(CheckMotion, NeedsAsFewWhereAStaticSceneIsFarFromItsOrigin) {
+  const Solid bar(convex({{-2, 0}, {2, 0}, {2, 0.2}, {-2, 0.2}}));
+  for (const Vec& far : {Vec(0, 0), Vec(600, 800)}) {
+    const Solid thorn(convex({far, far + Vec(0.2, -1), far + Vec(0.5, -1)}));
+    const PathAnswer answer = check_motion(bar.shape, {far + Vec(0.05, 1e-6), -0.1, {-0.1, 0}, 0.2},
+                                           thorn.shape, still({0, 0}), 1.0);
+    EXPECT_EQ(answer.verdict, Verdict::free) << far.x();
+    EXPECT_LE(answer.evaluations, 30u) << far.x();
+  }
+}
+
+TEST(CheckMotion, AsksOnceAboutACornerThatGlidesAlongAWall) {
+  const std::vector<Vec> wall{{-9, -1}, {9, -1}, {9, 0}, {-9, 0}}, wedge{{0, 0}, {0.8, 1}, {-0.8, 1}};
+  const Motion gliding = {{-2, 2e-9}, -0.4, {4, 0}, 0.8};
+  const Solid parts_a(convex(wall)), parts_b(convex(wedge));
+  EXPECT_EQ(check_motion(parts_a.shape, {}, parts_b.shape, gliding, 1.0).evaluations, 1u);
+  const auto a = outline<BoxAndBall<2>>(std::span(&wall, 1)),
+             b = outline<BoxAndBall<2>>(std::span(&wedge, 1));
+  const PathAnswer answer = check_motion(a, {}, b, gliding, 1.0);
+  EXPECT_EQ(answer.verdict, Verdict::free);
+  EXPECT_LE(answer.evaluations, 5u);
+}
+
 /// A million turns beside a post: out of reach, or hit somewhere.
 TEST(CheckMotion, CountsNoTurns) {
   const Motion fast{{0, 0}, 0, {0, 0}, 6.28e6};

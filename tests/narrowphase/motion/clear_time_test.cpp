@@ -52,6 +52,27 @@ TEST(ClearTime, LastsAsTheRootOfTheGapWhereAMotionGrazes) {
   EXPECT_NEAR(clear.after, 2e-3, 1e-4);
 }
 
+/// A corner that stands in the origin about which its body turns goes straight, whatever the others do.
+TEST(ClearTime, OfACornerThatItsBodyTurnsAboutIsAllThatIsWanted) {
+  const Convex floor = segment({-9, 0}, {9, 0}), wedge = convex({{0, 0}, {0.8, 1}, {-0.8, 1}});
+  const ClearTime clear = clear_time_at(floor, {}, wedge, {{0, 1e-9}, 0, {2, 0}, 0.6}, 0.0, {0.5, 0.5});
+  EXPECT_NEAR(clear.before, 0.5, 1e-10);
+  EXPECT_NEAR(clear.after, 0.5, 1e-10);
+}
+
+/// A thorn of a scene that stands still, and a floor that turns over it by a little.
+TEST(ClearTime, IsTheSameWhereverAStaticSceneHasItsOrigin) {
+  const Convex side = segment({-2, 0}, {2, 0});
+  const auto above_thorn = [&](const Vec& far) {
+    const Convex thorn = convex({far, far + Vec(0.2, -1), far + Vec(0.5, -1)});
+    return clear_time_at(side, {far + Vec(0, 1e-6), 0, {1, 0}, 0.3}, thorn, {}, 0.0, {1.0, 1.0});
+  };
+  const ClearTime near = above_thorn({0, 0}), far = above_thorn({600, 800});
+  EXPECT_GT(near.after, 1e-3) << "0.6 m/s² bend it";
+  EXPECT_NEAR(far.after, near.after, 1e-6);
+  EXPECT_NEAR(far.before, near.before, 1e-6);
+}
+
 TEST(ClearTime, IsNothingWhereRoundingMayHaveClosedTheGap) {
   const OpenGap gap{{{}, {}, 1.0}, {{}, Pose{{2, 0}}, 1.0}, {1, 0}, 2.0};
   const std::vector<Vec> centre{{0, 0}};
@@ -62,19 +83,28 @@ TEST(ClearTime, IsNothingWhereRoundingMayHaveClosedTheGap) {
   EXPECT_EQ(clear.after, 0.0);
 }
 
-/// Of random shapes and motions, against steps of a thousandth.
+/// The same body, whose origin lies elsewhere: it must not turn.
+void set_origin(const Vec& origin, Convex& shape, Motion& motion) {
+  for (Vec& v : shape.vertices) v -= origin;
+  motion.position += pose({0, 0}, motion.angle).rotate(origin);
+}
+
+/// Of random shapes and motions, some with their origins far away, against steps of a thousandth.
 TEST(ClearTime, NeverLastsBeyondAContact) {
   Random random(20261121);
   int asked = 0, ended = 0;
   double tightest = 0.0;
   for (int trial = 0; trial < 4000; ++trial) {
-    const Convex a = random_shape(random, 1.0), b = random_shape(random, 1.0);
+    Convex a = random_shape(random, 1.0), b = random_shape(random, 1.0);
     const auto motion = [&] {
       const Vec at = random_vec(random, 2, 2), velocity = random_vec(random, 3, 3);
       const double angle = uniform(random, -4, 4), spin = random() % 3 == 0 ? 0.0 : uniform(random, -6, 6);
       return Motion{at - velocity, angle, velocity, spin};
     };
-    const Motion motion_a = motion(), motion_b = motion();
+    Motion motion_a = motion(), motion_b = motion();
+    const double far = trial % 2 ? 10.0 : 0.0;
+    if (motion_a.spin == 0.0) set_origin(random_vec(random, far, far), a, motion_a);
+    if (motion_b.spin == 0.0) set_origin(random_vec(random, far, far), b, motion_b);
     const auto distance = [&](double t) {
       return separation(a, pose_at(motion_a, t), b, pose_at(motion_b, t)).distance;
     };
