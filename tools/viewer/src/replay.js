@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // One recording being replayed: time, camera, what is shown of it, and the picture of that.
 import { neighbours } from "./physics/neighbours.js";
-import { blend, bodyAt, placeOf } from "./view/blend.js";
+import { AGENT } from "./reader/scene.js";
+import { blend, bodyAt, faceForward, placeOf } from "./view/blend.js";
 import { Camera } from "./view/camera.js";
 import { colour, colourings } from "./view/colouring.js";
 import { framing } from "./view/framing.js";
@@ -39,6 +40,7 @@ export class Replay {
     this.player = new Player(description.times);
     this.colourings = colourings(description, overview);
     this.colouring = this.colourings[0];
+    this.walks = bodies.kind.includes(AGENT);
     this.places = new Float32Array(bodies.count);
     this.frames = new Frames((frame, fields, contacts) => source.frame(frame, fields, contacts), () => { this.dirty = true; }, failed, MEMORY);
     stage.open(mesh(description), bodies.count, this.radius);
@@ -49,7 +51,7 @@ export class Replay {
 
   /** Asks for the fields that what is shown takes. */
   need() {
-    const velocity = this.colouring.needs === "velocity" || this.picked >= 0;
+    const velocity = this.colouring.needs === "velocity" || this.picked >= 0 || this.walks;
     this.frames.need(["position", "angle", ...(velocity ? /** @type {const} */ (["velocity"]) : []), ...(this.picked >= 0 ? /** @type {const} */ (["spin"]) : [])],
                      this.colouring.needs === "contacts" || this.showContacts);
     this.dirty = true;
@@ -116,6 +118,7 @@ export class Replay {
     colour(this.colouring, description, a, this.places);
     if (this.following) this.#centre(a, b, t);
     blend(a.values, b.values, t, camera, domain, this.places, states);
+    if (this.walks) faceForward(states, description.bodies.kind, a.values);
     const prepared = performance.now();
     stage.loadStates();
     const uploaded = performance.now();
@@ -123,7 +126,7 @@ export class Replay {
     this.overlay.prepare(view, { states, contacts: this.showContacts ? a.contacts : undefined, at, picked: this.picked,
                                  velocity: a.values.velocity, sensing: this.sensing, sensed: this.sensed() });
     stage.clear(this.overlay.paper);
-    stage.draw(view, { turns: Boolean(a.values.angle), trail: this.trails.prepare(frame, this.frames, view), links: this.showContacts });
+    stage.draw(view, { turns: Boolean(a.values.angle) || (this.walks && Boolean(a.values.velocity)), trail: this.trails.prepare(frame, this.frames, view), links: this.showContacts });
     const done = performance.now();
     this.stats.frames += 1;
     this.stats.prepare += prepared - start;

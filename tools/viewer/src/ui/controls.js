@@ -4,6 +4,7 @@ import { count, length, short, toStep } from "../view/format.js";
 import { roundBelow } from "../view/camera.js";
 import { table } from "../view/palette.js";
 import { niceTop } from "../reader/overview.js";
+import { AGENT } from "../reader/scene.js";
 import { speeds } from "../view/player.js";
 import { byId, fillSelect, isDark } from "./dom.js";
 import { facts, showFacts, showSensed } from "./inspector.js";
@@ -39,7 +40,7 @@ export class Controls {
     const { description: d, player, colourings } = replay, { bodies, times } = d;
     document.title = `${d.name || "recording"} · throng`;
     byId("name").textContent = d.name || "recording";
-    byId("about").textContent = [d.description, `${count(bodies.count)} bodies, ${count(times.length)} frames`, d.complete ? "" : "the run did not end: these are its frames so far"].filter(Boolean).join(" · ");
+    byId("about").textContent = [d.description, `${count(bodies.count)} ${bodies.count > 0 && bodies.kind.every(kind => kind === AGENT) ? "agents" : "bodies"}, ${count(times.length)} frames`, d.complete ? "" : "the run did not end: these are its frames so far"].filter(Boolean).join(" · ");
     byId("about").title = byId("about").textContent;
     byId("scrub").max = times.length - 1;
     const { choices, start } = speeds(player.last - player.first);

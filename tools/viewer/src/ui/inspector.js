@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is known of the picked body, and whom it senses.
 import { count, length, short } from "../view/format.js";
+import { AGENT } from "../reader/scene.js";
 import { byId, fillList } from "./dom.js";
 
 const KINDS = ["moves freely", "static", "driven", "agent"];
@@ -32,8 +33,8 @@ export function facts(d, frame, row, { values: { position, angle, velocity, spin
     here && position !== undefined && ["place", `${pair(position)} m`],
     here && velocity !== undefined && [`velocity${moved}`, `${pair(velocity)} m/s`],
     here && velocity !== undefined && [`speed${moved}`, `${short(Math.hypot(velocity[2 * row], velocity[2 * row + 1]), 5)} m/s`],
-    here && angle !== undefined && [`angle${since(d, frame, "angle")}`, `${short(angle[row] * 180 / Math.PI, 5)}°`],
-    here && spin !== undefined && [`spin${since(d, frame, "spin")}`, `${short(spin[row], 4)} rad/s`],
+    here && angle !== undefined && bodies.kind[row] !== AGENT && [`angle${since(d, frame, "angle")}`, `${short(angle[row] * 180 / Math.PI, 5)}°`],
+    here && spin !== undefined && bodies.kind[row] !== AGENT && [`spin${since(d, frame, "spin")}`, `${short(spin[row], 4)} rad/s`],
     here && contacts !== undefined && ["deepest overlap", length(contacts.deepest[row])],
   ];
   return all.filter(fact => fact !== false);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Where bodies are at a time between two frames, as the stage wants it.
 
+import { AGENT } from "../reader/scene.js";
+
 const TURN = 2 * Math.PI;
+const STANDS = 0.05;  // m/s below which an agent has no heading
 
 /** The colour of a body that is not there; what has it is not drawn. */
 export const ABSENT = -1;
@@ -42,6 +45,14 @@ export function blend(a, b, t, camera, domain, places, states) {
 function angleOf(a, b, t, row) {
   const from = a.angle ? a.angle[row] : 0, to = b.angle ? b.angle[row] : 0;
   return from !== from ? 0 : to !== to ? from : from + t * (to - from);
+}
+
+/** Turns agents, who have no angle, to where they walk. @param {Float32Array} states @param {Float64Array} kind @param {import("../reader/recording.js").Frame} frame */
+export function faceForward(states, kind, { velocity }) {
+  for (let row = 0; velocity && row < kind.length; ++row) {
+    const vx = velocity[2 * row], vy = velocity[2 * row + 1];
+    if (kind[row] === AGENT && Math.hypot(vx, vy) > STANDS) states[4 * row + 2] = Math.atan2(vy, vx);
+  }
 }
 
 /** Where one body is, as blend has it; NaN where it is not there. @param {Float32Array} states @param {number} row @param {{x: number, y: number}} camera */
