@@ -59,7 +59,10 @@ void load(Loaded& loaded, const std::string& name, std::span<const std::string> 
   if (!root) return;
   Report report(root->source().path);
   for (const std::string& override_ : overrides) apply_override(*root, override_, report);
-  read_scene(*root, loaded.scene, report);
+  if (root->contains("motion") && !root->contains("throng"))
+    report.error(*root->get("motion"), "motion", "this is a motion file; throng motion answers it");
+  else
+    read_scene(*root, loaded.scene, report);
   loaded.resolved = print(*root);
   loaded.diagnostics = report.take();
 }

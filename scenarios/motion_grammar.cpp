@@ -41,29 +41,32 @@ Table body_table() {
        required(
            {"waypoints", list(pose, 1, "a list of 1 to 10000 poses [x, y] or [x, y, angle]", kMostWaypoints),
             "Where the shape's origin stands, m, and how it is turned about it, rad; without an angle as "
-            "before, at first by 0. One stands still."})}};
+            "before, at first by 0. One stands still, as all may."})}};
 }
 
 Table link_table() {
-  return {{{"shape", name_in("shapes"), "Name of a shape; absent: nothing that could touch."},
-           {"name", name(), "What answers call it, ROBOT.NAME; ROBOT.links[0] and so on when absent."},
-           {"parent", either({name(), integer(0, kMostLinks)}),
-            "The link that it hangs on: a name, a number from 0, or \"base\". Absent: the link before; of "
-            "the first, the base."},
-           {"joint", choice({"revolute", "prismatic"}), "revolute: turns; prismatic: slides along `axis`.",
-            "\"revolute\""},
-           {"at", point(), "Where the joint is, in the parent's frame, m.", "[0.0, 0.0]"},
-           {"angle", angle(), "How the link is turned against its parent where its value is 0, rad.", "0.0"},
-           {"axis", tuple({coordinate(), coordinate()}, "a direction [x, y]"),
-            "Of a prismatic joint, in the parent's frame; its length doesn't matter.", "[1.0, 0.0]"},
-           {"limits", tuple({coordinate(), coordinate()}, "two bounds [low, high]"),
-            "The least and the largest value of the joint, rad or m."}}};
+  return {
+      {{"shape", name_in("shapes"), "Name of a shape; absent: nothing that could touch."},
+       {"name", name(), "What answers call it, ROBOT.NAME; ROBOT.links[0] and so on when absent."},
+       {"parent", either({name(), integer(0, kMostLinks)}),
+        "The link that it hangs on: a name, a number from 0, or \"base\". Absent: the link before; of "
+        "the first, the base."},
+       {"joint", choice({"revolute", "prismatic", "fixed"}),
+        "revolute: turns; prismatic: slides along `axis`; fixed: neither, and waypoints have no value for "
+        "it.",
+        "\"revolute\""},
+       {"at", point(), "Where the joint is, in the parent's frame, m.", "[0.0, 0.0]"},
+       {"angle", angle(), "How the link is turned against its parent where its value is 0, rad.", "0.0"},
+       {"axis", tuple({coordinate(), coordinate()}, "a direction [x, y]"),
+        "Of a prismatic joint, in the parent's frame; its length doesn't matter.", "[1.0, 0.0]"},
+       {"limits", tuple({coordinate(), coordinate()}, "two bounds [low, high]"),
+        "The least and the largest value of the joint, rad or m."}}};
 }
 
 Table robot_table() {
   Type links = tables(link_table());
   const Type values =
-      list(number(-kFarthest, kFarthest), 1, "a list of joint values, one a link", kMostLinks);
+      list(number(-kFarthest, kFarthest), 0, "a list of joint values, one a joint that moves", kMostLinks);
   return {
       {{"name", name(), "What answers call it; robots[0] and so on when absent."},
        {"base", list(coordinate(), 2, "a pose [x, y] or [x, y, angle]", 3),
@@ -71,7 +74,8 @@ Table robot_table() {
        required({"links", links, "Its links, in an order in which parents come first."}),
        required(
            {"waypoints", list(values, 1, "a list of 1 to 10000 lists of joint values", kMostWaypoints),
-            "Configurations: a value a link, rad or m. Not wrapped: 6.28 is a turn. One stands still."})}};
+            "Configurations: a value a joint that is not fixed, rad or m. Not wrapped: 6.28 is a turn. One "
+            "stands still, as all may."})}};
 }
 
 Table root_table() {
@@ -81,6 +85,8 @@ Table root_table() {
            {"description", text(1000), "One line on what is asked.", "\"\""},
            {"durations", list(number(kShortestStep, 1e12, "s"), 1, "a list of durations", kMostWaypoints),
             "How long each segment takes, s: as many as waypoints, less one. Absent: times are fractions."},
+           {"margin", number(0, kFarthest, "m"),
+            "Clearance that a free path has at least, m: what comes as near counts as a hit.", "0.0"},
            {"shapes", named(shape_table()), "Shapes by name."},
            {"obstacles", tables(obstacle_table()), "What stands still."},
            {"walls", tables(wall_lines()), "Thin walls with two sides."},

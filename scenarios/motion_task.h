@@ -64,6 +64,7 @@ struct MotionTask {
   std::vector<Mover> movers;  ///< the bodies, then the robots; one or more
   std::vector<Obstacle> obstacles;
   std::vector<std::pair<Solids, Solids>> may_touch;
+  double margin = 0.0;            ///< m: what comes as near as that counts as contact
   std::vector<double> durations;  ///< s, of the segments; empty where the file has none
 
   /// Of all movers. O(movers).

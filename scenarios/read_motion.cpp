@@ -15,16 +15,15 @@ using namespace scenarios;
 
 namespace {
 
-/// Who has one waypoint stays there; all others must have as many as each other. Expects no faults so far.
+/// Who has one waypoint stays there, as all may; all others must have as many as each other. Expects no
+/// faults so far.
 void match_waypoints(const toml::table& root, MotionTask& task, Report& report) {
   const auto longest = std::max_element(
       task.movers.begin(), task.movers.end(),
       [](const Mover& a, const Mover& b) { return a.waypoints.size() < b.waypoints.size(); });
   if (longest == task.movers.end())
     return report.error(root, "bodies", "is missing: what moves, as [[bodies]] or [[robots]]");
-  const std::size_t count = longest->waypoints.size();
-  if (count < 2)
-    return report.error(root, "bodies", "nothing moves: one of them needs two waypoints or more");
+  const std::size_t count = std::max<std::size_t>(2, longest->waypoints.size());
   auto mover = task.movers.begin();
   for (const char* key : {"bodies", "robots"})
     for_each_table(root, key, report, [&](const toml::table& table, const Path& path) {
@@ -53,6 +52,7 @@ void read_all(const toml::table& root, const std::string& file, MotionTask& task
   if (report.full()) return;  // the rest of the tree was not looked at
   if (good(root, "name", report)) task.name = text(root, "name", "");
   if (good(root, "description", report)) task.description = text(root, "description", "");
+  if (good(root, "margin", report)) task.margin = number(root, "margin", 0.0);
   Names names;
   read_motion_shapes(root, task, report);
   read_moving_bodies(root, task, names, report);
@@ -70,7 +70,10 @@ void load(const std::string& source, const std::string& name, LoadedMotion& load
   const std::optional<toml::table> root = parse(source, name, loaded.diagnostics);
   if (!root) return;
   Report report(root->source().path);
-  read_all(*root, name, loaded.task, report);
+  if (root->contains("throng") && !root->contains("motion"))
+    report.error(*root->get("throng"), "throng", "this is a scenario; throng run runs it");
+  else
+    read_all(*root, name, loaded.task, report);
   loaded.diagnostics = report.take();
 }
 
@@ -78,8 +81,10 @@ void load(const std::string& source, const std::string& name, LoadedMotion& load
 
 LoadedMotion load_motion(const std::string& file) {
   LoadedMotion loaded;
+  const bool piped = file == "-";
   std::string source;
-  if (read_source(file, source, loaded.diagnostics)) load(source, file, loaded);
+  if (read_source(piped ? "/dev/stdin" : file, source, loaded.diagnostics))
+    load(source, piped ? kStandardInput : file, loaded);
   return loaded;
 }
 

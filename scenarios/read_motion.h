@@ -17,7 +17,10 @@ struct LoadedMotion {
   int errors() const { return throng::errors(diagnostics); }
 };
 
-/// Reads a motion file. Never throws for a bad one: it says so in the diagnostics.
+/// What "-" is called.
+inline constexpr const char* kStandardInput = "standard input";
+
+/// Reads a motion file; "-" is the standard input. Never throws for a bad one: it says so in the diagnostics.
 LoadedMotion load_motion(const std::string& file);
 
 /// The same for a text; `name` stands for the file in messages, and beside it lie its surroundings.

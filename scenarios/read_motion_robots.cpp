@@ -34,12 +34,20 @@ class RobotReader {
     own_names_.push_back(name_or(table, "links[" + std::to_string(own_names_.size()) + "]"));
     link.name = mover_.name + "." + own_names_.back();
     if (table.contains("shape")) link.shape = shape_row(task_, text(table, "shape", ""));
-    if (text(table, "joint", "revolute") == "prismatic") link.joint = narrowphase::Joint::prismatic;
+    const std::string joint = text(table, "joint", "revolute");
+    if (joint == "prismatic") link.joint = narrowphase::Joint::prismatic;
+    if (joint == "fixed")
+      link.lower = link.upper = 0.0;
+    else
+      moving_.push_back(mover_.links.size());
     link.parent = read_parent(table, path);
     if (const toml::node* at = table.get("at")) link.at = point(*at);
     link.angle = number(table, "angle", 0.0);
     read_axis(table, path, link);
-    read_limits(table, path, link);
+    if (joint != "fixed")
+      read_limits(table, path, link);
+    else if (const toml::node* node = table.get("limits"))
+      fail(*node, Path(path, "limits"), "a fixed joint has no limits");
     mover_.links.push_back(std::move(link));
   }
 
@@ -92,15 +100,15 @@ class RobotReader {
     for (const toml::node& node : *table_.get("waypoints")->as_array()) {
       const Path path(waypoints_path, i++);
       const toml::array& list = *node.as_array();
-      if (list.size() != mover_.links.size()) {
+      if (list.size() != moving_.size()) {
         fail(node, path,
-             "must be a list of joint values, one a link: " + std::to_string(mover_.links.size()) +
+             "must be a list of joint values, one a joint that moves: " + std::to_string(moving_.size()) +
                  ", and is of " + std::to_string(list.size()));
         continue;
       }
-      std::vector<double>& values = mover_.waypoints.emplace_back();
+      std::vector<double>& values = mover_.waypoints.emplace_back(mover_.links.size(), 0.0);
       for (std::size_t k = 0; k < list.size(); ++k)
-        values.push_back(joint_value(*list.get(k), Path(path, k), k));
+        values[moving_[k]] = joint_value(*list.get(k), Path(path, k), moving_[k]);
     }
   }
 
@@ -127,6 +135,7 @@ class RobotReader {
   Report& report_;
   Mover mover_;
   std::vector<std::string> own_names_;  // of the links, without the robot's
+  std::vector<std::size_t> moving_;     // links whose joints are not fixed
   bool failed_ = false;
 };
 

@@ -130,10 +130,11 @@ Json to_json(const MotionSystem& system, const MotionAnswer& answer) {
   Json segments = Json::array();
   for (std::size_t i = 0; i < answer.segments.size(); ++i)
     if (answer.segments[i].verdict) segments.push_back(to_json(system.task(), i, answer.segments[i]));
-  return {{"motion", system.task().name},
-          {"verdict", word(answer.verdict)},
-          {"evaluations", answer.evaluations},
-          {"segments", segments}};
+  Json all{{"motion", system.task().name}, {"verdict", word(answer.verdict)}};
+  if (system.margin() > 0.0) all["margin"] = system.margin();
+  all["evaluations"] = answer.evaluations;
+  all["segments"] = std::move(segments);
+  return all;
 }
 
 }  // namespace throng::tools

@@ -2,6 +2,8 @@
 #include "tools/motion_system.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <set>
 
 #include "narrowphase/distance.h"
@@ -37,7 +39,8 @@ Convex placed(const Convex& part, const Obstacle& obstacle) {
 
 }  // namespace
 
-MotionSystem::MotionSystem(const MotionTask& task) : task_(task) {
+MotionSystem::MotionSystem(const MotionTask& task, double margin) : task_(task), margin_(margin) {
+  grown_.resize(task.shapes.size());
   shapes_.resize(task.shapes.size());
   add_movers();
   add_obstacles();
@@ -52,9 +55,20 @@ MotionSystem::MotionSystem(const MotionTask& task) : task_(task) {
   }
 }
 
+std::span<const Convex> MotionSystem::grown(std::uint32_t row) {
+  const std::vector<Convex>& parts = task_.shapes[row].parts;
+  if (margin_ == 0.0) return parts;
+  std::vector<Convex>& result = grown_[row];
+  if (!result.empty()) return result;
+  result = parts;
+  for (Convex& part : result)
+    part.radius = std::nextafter(part.radius + 0.5 * margin_, std::numeric_limits<double>::infinity());
+  return result;
+}
+
 const narrowphase::PartsBvh* MotionSystem::shape(std::uint32_t row) {
   narrowphase::PartsBvh& shape = shapes_[row];
-  if (shape.parts.empty()) shape = narrowphase::parts_bvh(task_.shapes[row].parts);
+  if (shape.parts.empty()) shape = narrowphase::parts_bvh(grown(row));
   return &shape;
 }
 
@@ -89,7 +103,7 @@ void MotionSystem::add_obstacles() {
       linkage_.push_back(link);
       continue;
     }
-    for (const Convex& part : task_.shapes[obstacle.shape].parts) {
+    for (const Convex& part : grown(obstacle.shape)) {
       parts_.push_back(placed(part, obstacle));
       obstacle_of_.push_back(i);
     }

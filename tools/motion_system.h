@@ -16,14 +16,17 @@ namespace throng::tools {
 /// move.
 class MotionSystem {
  public:
-  /// Expects a task without faults, which must outlive this. As costly as `pairs_to_check`.
-  /// Throws InputError where pairs and segments are too many to be asked at once.
-  explicit MotionSystem(const MotionTask& task);
+  /// Expects a task without faults, which must outlive this. Every shape is grown by half of `margin` (m,
+  /// rounded up): what touches is at most so far apart, what is free is farther. As costly as
+  /// `pairs_to_check`. Throws InputError where pairs and segments are too many to be asked at once.
+  MotionSystem(const MotionTask& task, double margin);
+  explicit MotionSystem(const MotionTask& task) : MotionSystem(task, task.margin) {}
   MotionSystem(const MotionSystem&) = delete;
   MotionSystem& operator=(const MotionSystem&) = delete;
 
   const narrowphase::LinkageScene& scene() const { return scene_; }
   const MotionTask& task() const { return task_; }
+  double margin() const { return margin_; }  ///< m
   std::size_t segments() const { return task_.waypoints() - 1; }
 
   /// All configurations, one behind the other.
@@ -40,13 +43,14 @@ class MotionSystem {
   static constexpr std::uint32_t kNoPart = 0xFFFFFFFF;
   std::pair<std::string, std::string> names(const narrowphase::LinkPair& pair, std::uint32_t part) const;
 
-  /// How two parts lie to each other: of what `pair` is.
+  /// How two parts lie to each other, grown as they are: of what `pair` is.
   narrowphase::Separation separation(const narrowphase::LinkPair& pair, std::uint32_t part_a,
                                      std::uint32_t part_b, std::size_t segment, double fraction) const;
 
  private:
   using LinkPairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
 
+  std::span<const narrowphase::Convex> grown(std::uint32_t row);
   const narrowphase::PartsBvh* shape(std::uint32_t row);
   void add_movers();
   void add_obstacles();
@@ -58,7 +62,10 @@ class MotionSystem {
   std::string link_name(std::uint32_t link) const;
 
   const MotionTask& task_;
-  std::vector<narrowphase::PartsBvh> shapes_;  // a row each of the task's; empty but those of links
+  double margin_;                                        // m
+  std::vector<std::vector<narrowphase::Convex>> grown_;  // a row each of the task's shapes; empty but where
+                                                         // there is a margin
+  std::vector<narrowphase::PartsBvh> shapes_;            // a row each of the task's; empty but those of links
   std::vector<narrowphase::Link> linkage_;
   std::uint32_t moving_ = 0;                   // links of movers, before the obstacles that are links
   std::vector<std::uint32_t> obstacle_links_;  // which obstacles these are

@@ -98,9 +98,13 @@ MotionView view_of(const MotionSystem& system, const MotionAnswer& answer) {
 
 std::string summary(const MotionSystem& system, const MotionAnswer& answer, const MotionView& view) {
   std::string text = word(answer.verdict);
+  char number[40];
+  if (system.margin() > 0.0) {
+    std::snprintf(number, sizeof number, " at a margin of %.6g m", system.margin());
+    text += number;
+  }
   if (view.contact) {
     const SegmentAnswer& segment = answer.segments[view.contact->segment];
-    char number[40];
     std::snprintf(number, sizeof number, "%.6g", segment.contact ? segment.to : segment.from);
     text += ": " + segment.a + " – " + segment.b + " at " + number + " of segment " +
             std::to_string(view.contact->segment);

@@ -128,6 +128,36 @@ TEST(ReadMotion, FindsTheParentsOfLinks) {
   EXPECT_EQ(arm.links[0].upper, 1.0);
 }
 
+TEST(ReadMotion, GivesFixedJointsNoValueInWaypoints) {
+  const LoadedMotion loaded = load(R"(motion = 1
+[[robots]]
+links = [{ joint = "fixed", at = [1, 2], angle = 0.5 }, {}, { joint = "fixed" }, { joint = "prismatic" }]
+waypoints = [[1, 2], [3, 4]]
+)");
+  ASSERT_EQ(faults(loaded), "");
+  const Mover& robot = loaded.task.movers[0];
+  EXPECT_EQ(robot.waypoints, (std::vector<std::vector<double>>{{0, 1, 0, 2}, {0, 3, 0, 4}}));
+  EXPECT_EQ(robot.links[0].at, Vec(1, 2));
+  EXPECT_EQ(robot.links[0].angle, 0.5);
+  EXPECT_EQ(robot.links[2].lower, 0.0);
+  EXPECT_EQ(robot.links[2].upper, 0.0);
+}
+
+TEST(ReadMotion, LetsAllStandStill) {
+  const LoadedMotion loaded = load(
+      "motion = 1\nmargin = 0.5\nshapes.ball.disc.radius = 1\n[[bodies]]\nshape = 'ball'\nwaypoints = [[1, "
+      "2]]\n");
+  ASSERT_EQ(faults(loaded), "");
+  EXPECT_EQ(loaded.task.waypoints(), 2u);
+  EXPECT_EQ(loaded.task.movers[0].waypoints[1], (std::vector<double>{1, 2, 0}));
+  EXPECT_EQ(loaded.task.margin, 0.5);
+}
+
+TEST(ReadMotion, SaysWhatAScenarioIs) {
+  EXPECT_EQ(faults(load("throng = 1\nbodys = 3\n")),
+            "m.toml:1:10: error: throng: this is a scenario; throng run runs it\n");
+}
+
 TEST(ReadMotion, CountsNamesThrough) {
   const MotionTask task = load(kEverything).task;  // 3 + 3 + 5 + 1 links, then the obstacles
   ASSERT_EQ(task.may_touch.size(), 3u);
@@ -227,7 +257,6 @@ const Case kCases[] = {
     // counts
     {"", "error: bodies: is missing: what moves, as [[bodies]] or [[robots]]"},
     {BALL "waypoints = []", "bodies[0].waypoints: must be a list of 1 to 10000 poses"},
-    {BALL "waypoints = [[0, 0]]", "error: bodies: nothing moves: one of them needs two waypoints or more"},
     {BALL "waypoints = [[0, 0], [1]]",
      "m.toml:7:22: error: bodies[0].waypoints[1]: must be a pose [x, y] or [x, y, angle], and is a list of "
      "1"},
@@ -245,8 +274,16 @@ const Case kCases[] = {
      "m.toml:5:13: error: durations: must be as many as segments: 1, and are 2"},
     {"durations = [0]\n" BALL "waypoints = [[0, 0], [1, 1]]", "durations[0]: must be a number from 1e-12"},
     {ROBOT "waypoints = [[0, 0], [1, 1, 1]]",
-     "m.toml:7:22: error: robots[0].waypoints[1]: must be a list of joint values, one a link: 2, and is of "
+     "m.toml:7:22: error: robots[0].waypoints[1]: must be a list of joint values, one a joint that moves: 2, "
+     "and is of "
      "3"},
+    {"[[robots]]\nlinks = [{}, { joint = 'fixed' }]\nwaypoints = [[0, 0]]",
+     "must be a list of joint values, one a joint that moves: 1, and is of 2"},
+    {"[[robots]]\nlinks = [{ joint = 'fixed', limits = [0, 1] }]\nwaypoints = [[]]",
+     "robots[0].links[0].limits: a fixed joint has no limits"},
+    {"[[robots]]\nlinks = [{ joint = 'fixed', axis = [0, 1] }]\nwaypoints = [[]]",
+     "only a prismatic joint has an axis"},
+    {"margin = -1\n" BALL "waypoints = [[0, 0]]", "margin: must be a number from 0 to 1e+09"},
     {"[[robots]]\nlinks = []\nwaypoints = [[0]]", "robots[0].links: must have one or more"},
     // numbers
     {BALL "waypoints = [[0, 0], [nan, 1]]",
