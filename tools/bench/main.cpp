@@ -11,6 +11,22 @@
 
 namespace {
 
+constexpr const char* kColumns = R"(
+Columns: case and engine; ms and ms_min, the median and the least of --blocks figures, each for all the work of the
+case; ratio, that median over the one of the case's first engine; then the errors, each as its name and number.
+Of motion, where a query is a pair in motion, a figure is for one query, and the errors are
+  evaluations      distances computed, or bounds of them, a query (mean)
+  missed           queries that hit and were called free
+  false_hits       queries that are free and were called a hit
+  undecided        queries that were neither
+  time             how far the worst time of a first contact is off, the whole motion being 1
+  gap              how far apart, or deep in each other, the two are at the worst of these times, of their size
+  growth           k, where evaluations have grown as (1 / clearance)^k since the clearance before
+  of ENGINE        the bisection's evaluations over those of that engine, the median of the queries that hit
+  ns               the median time of a query
+  asked, first_ns  the share of queries that a slow engine was asked, and the first engine's time of a query on
+                   these alone, which ratio is to)";
+
 void refuse_what_does_nothing(const std::string& name, const throng::bench::Options& options) {
   if (name != "broadphase" && (options.large || !options.engines.empty()))
     throw throng::InputError(name + ": --large and --engine are for broadphase");
@@ -59,7 +75,8 @@ int main(int argc, char** argv) {
   app.add_option("--json", json, "also writes the rows to this file");
   app.footer(
       "Examples: throng bench step --only pile --json step.json\n"
-      "          throng bench broadphase --only '^uniform n=100000 k=10 random$'  (this case alone)");
+      "          throng bench broadphase --only '^uniform n=100000 k=10 random$'  (this case alone)\n" +
+      std::string(kColumns));
   try {
     app.parse(argc, argv);
     refuse_what_does_nothing(name, options);
