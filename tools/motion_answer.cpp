@@ -119,7 +119,8 @@ std::optional<double> seconds(const MotionTask& task, std::size_t segment, doubl
 MotionAnswer answer_motion(const MotionSystem& system, const MotionQuestion& question) {
   LinkageChecker checker(system.scene());
   std::vector<Neighbourhood> covering;
-  const narrowphase::BisectOptions options{question.epsilon, question.covering ? &covering : nullptr};
+  const narrowphase::BisectOptions options{question.epsilon, question.covering ? &covering : nullptr,
+                                           question.evaluations};
   MotionAnswer answer =
       question.any ? answer_any(system, checker, options) : answer_all(system, checker, options);
   hand_out(covering, system.scene().pairs.size(), answer);

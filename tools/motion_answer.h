@@ -34,6 +34,7 @@ struct MotionQuestion {
   bool any = false;      ///< stop at the first contact found, in whichever segment
   double epsilon = 0.0;  ///< m, clearance that need not be told from contact; 0: as fine as rounding lets it
   bool covering = false;
+  std::size_t evaluations = narrowphase::BisectOptions().evaluations;  ///< most of a pair by bisection
 };
 
 MotionAnswer answer_motion(const MotionSystem& system, const MotionQuestion& question);

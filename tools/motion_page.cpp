@@ -103,10 +103,14 @@ Json given(const MotionSystem& system, const MotionAnswer& answer) {
 
 }  // namespace
 
+std::string motion_page_data(const MotionSystem& system, const MotionAnswer& answer) {
+  return embeddable(given(system, answer));
+}
+
 void write_motion_page(const MotionSystem& system, const MotionAnswer& answer, const std::string& output) {
   const std::string_view page = kMotionHtml;
   const std::size_t place = page.find(kGiven);
-  const std::string data = embeddable(given(system, answer));
+  const std::string data = motion_page_data(system, answer);
   replace_file(output, [&](const std::string& name) {
     std::ofstream out(name, std::ios::binary);
     out << page.substr(0, place) << data << page.substr(place + kGiven.size());
