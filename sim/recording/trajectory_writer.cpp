@@ -153,7 +153,7 @@ std::span<const ContactRow> TrajectoryWriter::chosen(std::span<const ContactRow>
 /// Those of the frames come last, and of these the hashes.
 template <class F>
 void TrajectoryWriter::for_each_log(F f) {
-  if (ids_) id_times_.for_each_log(f);
+  if (selection_.changes()) id_times_.for_each_log(f);
   for (Rate& rate : rates_) rate.rows.for_each_log(f);
   if (contacts_) contacts_.for_each_log(f);
   if (observables_) observables_.for_each_log(f);
