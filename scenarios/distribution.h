@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "scenarios/random.h"
 #include "scenarios/report.h"
+#include "sim/random.h"
 
 namespace throng::scenarios {
 

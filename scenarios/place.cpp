@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "scenarios/body_distance.h"
-#include "scenarios/random.h"
 #include "sim/periodic.h"
+#include "sim/random.h"
 
 namespace throng::scenarios {
 

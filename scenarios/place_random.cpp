@@ -4,7 +4,7 @@
 #include "scenarios/body_distance.h"
 #include "scenarios/body_grid.h"
 #include "scenarios/place.h"
-#include "scenarios/random.h"
+#include "sim/random.h"
 
 namespace throng::scenarios {
 

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "scenarios/body_grid.h"
-#include "scenarios/random.h"
+#include "sim/random.h"
 
 namespace throng::scenarios {
 

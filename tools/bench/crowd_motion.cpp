@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "scenarios/random.h"
+#include "sim/random.h"
 
 namespace throng::bench {
 
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kFrame = 0.04, kRelaxation = 0.5, kPush = 1.0;  // s, s, m/s²
 
-Vec normal_vec(scenarios::Random& random) {
+Vec normal_vec(Random& random) {
   const double x = random.normal();
   return {x, random.normal()};
 }
@@ -26,7 +26,7 @@ Scene crowd_scene(std::size_t people) {
   Bodies& bodies = scene.bodies;
   const double side = std::sqrt(2.0 * static_cast<double>(people));
   for (std::uint32_t id = 1; id <= people; ++id) {
-    scenarios::Random random(1, 0, id, scenarios::Purpose::place);
+    Random random(1, 0, id, Purpose::place);
     const double x = random.uniform(0.0, side);
     const Vec way = normal_vec(random);
     bodies.position.push_back({x, random.uniform(0.0, side)});
@@ -45,8 +45,7 @@ std::vector<State> crowd_motion(const Scene& scene, std::size_t frames) {
     State state = states.back();
     ++state.step;
     for (std::size_t row = 0; row < state.id.size(); ++row) {
-      scenarios::Random random(1, static_cast<std::uint64_t>(state.step), state.id[row],
-                               scenarios::Purpose::velocity);
+      Random random(1, static_cast<std::uint64_t>(state.step), state.id[row], Purpose::velocity);
       const Vec back = (scene.bodies.velocity[row] - state.velocity[row]) / kRelaxation;
       state.velocity[row] += kFrame * (back + kPush * normal_vec(random));
       state.position[row] += kFrame * state.velocity[row];

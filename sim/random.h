@@ -6,11 +6,11 @@
 
 /// Random numbers that depend on what they are for and on nothing else: not on threads, not on what was drawn
 /// before.
-namespace throng::scenarios {
+namespace throng {
 
 /// What a number is drawn for; purposes never share numbers. The values are part of what a seed means: never
 /// reuse one.
-enum class Purpose : std::uint8_t { radius = 1, angle = 2, velocity = 3, place = 4, desired_speed = 5 };
+enum class Purpose : std::uint8_t { radius = 1, angle, velocity, place, desired_speed, doubt };
 
 /// The block cipher Philox4x32-10 of Salmon et al., "Parallel random numbers: as easy as 1, 2, 3" (SC 2011).
 std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter, std::array<std::uint32_t, 2> key);
@@ -45,4 +45,4 @@ class Random {
 /// relative (absolute next to 1).
 double logarithm(double x);
 
-}  // namespace throng::scenarios
+}  // namespace throng

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "scenarios/random.h"
+#include "sim/random.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
-namespace throng::scenarios {
+namespace throng {
 
 std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter, std::array<std::uint32_t, 2> key) {
   for (int round = 0; round < 10; ++round) {
@@ -62,4 +62,4 @@ double logarithm(double x) {
   return exponent * kLn2High + (2.0 * z + (2.0 * z * series + exponent * kLn2Low));
 }
 
-}  // namespace throng::scenarios
+}  // namespace throng

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "scenarios/random.h"
+#include "sim/random.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <set>
 
-namespace throng::scenarios {
+namespace throng {
 
 // The known answers that the authors of Random123 publish with it (kat_vectors, philox 4x32-10).
 TEST(Philox, GivesThePublishedAnswers) {
@@ -88,4 +88,4 @@ TEST(Logarithm, AgreesWithTheLibrary) {
   EXPECT_EQ(logarithm(1.0), 0.0);
 }
 
-}  // namespace throng::scenarios
+}  // namespace throng
