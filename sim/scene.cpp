@@ -14,6 +14,11 @@ std::int64_t Time::steps() const {
   return static_cast<std::int64_t>(std::ceil(steps - rounding));
 }
 
+bool bodies_come_and_go(const Scene& scene) {
+  const auto& kind = scene.bodies.kind;
+  return scene.record.within || std::find(kind.begin(), kind.end(), BodyKind::agent) != kind.end();
+}
+
 double mass(const Scene& scene, std::size_t row) {
   const Bodies& bodies = scene.bodies;
   if (bodies.kind[row] == BodyKind::agent) return kAgentMass;

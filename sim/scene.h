@@ -90,6 +90,10 @@ struct Scene {
   Crowd crowd;  ///< whose agents are the last of the bodies
 };
 
+/// Whether frames of a recording hold other bodies now and then: those in record.within, agents until they
+/// leave. Also of a scene that was read from a recording, whose bodies are the recorded ones. O(bodies).
+bool bodies_come_and_go(const Scene& scene);
+
 double mass(const Scene& scene, std::size_t row);     ///< kg; of an agent kAgentMass
 double inertia(const Scene& scene, std::size_t row);  ///< kg m², about the centre of mass
 

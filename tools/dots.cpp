@@ -31,7 +31,8 @@ std::uint8_t terminal_colour(const Colour& colour) {
 
 std::uint8_t colour_of(const Scene& scene, const Frame& frame, const View& view, std::size_t row) {
   constexpr double kDarkest = 0.35;  // of the palette: below it nothing shows on black
-  if (scene.bodies.kind[row] != BodyKind::dynamic) return kStill;
+  const BodyKind kind = scene.bodies.kind[row];
+  if (kind == BodyKind::fixed || kind == BodyKind::kinematic) return kStill;
   const bool known = !frame.velocity.empty() && view.speeds.top > 0;
   const double speed = known ? std::min(1.0, frame.velocity[row].norm() / view.speeds.top) : 0.0;
   return terminal_colour(palette(kDarkest + (1 - kDarkest) * speed));

@@ -56,6 +56,10 @@ void expect_same_version(const std::string& file, const std::string& version) {
                    ": going on could give other bits; go on with that version, or run the scenario again");
 }
 
+bool are_agents(const Scene& scene) {
+  return !scene.bodies.kind.empty() && scene.bodies.kind.back() == BodyKind::agent;
+}
+
 /// Whether the checkpoint can be used; throws where it is another run's.
 bool belongs(const Checkpoint& checkpoint, const std::string& file, const Kept& kept) {
   const CheckpointOrigin& origin = checkpoint.origin;
@@ -64,12 +68,14 @@ bool belongs(const Checkpoint& checkpoint, const std::string& file, const Kept& 
   if (const std::string difference = recording::scenario_difference(origin.scenario, scenario);
       !difference.empty())
     throw InputError(file + " is of another scenario than " + kept.source + ": " + difference);
-  if (checkpoint.state.id.size() != kept.recording.bodies_of_run())
-    throw InputError(file + " has " + std::to_string(checkpoint.state.id.size()) + " bodies, " + kept.source +
-                     " has " + std::to_string(kept.recording.bodies_of_run()));
-  if (checkpoint.state.crowd.arrived > 0)
+  const std::size_t bodies =
+      checkpoint.state.id.size() + static_cast<std::size_t>(checkpoint.state.crowd.arrived);
+  if (checkpoint.state.crowd.arrived > 0 && !are_agents(kept.recording.geometry()))
     throw InputError(file + " remembers " + std::to_string(checkpoint.state.crowd.arrived) +
                      " arrived, but no agents are recorded in " + kept.source);
+  if (bodies != kept.recording.bodies_of_run())
+    throw InputError(file + " has " + std::to_string(bodies) + " bodies, " + kept.source + " has " +
+                     std::to_string(kept.recording.bodies_of_run()));
   if (origin.frames > kept.frames) {
     std::fprintf(stderr, "throng: warning: %s follows %llu frames, %s has %zu: it can't be used\n",
                  file.c_str(), static_cast<unsigned long long>(origin.frames), kept.source.c_str(),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tools/verify.h"
 
+#include <algorithm>
 #include <bit>
 #include <cinttypes>
 #include <cstdio>
@@ -46,7 +47,7 @@ class Comparison {
       if (!present) continue;
       if (const auto found = difference(frame, row, state, body)) return found;
     }
-    return std::nullopt;
+    return first_gone(frame, state);
   }
 
   /// The same contacts in the same order.
@@ -57,6 +58,18 @@ class Comparison {
   }
 
  private:
+  /// Of those in the frame whom the state has no more.
+  std::optional<Difference> first_gone(const Frame& frame, const State& state) const {
+    if (frame.is_present.empty()) return std::nullopt;
+    std::vector<std::uint8_t> is_gone = frame.is_present;
+    for (const std::uint32_t id : state.id)
+      if (const std::uint32_t row = selection_.row_of(id); row != recording::Selection::kNone)
+        is_gone[row] = 0;
+    const auto first = std::find(is_gone.begin(), is_gone.end(), 1);
+    if (first == is_gone.end()) return std::nullopt;
+    return Difference{frame.id[static_cast<std::size_t>(first - is_gone.begin())], "presence", 1.0, 0.0};
+  }
+
   std::optional<Difference> difference(const Frame& frame, std::size_t row, const State& state,
                                        std::size_t body) const {
     std::optional<Difference> found;

@@ -18,7 +18,9 @@ SpeedScale speed_scale(const Scene& scene, std::span<const Vec> velocities) {
   double fastest = 0.0, radius = 0.0;
   for (std::size_t i = 0; i < velocities.size(); ++i) {
     const std::size_t row = i % scene.bodies.size();
-    if (scene.bodies.kind[row] != BodyKind::dynamic || velocities[i].hasNaN()) continue;
+    const bool moves =
+        scene.bodies.kind[row] == BodyKind::dynamic || scene.bodies.kind[row] == BodyKind::agent;
+    if (!moves || velocities[i].hasNaN()) continue;
     speeds.push_back(velocities[i].norm());
     fastest = std::max(fastest, speeds.back());
     radius = std::max(radius, scene.bodies.radius[row]);

@@ -14,7 +14,7 @@ constexpr double kObservableBytes = 7 * 8;
 
 /// What nobody knows before the run.
 struct Guess {
-  double share;      // of the bodies, in the region
+  double share;      // of the bodies, where they come and go
   double contacts;   // bytes a body
   double quantized;  // bytes a body
 };
@@ -31,7 +31,8 @@ double body_bytes(const Record& record, RecordField field, const Guess& guess) {
 double bytes_by(const Guess& guess, const Scene& scene) {
   const Record& record = scene.record;
   const double chosen = static_cast<double>(record.ids.empty() ? scene.bodies.size() : record.ids.size());
-  const double bodies = record.within ? guess.share * chosen : chosen;
+  const bool changes = bodies_come_and_go(scene);
+  const double bodies = changes ? guess.share * chosen : chosen;
   const auto samples = [&](int every) {
     return every == 0 ? 0.0 : static_cast<double>(scene.time.steps()) / every + 1;
   };
@@ -43,7 +44,7 @@ double bytes_by(const Guess& guess, const Scene& scene) {
     bytes += frames * (body_bytes(record, field, guess) * bodies + kRowBytes);
     most = std::max(most, frames);
   }
-  return bytes + (record.within ? most * 4.0 * bodies : 0.0);
+  return bytes + (changes ? most * 4.0 * bodies : 0.0);
 }
 
 }  // namespace

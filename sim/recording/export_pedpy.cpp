@@ -23,7 +23,29 @@ struct Row {
   double x, y;  ///< m
 };
 
-/// The rectangle that people may be in, as far as can be told.
+/// The fewest digits that read back as the same number.
+std::string text(double value) {
+  char digits[32];
+  return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
+}
+
+/// The floor of agents: PedPy's is one polygon, with holes.
+std::string polygon_wkt(const Region& floor) {
+  std::string wkt;
+  for (const std::vector<Vec>& ring : floor.rings) {
+    if (!wkt.empty() && !contains(Region{{floor.rings.front()}}, ring.front()))
+      throw InputError("the walkable area is in pieces that don't hang together, which pedpy can't say");
+    wkt += wkt.empty() ? "POLYGON (" : ", ";
+    for (std::size_t i = 0; i <= ring.size(); ++i) {
+      const Vec& point = ring[i % ring.size()];
+      wkt += (i == 0 ? "(" : ", ") + text(point.x()) + " " + text(point.y());
+    }
+    wkt += ")";
+  }
+  return wkt + ")";
+}
+
+/// The rectangle that bodies may be in, as far as can be told.
 class Area {
  public:
   explicit Area(const Scene& scene) : bounded_(scene.domain.kind != DomainKind::unbounded) {
@@ -41,8 +63,7 @@ class Area {
   }
 
   std::string wkt() const {
-    const std::string x0 = number(min_.x()), y0 = number(min_.y()), x1 = number(max_.x()),
-                      y1 = number(max_.y());
+    const std::string x0 = text(min_.x()), y0 = text(min_.y()), x1 = text(max_.x()), y1 = text(max_.y());
     return "POLYGON ((" + x0 + " " + y0 + ", " + x1 + " " + y0 + ", " + x1 + " " + y1 + ", " + x0 + " " + y1 +
            ", " + x0 + " " + y0 + "))";
   }
@@ -51,12 +72,6 @@ class Area {
   void include(const Vec& point) {
     min_ = min_.cwiseMin(point);
     max_ = max_.cwiseMax(point);
-  }
-
-  /// The fewest digits that read back as the same number.
-  static std::string number(double value) {
-    char text[32];
-    return {text, std::to_chars(text, text + sizeof text, value).ptr};
   }
 
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -129,8 +144,8 @@ class Table {
     written_ += rows.size();
   }
 
-  void close(const Recording& recording, const Area& area) {
-    write_free_text(file_, "wkt_geometry", area.wkt());
+  void close(const Recording& recording, const std::string& area) {
+    write_free_text(file_, "wkt_geometry", area);
     write_free_text(file_, "run_name", recording.geometry().name);
     write_free_text(file_, "source", "throng " + recording.origin().version);
     set_.close("cannot close it");
@@ -149,7 +164,7 @@ class Table {
 
 /// Frames may hold some bodies only: how many rows there are shows when all are read.
 std::size_t count_rows(const Recording& recording, Frames frames, std::span<const std::size_t> moving) {
-  if (!recording.geometry().record.within) return frames.size() * moving.size();
+  if (!bodies_come_and_go(recording.geometry())) return frames.size() * moving.size();
   std::size_t rows = 0;
   Frame frame;
   for (std::size_t i : frames) {
@@ -177,7 +192,7 @@ void write_table(const Recording& recording, Frames frames, const std::string& o
     }
     if (!rows.empty()) table.append(rows);
   }
-  table.close(recording, area);
+  table.close(recording, scene.crowd.walkable.empty() ? area.wkt() : polygon_wkt(scene.crowd.walkable));
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ class FrameReader {
   Schedule open_schedule(hid_t element, std::span<const std::int64_t> steps);
   void expect_times(hid_t element, const Schedule& when, std::span<const std::int64_t> steps) const;
   void open_ids(hid_t throng, hid_t trajectory, std::span<const std::int64_t> steps, Record& record);
-  void open_region(hid_t trajectory, std::span<const std::int64_t> steps, Record& record);
+  void open_region(hid_t element, Record& record) const;
   void open_field(hid_t trajectory, RecordField field, std::span<const std::int64_t> steps);
   void open_quantized(hid_t throng, std::span<const std::int64_t> steps, Record& record);
   void open_contacts(hid_t throng, std::span<const std::int64_t> steps);

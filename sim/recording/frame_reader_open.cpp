@@ -78,21 +78,22 @@ void FrameReader::open_ids(hid_t throng, hid_t trajectory, std::span<const std::
     ids_[row] = static_cast<std::uint32_t>(ids[row]);
   }
   if (ids_.size() < bodies_) record.ids = ids_;
-  if (changes_) open_region(trajectory, steps, record);
-}
-
-void FrameReader::open_region(hid_t trajectory, std::span<const std::int64_t> steps, Record& record) {
+  if (!changes_) return;
   const h5::Handle element = h5::open_group(trajectory, "id");
-  const auto low = h5::read_attribute<double>(element, "min", 2),
-             high = h5::read_attribute<double>(element, "max", 2);
-  record.within = Eigen::AlignedBox2d(Vec(low[0], low[1]), Vec(high[0], high[1]));
-  if (!(low[0] < high[0] && low[1] < high[1] && std::isfinite(high[0] - low[0] + high[1] - low[1])))
-    throw h5::Error("the region is turned round");
+  if (h5::has_attribute(element, "min")) open_region(element, record);
   present_when_ = Schedule(h5::read_array<std::int64_t>(*file_, element, "step"), steps);
   expect_times(element, present_when_, steps);
   present_ =
       h5::open_dataset<std::uint32_t>(*file_, element, "value", {kAny, ids_.size()}, h5::Storage::sparse);
   expect_samples(present_.dims[0], present_when_.samples(), "id");
+}
+
+void FrameReader::open_region(hid_t element, Record& record) const {
+  const auto low = h5::read_attribute<double>(element, "min", 2),
+             high = h5::read_attribute<double>(element, "max", 2);
+  record.within = Eigen::AlignedBox2d(Vec(low[0], low[1]), Vec(high[0], high[1]));
+  if (!(low[0] < high[0] && low[1] < high[1] && std::isfinite(high[0] - low[0] + high[1] - low[1])))
+    throw h5::Error("the region is turned round");
 }
 
 void FrameReader::open_field(hid_t trajectory, RecordField field, std::span<const std::int64_t> steps) {

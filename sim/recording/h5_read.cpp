@@ -139,6 +139,10 @@ std::uint64_t File::room() const {
   return error ? 0 : size + (unfinished ? kCutShort : 0);
 }
 
+bool has_attribute(hid_t at, const char* name) {
+  return check(H5Aexists(at, name), name) > 0;
+}
+
 bool exists(hid_t at, const char* name) {
   return check(H5Lexists(at, name, H5P_DEFAULT), name) > 0;
 }

@@ -34,6 +34,7 @@ struct Dataset {
 };
 
 bool exists(hid_t at, const char* name);
+bool has_attribute(hid_t at, const char* name);
 Handle open_group(hid_t at, const char* name);
 
 template <class T>

@@ -13,7 +13,7 @@
 ///
 /// F frames, N recorded bodies; all types little-endian and of fixed size; texts of fixed length, UTF-8. Created
 /// whole before the first frame with `libver=latest`, then only appended to, in SWMR mode: readers may follow a
-/// run. Since 1.2 is marked with (1.2).
+/// run. Since 1.2 is marked with (1.2), since 1.3 with (1.3).
 /// ```
 /// /h5md                   attribute version int32[2] = {1, 1}; author and creator as H5MD wants them
 /// /parameters             attributes dt, until, checkpoint (f64), substeps, every, threads (i64), seed (u64),
@@ -45,13 +45,15 @@
 ///                         f64, vertex_offset u64[parts+1] -> vertices f64[,2]; since 1.1 hole_offset
 ///                         u64[S+1] -> ring_offset u64[holes+1] -> rings f64[,2]
 ///   bodies                a row for each recorded body: shape u32, material u32, kind u8 (0 dynamic, 1 static,
-///                         2 kinematic), radius, mass; id i64[N] where frames hold some of them only (1.2)
+///                         2 kinematic, 3 agent (1.3)), radius, mass; id i64[N] where frames hold some of them only (1.2)
 ///   walls                 offset u64[W+1] -> points f64[,2]; closed u8, material u32
+///   walkable              (1.3) where there are agents: offset u64[R+1] -> points f64[,2], the rings of the floor
 /// ```
-/// What has an attribute `every` is in the frames whose step is a multiple of it. With record.within (1.2), `id` is
-/// a group, too, with attributes min and max f64[2], the region, and value u32[F,N]: a frame's bodies
+/// What has an attribute `every` is in the frames whose step is a multiple of it. Where bodies come and go,
+/// with record.within (1.2) and among agents (1.3), `id` is a group, too, with value u32[F,N]: a frame's bodies
 /// stand in front, ascending by id, and 0, the fill value, in the other places; fields have the same order. It is in
-/// the frames that its own step lists: those that hold a field of bodies or contacts.
+/// the frames that its own step lists: those that hold a field of bodies or contacts. With record.within it has
+/// attributes min and max f64[2], the region.
 ///
 /// `state_hash` is throng::hash of the whole state, so that a run can be checked against another (before 1.1 it
 /// was another function, and there was no attribute `checkpoint`). `frame_hash`
@@ -69,8 +71,8 @@ inline constexpr int kMajor = 1;  ///< a reader refuses a newer one
 /// A reader takes any. Since 1 polygons may have holes, which readers of 1.0 overlook, there is an attribute
 /// `checkpoint`, and `state_hash` is another function: to a throng of 1.0 such states differ from those that
 /// it computes. Since 2 fields have rates, and there are quantized positions, contacts, observables and
-/// regions: readers of 1.1 take frames that have them for damaged.
-inline constexpr int kMinor = 2;
+/// regions: readers of 1.1 take frames that have them for damaged. Since 3 there are agents.
+inline constexpr int kMinor = 3;
 
 inline constexpr std::size_t kMaxChunk = std::size_t{1} << 20;  ///< bytes
 inline constexpr std::size_t kRegionChunk = 256;                ///< bodies, where frames hold few of them

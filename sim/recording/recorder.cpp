@@ -39,12 +39,6 @@ double other_bytes(const Scene& scene, const Provenance& provenance) {
   return kSceneBytes * bodies + kCheckpoints * kStateBytes * bodies + texts + 1e5;
 }
 
-/// Frames hold the same bodies from the first to the last.
-void expect_lasting_bodies(const Scene& scene) {
-  if (scene.crowd.size() > 0)
-    throw InputError("not supported yet: recording agents, who leave at their goals");
-}
-
 /// Signals are for the threads that know what to do; a limit on the file's size comes back as an error
 /// instead.
 void block_signals() {
@@ -103,7 +97,6 @@ Recorder::Impl::Impl(const std::string& path, const Scene& scene, const Provenan
       queue(initial_state(scene)),
       frames(kept.frames) {
   if (kept.recording && output.was_there()) output.keep();
-  expect_lasting_bodies(scene);
   expect_room(path, least_bytes(scene) + other_bytes(scene, provenance));
   expect_memory();
   std::promise<void> promise;
@@ -264,7 +257,6 @@ Recorder::~Recorder() = default;
 void Recorder::expect_writable(const std::string& path, const Scene& scene, const Provenance& provenance,
                                bool force) {
   recording::expect_writable(path, force);
-  expect_lasting_bodies(scene);
   expect_room(path, least_bytes(scene) + other_bytes(scene, provenance));
 }
 

@@ -54,9 +54,9 @@ class Recorder {
 
   /// Adds a frame: what is due at the state's step. Returns once it is copied; waits where the queue is full,
   /// so a slow disk slows the loop rather than filling the memory. O(n); allocates only where there are more
-  /// contacts than ever before. Expects the scene's bodies, ids 1 to n in any order, steps that ascend, and
-  /// the state's contacts where they or observables are due. Throws std::runtime_error with path and reason
-  /// where writing has failed.
+  /// contacts than ever before. Expects the scene's bodies, ids 1 to n in any order, all but agents in every
+  /// frame, steps that ascend, and the state's contacts where they or observables are due. Throws
+  /// std::runtime_error with path and reason where writing has failed.
   void record(const State& state, std::span<const ContactRow> contacts = {});
 
   /// Makes a checkpoint beside the recording (recording/checkpoint.h): once it is written, which this doesn't

@@ -28,7 +28,8 @@ struct Frame {
   std::vector<double> angle;  ///< rad
   std::vector<Vec> velocity;  ///< m/s
   std::vector<double> spin;   ///< rad/s
-  /// 1 where the body was within record.within; empty where all are there. The others have NaN in all arrays.
+  /// 1 where the body was there; empty where all are in every frame. The others, outside record.within or
+  /// gone as agents go, have NaN in all arrays.
   std::vector<std::uint8_t> is_present;
   std::optional<std::vector<ContactRow>> contacts;
   std::optional<Observables> observables;
@@ -70,8 +71,9 @@ class Recording {
   bool running() const;   ///< a run was writing to it when it was opened
   double bytes() const;   ///< of the file when it was opened
 
-  /// Names, domain, shapes, materials, recorded bodies (their motion is zero: ask a frame), walls, time,
-  /// seed, engine and what is recorded. Gravity and whatever else drawing doesn't need has its default.
+  /// Names, domain, shapes, materials, recorded bodies (their motion is zero: ask a frame), walls, the
+  /// floor that agents walk on, time, seed, engine and what is recorded. Gravity and whatever else drawing
+  /// doesn't need has its default.
   const Scene& geometry() const;
   const RecordingOrigin& origin() const;
 

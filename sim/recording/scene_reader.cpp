@@ -142,7 +142,7 @@ Bodies read_bodies(const h5::File& file, hid_t throng, const Scene& scene) {
   expect_below(bodies.shape, scene.shapes.size(), "shape");
   expect_below(bodies.material, scene.materials.size(), "material");
   for (std::uint8_t kind : read_array<std::uint8_t>(file, group, "kind", {n})) {
-    if (kind > static_cast<int>(BodyKind::kinematic)) reject("body is of an unknown kind");
+    if (kind > static_cast<int>(BodyKind::agent)) reject("body is of an unknown kind");
     bodies.kind.push_back(static_cast<BodyKind>(kind));
   }
   bodies.position = bodies.velocity = std::vector<Vec>(n, Vec(0, 0));
@@ -166,6 +166,20 @@ std::vector<Wall> read_walls(const h5::File& file, hid_t throng, const Scene& sc
   return walls;
 }
 
+Region read_walkable(const h5::File& file, hid_t throng) {
+  if (!h5::exists(throng, "walkable")) return {};
+  const h5::Handle group = h5::open_group(throng, "walkable");
+  const std::vector<Vec> points = read_points(file, group, "points");
+  const auto offset = read_array<std::uint64_t>(file, group, "offset", {kAny});
+  expect_offsets(offset, points.size(), "offset");
+  Region walkable;
+  for (std::size_t r = 1; r < offset.size(); ++r) {
+    if (offset[r] - offset[r - 1] < 3) reject("walkable has a ring of fewer than three points");
+    walkable.rings.emplace_back(points.begin() + offset[r - 1], points.begin() + offset[r]);
+  }
+  return walkable;
+}
+
 }  // namespace
 
 Scene read_scene(const h5::File& file, hid_t throng) {
@@ -177,6 +191,7 @@ Scene read_scene(const h5::File& file, hid_t throng) {
   scene.shapes = read_shapes(file, throng);
   scene.bodies = read_bodies(file, throng, scene);
   scene.walls = read_walls(file, throng, scene);
+  scene.crowd.walkable = read_walkable(file, throng);
   return scene;
 }
 

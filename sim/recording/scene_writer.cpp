@@ -117,6 +117,14 @@ void write_walls(hid_t throng, const std::vector<Wall>& walls) {
   write_array(group, "material", flat(column(walls, [](const Wall& w) { return w.material; })));
 }
 
+void write_walkable(hid_t throng, const Region& walkable) {
+  const h5::Handle group = h5::create_group(throng, "walkable");
+  Ragged rings;
+  for (const std::vector<Vec>& ring : walkable.rings) rings.add(ring);
+  write_array(group, "offset", flat(rings.offset));
+  write_array(group, "points", flat(rings.points), 2);
+}
+
 }  // namespace
 
 void write_scene(hid_t throng, const Scene& scene, std::span<const std::uint32_t> ids) {
@@ -127,6 +135,7 @@ void write_scene(hid_t throng, const Scene& scene, std::span<const std::uint32_t
   write_shapes(throng, scene.shapes);
   write_bodies(throng, scene, ids);
   write_walls(throng, scene.walls);
+  if (scene.crowd.size() > 0) write_walkable(throng, scene.crowd.walkable);
 }
 
 }  // namespace throng::recording

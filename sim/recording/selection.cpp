@@ -9,7 +9,10 @@
 namespace throng::recording {
 
 Selection::Selection(const Scene& scene)
-    : ids_(scene.record.ids), domain_(scene.domain), within_(scene.record.within) {
+    : ids_(scene.record.ids),
+      changes_(bodies_come_and_go(scene)),
+      domain_(scene.domain),
+      within_(scene.record.within) {
   if (ids_.empty()) {
     ids_.resize(scene.bodies.size());
     std::iota(ids_.begin(), ids_.end(), 1);

@@ -11,7 +11,7 @@
 namespace throng::recording {
 
 /// Which bodies a recording holds, and in which of its rows: those of record.ids, in order of id, in each
-/// frame those whose centre is within the region of record.within.
+/// frame those whose centre is within the region of record.within, agents until they leave.
 class Selection {
  public:
   explicit Selection(const Scene& scene);
@@ -19,7 +19,7 @@ class Selection {
   std::size_t rows() const { return ids_.size(); }
   std::span<const std::uint32_t> ids() const { return ids_; }  ///< ascending, by row
   bool all() const { return row_of_.empty(); }                 ///< row = id - 1
-  bool changes() const { return static_cast<bool>(within_); }  ///< from frame to frame
+  bool changes() const { return changes_; }                    ///< from frame to frame: bodies_come_and_go
 
   /// Whether a contact of the run is one of a frame: one of its sides is. `is_present`: as Frame has it.
   bool keeps(const ContactRow& contact, std::span<const std::uint8_t> is_present) const {
@@ -54,6 +54,7 @@ class Selection {
   }
 
   std::vector<std::uint32_t> ids_, row_of_;  // row_of_: by id; empty where all bodies are recorded
+  bool changes_;
   Domain domain_;
   std::optional<Eigen::AlignedBox2d> within_;
 };

@@ -95,8 +95,10 @@ void TrajectoryWriter::create_ids(hid_t group) {
   h5::write_array(h5::Handle(H5Gopen2(throng, "bodies", H5P_DEFAULT), H5Gclose, "cannot open a group"), "id",
                   std::span<const std::int64_t>(ids));
   const h5::Handle element = h5::create_group(group, "id");
-  h5::write_attribute(element, "min", std::span<const double>(record_.within->min().data(), 2));
-  h5::write_attribute(element, "max", std::span<const double>(record_.within->max().data(), 2));
+  if (record_.within) {
+    h5::write_attribute(element, "min", std::span<const double>(record_.within->min().data(), 2));
+    h5::write_attribute(element, "max", std::span<const double>(record_.within->max().data(), 2));
+  }
   ids_ = FrameBlocks(element, "value", h5::type<std::uint32_t>(),
                      FrameBlocks::Form{selection_.rows(), 1, kRegionChunk, false, true});
   id_times_ = RateRows(element);

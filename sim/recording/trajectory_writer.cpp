@@ -81,6 +81,7 @@ std::span<const double> TrajectoryWriter::in_rows(RecordField field, const State
   const auto from = with_field(state, field, [](const auto& numbers) { return flat(numbers); });
   if (selection_.is_order(state.id)) return from;
   std::vector<double>& values = fields_[index(field)].values();
+  if (selection_.changes()) std::ranges::fill(values, 0.0);  // of agents who are gone, nothing else
   components(field) == 2 ? selection_.bring<2>(state.id, from.data(), values)
                          : selection_.bring<1>(state.id, from.data(), values);
   return values;

@@ -205,6 +205,33 @@ TEST_F(Resume, RefusesACheckpointOfBodiesThatArrived) {
               HasSubstr("a.h5.ckpt remembers 1000000 arrived, but no agents are recorded in " + part));
 }
 
+constexpr const char* kCrowd = R"toml(throng = 1
+time = { dt = 0.02, until = 6 }
+walkable = "POLYGON ((0 0, 9 0, 9 4, 0 4, 0 0))"
+areas = { exit = [[8, 0], [9, 0], [9, 4], [8, 4]] }
+[[agents]]
+count = 30
+place = { random = { within = [[0, 0], [9, 4]] } }
+model = "collision_free_speed"
+goal = "exit"
+)toml";
+
+/// Agents have left before the checkpoint, others leave after it.
+TEST_F(Resume, LetsACrowdWalkOn) {
+  const std::string scene = write("crowd.toml", kCrowd), whole = path("whole.h5"), part = path("part.h5");
+  const std::string run = "run --progress none --checkpoint 1000 " + scene;
+  ASSERT_EQ(throng(run + " -o " + whole).exit_code, 0);
+  ASSERT_EQ(throng(run + " --until 3 -o " + part).exit_code, 0);
+  const State state = recording::read_checkpoint(part + ".ckpt").state;
+  EXPECT_GT(state.crowd.arrived, 0);
+  EXPECT_GT(state.id.size(), 0u);
+  const Result result = resume(part + " --until 6");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("from the checkpoint at step 150"));
+  EXPECT_EQ(difference(whole, part), 0);
+  EXPECT_EQ(throng("replay --verify " + part).out, "verified: 301 frames\n");
+}
+
 /// Frames that are there already are the proof that nothing computes otherwise.
 TEST_F(Resume, StopsWhereItComputesOtherwiseThanWhatIsRecorded) {
   const std::string part = made("a.h5", "0.4");

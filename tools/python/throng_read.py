@@ -216,7 +216,7 @@ class Recording:
         self.domain = Domain(_text(domain["kind"]), domain["min"], domain["max"])
         self.materials = [Material(_text(name), *map(float, numbers)) for name, *numbers in
                           self._columns("throng/materials", Material._fields)]
-        kinds = np.array(["dynamic", "static", "kinematic"])
+        kinds = np.array(["dynamic", "static", "kinematic", "agent"])
         shape, material, kind, radius, mass = (self._all(f"throng/bodies/{name}") for name in Bodies._fields)
         self.bodies = Bodies(shape, material, kinds[kind], radius, mass)
         self.shapes = self._shapes()

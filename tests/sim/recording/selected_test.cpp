@@ -104,6 +104,59 @@ TEST(Selected, SomeBodiesKeepTheirIdsAndShapes) {
   }
 }
 
+/// Agents: the last of mixed_scene's bodies, of which every fifth leaves at each step.
+State crowd_at(const Scene& scene, std::int64_t step) {
+  State state = state_at(scene, step);
+  const auto stays = [&](std::uint32_t id) {
+    return id % 5 == 0 || id % 5 > static_cast<std::uint32_t>(step);
+  };
+  std::size_t kept = 0;
+  for (std::size_t row = 0; row < state.id.size(); ++row) {
+    if (!stays(state.id[row])) continue;
+    state.id[kept] = state.id[row], state.position[kept] = state.position[row];
+    state.angle[kept] = state.angle[row], state.velocity[kept] = state.velocity[row];
+    state.spin[kept++] = state.spin[row];
+  }
+  state.id.resize(kept), state.position.resize(kept), state.angle.resize(kept);
+  state.velocity.resize(kept), state.spin.resize(kept);
+  return state;
+}
+
+Scene crowd_scene(std::size_t n) {
+  Scene scene = mixed_scene(n);
+  scene.bodies.kind.assign(n, BodyKind::agent);
+  scene.crowd.walkable.rings = {{{0, 0}, {9, 0}, {9, 9}}, {{5, 1}, {6, 1}, {6, 2}, {5, 2}}};
+  scene.crowd.group.assign(n, 0);
+  return scene;
+}
+
+TEST(Selected, AgentsAreThereUntilTheyLeave) {
+  const Folder folder;
+  const Scene scene = crowd_scene(300);
+  {
+    Recorder recorder(folder / "a.h5", scene, provenance());
+    for (std::int64_t step = 0; step <= 4; ++step) recorder.record(crowd_at(scene, step));
+    recorder.finish();
+  }
+  const Recording recording(folder / "a.h5");
+  EXPECT_EQ(recording.geometry().record.within, std::nullopt);
+  EXPECT_EQ(recording.geometry().bodies.kind.back(), BodyKind::agent);
+  EXPECT_EQ(recording.geometry().crowd.walkable.rings, scene.crowd.walkable.rings);
+  for (std::size_t i = recording.frames(); i-- > 0;) {
+    const Frame frame = recording.frame(i);
+    const State state = crowd_at(scene, static_cast<std::int64_t>(i));
+    EXPECT_EQ(frame.state_hash, hash(state));
+    EXPECT_EQ(frame.bodies(), 60 * (5 - i));
+    ASSERT_EQ(frame.bodies(), state.id.size());
+    for (std::size_t row = 0; row < state.id.size(); ++row) {
+      const std::size_t at = state.id[row] - std::size_t{1};
+      ASSERT_TRUE(frame.has(at));
+      EXPECT_EQ(frame.position[at], state.position[row]);
+      EXPECT_EQ(frame.spin[at], state.spin[row]);
+    }
+  }
+}
+
 /// 700 bodies take three chunks; those of the drift enter and leave the region.
 TEST(Selected, RegionsHoldWhoIsInThem) {
   const Folder folder;
