@@ -51,7 +51,8 @@ Type recorded_bodies_table() {
   return table(
       {{{"shape", some(name_in("shapes"), "a list of names of shapes"), "Of these shapes."},
         {"material", some(name_in("materials"), "a list of names of materials"), "Of these materials."},
-        {"kind", some(choice({"dynamic", "static", "kinematic"}), "a list of kinds"), "Of these kinds."},
+        {"kind", some(choice({"dynamic", "static", "kinematic", "agent"}), "a list of kinds"),
+         "Of these kinds."},
         {"ids", list(integer(1, kMostBodies), 1, "a list of ids"), "These alone."}}});
 }
 
@@ -170,7 +171,7 @@ Table agent_table() {
   std::vector<std::string> names;
   for (const ModelKind& kind : walking_models()) names.push_back(kind.name);
   Table result{
-      {required({"model", choice(names, {"orca"}), "How agents decide how to walk."}),
+      {required({"model", choice(names), "How agents decide how to walk."}),
        required({"goal", name_in("areas"),
                  "Name of the area that they walk to, by the shortest way, and leave at."}),
        {"at", point(), "Where the agent stands, m."},

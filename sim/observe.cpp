@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "broadphase/all_lists.h"
 #include "narrowphase/distance.h"
 #include "sim/contact/candidates.h"
 #include "sim/crowd/walk.h"

@@ -129,7 +129,7 @@ Workspace::Workspace(const Scene& scene, const Plan& plan, int threads)
       candidates(scene, plan),
       finder(scene, plan),
       bodies(scene.bodies.size() + 1),
-      crowd(scene, threads) {
+      crowd(scene) {
   for (SolverBody& body : bodies) body = {Vec(0.0, 0.0), Vec(0.0, 0.0), 0.0, 0.0, 0.0, 0.0};
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     if (scene.bodies.kind[i] != BodyKind::dynamic) continue;
@@ -144,7 +144,7 @@ Workspace::Workspace(const Scene& scene, const Plan& plan, int threads)
 /// Agents choose their velocity and walk.
 void step_crowd(State& state, Workspace& work) {
   StageClock clock;
-  work.crowd.look(state);
+  work.crowd.look(state, work.workers);
   clock.lap(work.times.look);
   work.crowd.steer(state, work.workers);
   clock.lap(work.times.steer);

@@ -43,9 +43,13 @@ Barriers::Barriers(std::span<const BarrierLine> lines, double reach) {
     }
   }
   std::vector<broadphase::Extent> extents;
-  for (const Segment& segment : segments_)
+  Eigen::AlignedBox2d bounds;
+  for (const Segment& segment : segments_) {
     extents.push_back(broadphase::Extent::of_segment(segment.a, segment.b));
+    bounds.extend(segment.a), bounds.extend(segment.b);
+  }
   index_.build(extents, 2.0 * reach);
+  clearance_ = Clearance(index_, bounds, reach);
 }
 
 bool Barriers::block(const Vec& p, const Vec& q) const {

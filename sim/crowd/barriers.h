@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "broadphase/box_index.h"
+#include "sim/crowd/clearance.h"
 #include "sim/crowd/region.h"
 
 /// What agents can't walk through: the edges of the walkable area, walls and the domain's box, as one set of
@@ -42,6 +43,9 @@ class Barriers {
   /// Calls f(segment) for each whose box the box touches, ascending.
   template <class F>
   void for_each_near(const Eigen::AlignedBox2d& box, F&& f) const {
+    const Vec half = 0.5 * (box.max() - box.min());
+    const double clear = clearance_.at(box.min() + half);
+    if (clear * clear > half.squaredNorm()) return;
     index_.for_each_near(box, [&](std::uint32_t row) { f(segments_[row]); });
   }
 
@@ -61,6 +65,7 @@ class Barriers {
 
   std::vector<Segment> segments_;
   broadphase::BoxIndex index_;
+  Clearance clearance_;
 };
 
 inline bool Barriers::is_minimum(const Segment& segment, const Vec& nearest, const Vec& p) const {
@@ -73,8 +78,7 @@ inline bool Barriers::is_minimum(const Segment& segment, const Vec& nearest, con
 template <class F>
 void Barriers::for_each_nearest(const Vec& p, double reach, F&& f) const {
   const Vec far(reach, reach);
-  index_.for_each_near({Vec(p - far), Vec(p + far)}, [&](std::uint32_t row) {
-    const Segment& segment = segments_[row];
+  for_each_near({Vec(p - far), Vec(p + far)}, [&](const Segment& segment) {
     const Vec nearest = nearest_on_segment(segment.a, segment.b, p);
     if ((nearest - p).squaredNorm() <= reach * reach && is_minimum(segment, nearest, p)) f(nearest);
   });

@@ -1,13 +1,112 @@
 // SPDX-License-Identifier: MIT
 #include "sim/crowd/collision_free_speed.h"
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "sim/crowd/collision_free_speed.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "sim/crowd/exponential.h"
+#include "sim/crowd/near-inl.h"
+
+#ifndef THRONG_COLLISION_FREE_SPEED
+#define THRONG_COLLISION_FREE_SPEED
+namespace throng {
+
+/// In the order of the parameters.
+struct FreeSpeed {
+  double time_gap, strength, range, wall_strength, wall_range, cutoff;
+};
+
+inline constexpr double kFreeNegligible = 16.0;  // ranges: e^-16 of the strength
+inline constexpr double kFreeMostExponent = 700.0;
+
+}  // namespace throng
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace throng::HWY_NAMESPACE {
+
+/// Adds to `sum` how the others turn the agent away; `gap` becomes how far from touching each is (m).
+HWY_INLINE void turn_away(const FreeSpeed& model, const Others& others, std::vector<double>& gap, Vec& sum) {
+  const D d;
+  const Reals negligible = hn::Set(d, kFreeNegligible * model.range), strength = hn::Set(d, model.strength);
+  const Reals per_range = hn::Set(d, -1.0 / model.range), most = hn::Set(d, kFreeMostExponent);
+  FourSums x, y;
+  for (std::size_t i = 0; i < others.size; i += kFour)
+    for (std::size_t p = 0; p < kParts; ++p) {
+      const std::size_t k = i + p * kLanes;
+      const Reals dx = hn::LoadU(d, others.dx.data() + k), dy = hn::LoadU(d, others.dy.data() + k);
+      const Reals distance = hn::Sqrt(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)));
+      const Reals free = hn::Sub(distance, hn::LoadU(d, others.width.data() + k));
+      hn::StoreU(free, d, gap.data() + k);
+      const Mask close = hn::Le(free, negligible);
+      if (hn::AllFalse(d, close)) continue;
+      const Reals push = hn::Mul(strength, exponential_of(hn::Min(hn::Mul(free, per_range), most)));
+      const Reals scale = hn::IfThenElseZero(close, hn::Div(push, distance));
+      x.add(p, hn::Mul(scale, dx));
+      y.add(p, hn::Mul(scale, dy));
+    }
+  sum -= Vec(x.total(), y.total());
+}
+
+/// m, to the nearest one whom walking on along `heading` would run into.
+HWY_INLINE double gap_ahead(const Others& others, const std::vector<double>& gap, const Vec& heading) {
+  const D d;
+  const Reals hx = hn::Set(d, heading.x()), hy = hn::Set(d, heading.y());
+  Reals least = hn::Set(d, 1e150);
+  for (std::size_t k = 0; k < others.size; k += kLanes) {
+    const Reals dx = hn::LoadU(d, others.dx.data() + k), dy = hn::LoadU(d, others.dy.data() + k);
+    const Reals across = hn::Abs(hn::Sub(hn::Mul(hx, dy), hn::Mul(hy, dx)));
+    const Mask ahead = hn::And(hn::Ge(hn::Add(hn::Mul(hx, dx), hn::Mul(hy, dy)), hn::Zero(d)),
+                               hn::Le(across, hn::LoadU(d, others.width.data() + k)));
+    least = hn::Min(least, hn::IfThenElse(ahead, hn::LoadU(d, gap.data() + k), least));
+  }
+  return hn::GetLane(hn::MinOfLanes(d, least));
+}
+
+Vec away_from_walls(const FreeSpeed& model, const CrowdView& crowd, std::uint32_t place) {
+  const Vec p = crowd.position(place);
+  const double radius = crowd.radius[place];
+  Vec sum(0.0, 0.0);
+  crowd.barriers.for_each_nearest(p, radius + kFreeNegligible * model.wall_range, [&](const Vec& q) {
+    const double distance = (p - q).norm();
+    if (distance > 0.0)
+      sum += model.wall_strength *
+             exponential(std::min((radius - distance) / model.wall_range, kFreeMostExponent)) *
+             ((p - q) / distance);
+  });
+  return sum;
+}
+
+void WalkFreely(const FreeSpeed& model, const CrowdView& crowd, std::span<const std::uint32_t> places,
+                std::span<Vec> velocity) {
+  thread_local Others others;  // kept: a step allocates nothing
+  thread_local std::vector<double> gap;
+  for (const std::uint32_t place : places) {
+    others.gather(crowd, place, model.cutoff);
+    if (gap.size() < others.dx.size()) gap.resize(others.dx.size());
+    Vec heading = crowd.towards(place) + away_from_walls(model, crowd, place);
+    turn_away(model, others, gap, heading);
+    const double length = heading.norm();
+    if (length > 0.0) heading /= length;
+    const double speed =
+        std::min(crowd.desired_speed[place], gap_ahead(others, gap, heading) / model.time_gap);
+    velocity[place] = std::max(0.0, speed) * heading;
+  }
+}
+
+}  // namespace throng::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
 
 namespace throng {
+
+HWY_EXPORT(WalkFreely);
 
 namespace {
 
@@ -19,77 +118,25 @@ constexpr ModelParameter kParameters[] = {
     {"wall_range", 0.02, 1e-3, 1e2, "m", "Over which that falls by e, m."},
     {"cutoff", 3.0, 0.0, 1e3, "m", "How far others are looked at, centre to centre, m."}};
 
-constexpr double kNegligible = 16.0;  // ranges: e^-16 of the strength
-constexpr double kMost = 700.0;       // exponent
-
 class CollisionFreeSpeed : public WalkingModel {
  public:
-  explicit CollisionFreeSpeed(std::span<const double> v)
-      : time_gap_(v[0]),
-        strength_(v[1]),
-        range_(v[2]),
-        wall_strength_(v[3]),
-        wall_range_(v[4]),
-        cutoff_(v[5]) {}
+  explicit CollisionFreeSpeed(std::span<const double> v) : model_{v[0], v[1], v[2], v[3], v[4], v[5]} {}
 
-  Vec velocity(const CrowdView& crowd, std::uint32_t row) const override {
-    const Vec heading = this->heading(crowd, row);
-    const double speed = std::min(crowd.desired_speed[row], gap_ahead(crowd, row, heading) / time_gap_);
-    return std::max(0.0, speed) * heading;
+  void steer(const CrowdView& crowd, std::span<const std::uint32_t> places,
+             std::span<Vec> velocity) const override {
+    HWY_DYNAMIC_DISPATCH(WalkFreely)(model_, crowd, places, velocity);
   }
 
-  double reach(double) const override { return cutoff_; }
+  double reach(double) const override { return model_.cutoff; }
 
   double longest_step(double radius, double desired_speed) const override {
-    const double half = 0.5 * time_gap_;
+    const double half = 0.5 * model_.time_gap;
     if (!(desired_speed > 0.0)) return half;
     return std::min(half, 2.0 * radius * (std::sqrt(2.0) - 1.0) / (desired_speed * std::sqrt(2.0)));
   }
 
  private:
-  Vec heading(const CrowdView& crowd, std::uint32_t row) const {
-    const Vec& p = crowd.position[row];
-    const double radius = crowd.radius[row];
-    Vec sum = crowd.towards[row];
-    for_each_other(crowd, row, [&](std::uint32_t other, double distance, const Vec& to) {
-      const double gap = distance - radius - crowd.radius[other];
-      if (gap > kNegligible * range_) return;
-      sum -= strength_ * exponential(std::min(-gap / range_, kMost)) * to;
-    });
-    crowd.barriers.for_each_nearest(p, radius + kNegligible * wall_range_, [&](const Vec& q) {
-      const double distance = (p - q).norm();
-      if (distance > 0.0)
-        sum += wall_strength_ * exponential(std::min((radius - distance) / wall_range_, kMost)) *
-               ((p - q) / distance);
-    });
-    const double length = sum.norm();
-    return length > 0.0 ? Vec(sum / length) : Vec(0.0, 0.0);
-  }
-
-  /// m, to the nearest one whom walking on along `heading` would run into.
-  double gap_ahead(const CrowdView& crowd, std::uint32_t row, const Vec& heading) const {
-    double least = std::numeric_limits<double>::infinity();
-    for_each_other(crowd, row, [&](std::uint32_t other, double distance, const Vec& to) {
-      const double width = crowd.radius[row] + crowd.radius[other];
-      const double across = std::abs(heading.x() * to.y() - heading.y() * to.x());
-      if (heading.dot(to) >= 0.0 && across * distance <= width) least = std::min(least, distance - width);
-    });
-    return least;
-  }
-
-  /// Calls f(row, distance, unit vector there); two in one place part along x.
-  template <class F>
-  void for_each_other(const CrowdView& crowd, std::uint32_t row, F f) const {
-    for (std::size_t k = crowd.near.begin[row]; k < crowd.near.begin[row + 1]; ++k) {
-      const double distance = crowd.near.distance[k];
-      if (distance > cutoff_) return;
-      const std::uint32_t other = crowd.near.row[k];
-      const Vec to = crowd.position[other] - crowd.position[row];
-      f(other, distance, distance > 0.0 ? Vec(to / distance) : Vec(row < other ? 1.0 : -1.0, 0.0));
-    }
-  }
-
-  double time_gap_, strength_, range_, wall_strength_, wall_range_, cutoff_;
+  FreeSpeed model_;
 };
 
 }  // namespace
@@ -102,3 +149,5 @@ ModelKind collision_free_speed() {
 }
 
 }  // namespace throng
+
+#endif

@@ -9,8 +9,10 @@ namespace {
 
 class ConstantVelocity : public WalkingModel {
  public:
-  Vec velocity(const CrowdView& crowd, std::uint32_t row) const override {
-    return crowd.desired_speed[row] * crowd.towards[row];
+  void steer(const CrowdView& crowd, std::span<const std::uint32_t> places,
+             std::span<Vec> velocity) const override {
+    for (const std::uint32_t place : places)
+      velocity[place] = crowd.desired_speed[place] * crowd.towards(place);
   }
   double reach(double) const override { return 0.0; }
   double longest_step(double, double) const override { return std::numeric_limits<double>::infinity(); }

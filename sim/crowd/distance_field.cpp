@@ -50,15 +50,18 @@ Vec unit(const Vec& v) {
 }  // namespace
 
 DistanceField::DistanceField(const FloorPlan& plan, const Barriers& barriers, const Region& goal)
-    : plan_(&plan), barriers_(&barriers), goal_(goal) {
+    : plan_(&plan), barriers_(&barriers), goal_(goal), per_cell_(1.0 / plan.cell) {
   distance_ = march(plan, barriers, seeds_for(plan, barriers, goal));
 }
 
 bool DistanceField::locate(const Vec& p, Cell& cell) const {
-  const Vec at = (p - plan_->origin) / plan_->cell;
-  const double x = std::floor(at.x()), y = std::floor(at.y());
-  if (!(x >= 0.0 && y >= 0.0 && x < plan_->columns - 1 && y < plan_->rows - 1)) return false;
-  cell = {static_cast<std::size_t>(y) * plan_->columns + static_cast<std::size_t>(x), at.x() - x, at.y() - y};
+  const Vec at = (p - plan_->origin) * per_cell_;
+  if (!(at.x() >= 0.0 && at.y() >= 0.0 && at.x() < plan_->columns - 1 && at.y() < plan_->rows - 1))
+    return false;
+  const auto x = static_cast<int>(at.x()), y = static_cast<int>(at.y());
+  cell = {
+      static_cast<std::size_t>(y) * static_cast<std::size_t>(plan_->columns) + static_cast<std::size_t>(x),
+      at.x() - x, at.y() - y};
   return true;
 }
 

@@ -43,6 +43,7 @@ class DistanceField {
   const FloorPlan* plan_;
   const Barriers* barriers_;
   Region goal_;
+  double per_cell_;              ///< 1/m
   std::vector<float> distance_;  ///< m, of the nodes
 };
 

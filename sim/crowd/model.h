@@ -5,32 +5,56 @@
 #include <memory>
 #include <span>
 
-#include "broadphase/neighbours.h"
 #include "sim/crowd/barriers.h"
+#include "sim/crowd/crowd_cells.h"
 
-/// How agents decide how to walk. A model is one file: a class that answers for one agent at a time, and what
-/// scenario files may set of it; its name joins the list in models.cpp.
+/// How agents decide how to walk. A model is one file: a class that answers for the agents that have it, and
+/// what scenario files may set of it; its name joins the list in models.cpp.
 namespace throng {
 
 /// The crowd as it is before the step, which every agent reads and none changes: the answers depend on no
-/// order. A row per agent.
+/// order. Agents by their places in `cells`; behind the last one all arrays go on for kPadding numbers, which
+/// may be read.
 struct CrowdView {
-  double dt;                                      ///< s
-  std::span<const Vec> position, velocity;        ///< m, m/s
-  std::span<const Vec> towards;                   ///< unit vector of the way to the goal; zero in it
-  std::span<const double> radius, desired_speed;  ///< m, m/s
-  const broadphase::NeighbourLists& near;         ///< others by their centres' distance, ascending; as far as
-                                                  ///< the farthest `reach` of all models in use
+  double dt;           ///< s
+  std::uint64_t seed;  ///< of the scene
+  std::int64_t step;
+  const CrowdCells& cells;
+  std::span<const double> x, y;                    ///< m
+  std::span<const double> velocity_x, velocity_y;  ///< m/s
+  std::span<const double> towards_x, towards_y;    ///< unit vector of the way to the goal; zero in it
+  std::span<const double> radius, desired_speed;   ///< m, m/s
+  std::span<const double> id;
+  double largest_radius;  ///< m
   const Barriers& barriers;
+
+  static constexpr std::size_t kPadding = 8;
+
+  Vec position(std::uint32_t place) const { return {x[place], y[place]}; }
+  Vec velocity(std::uint32_t place) const { return {velocity_x[place], velocity_y[place]}; }
+  Vec towards(std::uint32_t place) const { return {towards_x[place], towards_y[place]}; }
+
+  /// Calls f(place, vector there) for all others whose centres are at most `reach` (m) away, by place.
+  template <class F>
+  void for_each_near(std::uint32_t own, double reach, F f) const {
+    const Vec p = position(own);
+    cells.for_each_stretch(p, reach, [&](std::size_t first, std::size_t end) {
+      for (auto place = static_cast<std::uint32_t>(first); place < end; ++place) {
+        const Vec to = position(place) - p;
+        if (place != own && to.squaredNorm() <= reach * reach) f(place, to);
+      }
+    });
+  }
 };
 
 class WalkingModel {
  public:
   virtual ~WalkingModel() = default;
 
-  /// The velocity (m/s) with which the agent goes through this step. Expects that it reads what is within
-  /// `reach` alone.
-  virtual Vec velocity(const CrowdView& crowd, std::uint32_t row) const = 0;
+  /// Writes the velocities (m/s) with which the agents at these places go through this step to their places.
+  /// Expects that it reads what is within `reach` alone. Called for parts of the crowd at the same time.
+  virtual void steer(const CrowdView& crowd, std::span<const std::uint32_t> places,
+                     std::span<Vec> velocity) const = 0;
 
   /// m, how far from centre to centre others matter where no radius is above `largest_radius` (m); 0: the
   /// model looks at nobody.

@@ -1,12 +1,103 @@
 // SPDX-License-Identifier: MIT
 #include "sim/crowd/social_force.h"
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "sim/crowd/social_force.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "sim/crowd/exponential.h"
+#include "sim/crowd/near-inl.h"
+
+#ifndef THRONG_SOCIAL_FORCE
+#define THRONG_SOCIAL_FORCE
+namespace throng {
+
+/// In the order of the parameters.
+struct Forces {
+  double mass, reaction_time, strength, range, stiffness, friction, cutoff;
+
+  Vec touch(double depth, const Vec& away, const Vec& slip, double most) const;
+  Vec of_wall(double depth, const Vec& away, const Vec& slip, double most) const;
+};
+
+inline constexpr double kForceNegligible = 16.0;  // ranges: less than e^-16 of the strength is left out
+inline constexpr double kForceMostExponent = 700.0;
+
+}  // namespace throng
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace throng::HWY_NAMESPACE {
+
+/// N, the repulsion by all who are near, in touch or not.
+HWY_INLINE Vec repulsion(const Forces& model, const Others& others, std::vector<double>& depth) {
+  const D d;
+  const Reals negligible = hn::Set(d, -kForceNegligible * model.range), strength = hn::Set(d, model.strength);
+  const Reals per_range = hn::Set(d, 1.0 / model.range), most = hn::Set(d, kForceMostExponent);
+  FourSums x, y;
+  for (std::size_t i = 0; i < others.size; i += kFour)
+    for (std::size_t p = 0; p < kParts; ++p) {
+      const std::size_t k = i + p * kLanes;
+      const Reals dx = hn::LoadU(d, others.dx.data() + k), dy = hn::LoadU(d, others.dy.data() + k);
+      const Reals distance = hn::Sqrt(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)));
+      const Reals deep = hn::Sub(hn::LoadU(d, others.width.data() + k), distance);
+      hn::StoreU(deep, d, depth.data() + k);
+      const Mask close = hn::Ge(deep, negligible);
+      if (hn::AllFalse(d, close)) continue;
+      const Reals push = hn::Mul(strength, exponential_of(hn::Min(hn::Mul(deep, per_range), most)));
+      const Reals scale = hn::IfThenElseZero(close, hn::Div(push, distance));
+      x.add(p, hn::Mul(scale, dx));
+      y.add(p, hn::Mul(scale, dy));
+    }
+  return {-x.total(), -y.total()};
+}
+
+/// N, between bodies: of those who touch, one by one.
+HWY_INLINE Vec touches(const Forces& model, const CrowdView& crowd, std::uint32_t own, const Others& others,
+                       const std::vector<double>& depth) {
+  Vec force(0.0, 0.0);
+  for (std::size_t k = 0; k < others.size; ++k) {
+    if (!(depth[k] > 0.0)) continue;
+    const Vec to(others.dx[k], others.dy[k]);
+    const auto place = static_cast<std::uint32_t>(others.place[k]);
+    force +=
+        model.touch(depth[k], -to / to.norm(), crowd.velocity(place) - crowd.velocity(own), 0.5 / crowd.dt);
+  }
+  return force;
+}
+
+void WalkByForces(const Forces& model, const CrowdView& crowd, std::span<const std::uint32_t> places,
+                  double reach, std::span<Vec> velocity) {
+  thread_local Others others;  // kept: a step allocates nothing
+  thread_local std::vector<double> depth;
+  for (const std::uint32_t place : places) {
+    others.gather(crowd, place, reach);
+    if (depth.size() < others.dx.size()) depth.resize(others.dx.size());
+    const Vec p = crowd.position(place), v = crowd.velocity(place);
+    const double radius = crowd.radius[place];
+    Vec force = (model.mass / model.reaction_time) * (crowd.desired_speed[place] * crowd.towards(place) - v);
+    force += repulsion(model, others, depth);
+    force += touches(model, crowd, place, others, depth);
+    crowd.barriers.for_each_nearest(p, radius + kForceNegligible * model.range, [&](const Vec& q) {
+      const double distance = (p - q).norm();
+      if (distance > 0.0) force += model.of_wall(radius - distance, (p - q) / distance, -v, 1.0 / crowd.dt);
+    });
+    velocity[place] = v + crowd.dt / model.mass * force;
+  }
+}
+
+}  // namespace throng::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
 
 namespace throng {
+
+HWY_EXPORT(WalkByForces);
 
 namespace {
 
@@ -19,65 +110,44 @@ constexpr ModelParameter kParameters[] = {
     {"friction", 2.4e5, 0.0, 1e9, "kg/(m s)", "Of bodies in touch, kg/(m s)."},
     {"cutoff", 2.5, 0.0, 1e3, "m", "How far others are looked at, centre to centre, m."}};
 
-constexpr double kNegligible = 16.0;  // ranges: what repels less than e^-16 of the strength is left out
-constexpr double kTouching = 6.0;     // as many discs of one size may touch one
+constexpr double kTouching = 6.0;  // as many discs of one size may touch one
 
 class SocialForce : public WalkingModel {
  public:
-  explicit SocialForce(std::span<const double> v)
-      : mass_(v[0]),
-        reaction_time_(v[1]),
-        strength_(v[2]),
-        range_(v[3]),
-        stiffness_(v[4]),
-        friction_(v[5]),
-        cutoff_(v[6]) {}
+  explicit SocialForce(std::span<const double> v) : model_{v[0], v[1], v[2], v[3], v[4], v[5], v[6]} {}
 
-  Vec velocity(const CrowdView& crowd, std::uint32_t row) const override {
-    const Vec &p = crowd.position[row], &v = crowd.velocity[row];
-    const double radius = crowd.radius[row];
-    Vec force = (mass_ / reaction_time_) * (crowd.desired_speed[row] * crowd.towards[row] - v);
-    for (std::size_t k = crowd.near.begin[row]; k < crowd.near.begin[row + 1]; ++k) {
-      const double distance = crowd.near.distance[k];
-      if (distance > cutoff_) break;
-      const std::uint32_t other = crowd.near.row[k];
-      const double depth = radius + crowd.radius[other] - distance;
-      if (depth < -kNegligible * range_) continue;
-      const Vec away =
-          distance > 0.0 ? Vec((p - crowd.position[other]) / distance) : Vec(row < other ? -1.0 : 1.0, 0.0);
-      force += contact(depth, away, crowd.velocity[other] - v, 0.5 / crowd.dt);
-    }
-    crowd.barriers.for_each_nearest(p, radius + kNegligible * range_, [&](const Vec& q) {
-      const double distance = (p - q).norm();
-      if (distance > 0.0) force += contact(radius - distance, (p - q) / distance, -v, 1.0 / crowd.dt);
-    });
-    return v + crowd.dt / mass_ * force;
+  void steer(const CrowdView& crowd, std::span<const std::uint32_t> places,
+             std::span<Vec> velocity) const override {
+    HWY_DYNAMIC_DISPATCH(WalkByForces)(model_, crowd, places, reach(crowd.largest_radius), velocity);
   }
 
   double reach(double largest_radius) const override {
-    return std::min(cutoff_, 2.0 * largest_radius + kNegligible * range_);
+    return std::min(model_.cutoff, 2.0 * largest_radius + kForceNegligible * model_.range);
   }
   double core() const override { return 0.5; }
   double longest_step(double, double) const override {
-    return std::min(reaction_time_, 2.0 / std::sqrt(kTouching * stiffness_ / mass_));
+    return std::min(model_.reaction_time, 2.0 / std::sqrt(kTouching * model_.stiffness / model_.mass));
   }
 
  private:
-  /// N, at this depth (m, below 0: a gap), from what moves past at `slip` (m/s). Friction may end the slip at
-  /// `most` (1/s) at the fastest.
-  Vec contact(double depth, const Vec& away, const Vec& slip, double most) const {
-    double push = strength_ * exponential(std::min(depth / range_, 700.0));
-    if (depth <= 0.0) return push * away;
-    push += stiffness_ * depth;
-    const Vec along(-away.y(), away.x());
-    const double rub = std::min(friction_ * depth, mass_ * most);
-    return push * away + rub * slip.dot(along) * along;
-  }
-
-  double mass_, reaction_time_, strength_, range_, stiffness_, friction_, cutoff_;
+  Forces model_;
 };
 
 }  // namespace
+
+/// N, at this depth (m, above 0), from what moves past at `slip` (m/s). Friction may end the slip at `most`
+/// (1/s) at the fastest.
+Vec Forces::touch(double depth, const Vec& away, const Vec& slip, double most) const {
+  const Vec along(-away.y(), away.x());
+  const double rub = std::min(friction * depth, mass * most);
+  return stiffness * depth * away + rub * slip.dot(along) * along;
+}
+
+/// The same with the repulsion (depth below 0: a gap).
+Vec Forces::of_wall(double depth, const Vec& away, const Vec& slip, double most) const {
+  const Vec push = strength * exponential(std::min(depth / range, kForceMostExponent)) * away;
+  return depth > 0.0 ? Vec(push + touch(depth, away, slip, most)) : push;
+}
 
 ModelKind social_force() {
   return {"social_force", "Forces of Helbing, Farkas and Vicsek (2000).", kParameters,
@@ -87,3 +157,5 @@ ModelKind social_force() {
 }
 
 }  // namespace throng
+
+#endif

@@ -39,15 +39,15 @@ std::vector<BarrierLine> barrier_lines(const Scene& scene) {
   return lines;
 }
 
-Walk::Walk(const Scene& scene, int threads)
+Walk::Walk(const Scene& scene)
     : scene_(scene),
       barriers_(scene.crowd.size() > 0 ? barrier_lines(scene) : std::vector<BarrierLine>(),
                 2.0 * largest_radius(scene)),
-      lists_(threads) {
+      largest_radius_(largest_radius(scene)) {
   if (scene.crowd.size() == 0) return;
   for (const AgentGroup& group : scene.crowd.groups) {
     models_.push_back(walking_models()[group.model].make(group.parameters));
-    reach_ = std::max(reach_, models_.back()->reach(largest_radius(scene)));
+    reach_ = std::max(reach_, models_.back()->reach(largest_radius_));
   }
   build_goals();
   expect_ways();
@@ -70,6 +70,7 @@ void Walk::build_goals() {
         std::make_unique<FloorPlan>(floor_plan(crowd.walkable, barriers_, resolution, 2.0 * least));
     goals_[goal].field =
         std::make_unique<DistanceField>(*goals_[goal].plan, barriers_, crowd.areas[goal].region);
+    goals_[goal].bounds = bounds(crowd.areas[goal].region);
   }
 }
 
@@ -84,29 +85,48 @@ void Walk::expect_ways() const {
   }
 }
 
-void Walk::look(const State& state) {
-  const std::size_t n = state.id.size();
-  if (reach_ > 0.0) return lists_.find(state.position, reach_, nullptr, near_);
-  near_.begin.assign(n + 1, 0);
+void Walk::Ranks::resize(std::size_t n) {
+  for (std::vector<double>* all :
+       {&x, &y, &velocity_x, &velocity_y, &towards_x, &towards_y, &radius, &desired_speed, &id})
+    all->resize(n + CrowdView::kPadding);
+}
+
+void Walk::rank(const State& state, std::size_t place) {
+  const std::size_t row = cells_.row()[place], its = agent(state, row);
+  const Vec &p = state.position[row], &v = state.velocity[row];
+  const Vec towards = goals_[group(its).goal].field->direction(p);
+  ranks_.x[place] = p.x(), ranks_.y[place] = p.y();
+  ranks_.velocity_x[place] = v.x(), ranks_.velocity_y[place] = v.y();
+  ranks_.towards_x[place] = towards.x(), ranks_.towards_y[place] = towards.y();
+  ranks_.radius[place] = scene_.bodies.radius[its];
+  ranks_.desired_speed[place] = scene_.crowd.desired_speed[its];
+  ranks_.id[place] = state.id[row];
+}
+
+void Walk::look(const State& state, Workers& workers) {
+  cells_.sort(state.position, reach_);
+  ranks_.resize(state.id.size());
+  workers.for_ranges(state.id.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t place = begin; place < end; ++place) rank(state, place);
+  });
 }
 
 void Walk::steer(const State& state, Workers& workers) {
   const std::size_t n = state.id.size();
-  radius_.resize(n), desired_speed_.resize(n), towards_.resize(n), velocity_.resize(n);
+  velocity_.resize(n), places_.resize(n);
+  const CrowdView view{scene_.time.dt,   scene_.seed,      state.step,        cells_,
+                       ranks_.x,         ranks_.y,         ranks_.velocity_x, ranks_.velocity_y,
+                       ranks_.towards_x, ranks_.towards_y, ranks_.radius,     ranks_.desired_speed,
+                       ranks_.id,        largest_radius_,  barriers_};
   workers.for_ranges(n, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t row = begin; row < end; ++row) {
-      const std::size_t its = agent(state, row);
-      radius_[row] = scene_.bodies.radius[its];
-      desired_speed_[row] = scene_.crowd.desired_speed[its];
-      towards_[row] = goals_[group(its).goal].field->direction(state.position[row]);
+    std::size_t last = begin;
+    for (std::size_t model = 0; model < models_.size(); ++model) {
+      const std::size_t first = last;
+      for (std::size_t place = begin; place < end; ++place)
+        if (scene_.crowd.group[agent(state, cells_.row()[place])] == model)
+          places_[last++] = static_cast<std::uint32_t>(place);
+      models_[model]->steer(view, std::span(places_).subspan(first, last - first), velocity_);
     }
-  });
-  const CrowdView view{scene_.time.dt, state.position, state.velocity, towards_,
-                       radius_,        desired_speed_, near_,          barriers_};
-  workers.for_ranges(n, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t row = begin; row < end; ++row)
-      velocity_[row] =
-          models_[scene_.crowd.group[agent(state, row)]]->velocity(view, static_cast<std::uint32_t>(row));
   });
 }
 
@@ -115,19 +135,21 @@ void Walk::walk(State& state, Workers& workers) {
   const std::size_t n = state.id.size();
   corrected_.resize(n);
   workers.for_ranges(n, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t row = begin; row < end; ++row) {
-      const double core = radius_[row] * models_[scene_.crowd.group[agent(state, row)]]->core();
+    for (std::size_t place = begin; place < end; ++place) {
+      const std::size_t row = cells_.row()[place];
+      const double core = ranks_.radius[place] * models_[scene_.crowd.group[agent(state, row)]]->core();
       const Vec from = state.position[row];
-      const Moved moved = slide(barriers_, from, dt * velocity_[row], core);
+      const Moved moved = slide(barriers_, from, dt * velocity_[place], core);
       corrected_[row] = moved.corrected;
       state.position[row] = moved.to;
-      state.velocity[row] = moved.corrected ? Vec((moved.to - from) / dt) : velocity_[row];
+      state.velocity[row] = moved.corrected ? Vec((moved.to - from) / dt) : velocity_[place];
     }
   });
   for (std::size_t row = 0; row < n; ++row) {
     check_body(state, row);
     state.crowd.wall_corrections += corrected_[row];
-    if ((state.position[row] - state.crowd.stand[row]).norm() <= radius_[row]) continue;
+    const double radius = scene_.bodies.radius[agent(state, row)];
+    if ((state.position[row] - state.crowd.stand[row]).squaredNorm() <= radius * radius) continue;
     state.crowd.stand[row] = state.position[row];
     state.crowd.stand_step[row] = state.step;
   }
@@ -137,7 +159,9 @@ void Walk::leave(State& state) {
   std::size_t kept = 0;
   for (std::size_t row = 0; row < state.id.size(); ++row) {
     const std::size_t its = agent(state, row);
-    if (contains(scene_.crowd.areas[group(its).goal].region, state.position[row])) continue;
+    const Vec& p = state.position[row];
+    const std::uint32_t goal = group(its).goal;
+    if (goals_[goal].bounds.contains(p) && contains(scene_.crowd.areas[goal].region, p)) continue;
     if (kept != row) {
       state.id[kept] = state.id[row];
       state.position[kept] = state.position[row], state.velocity[kept] = state.velocity[row];

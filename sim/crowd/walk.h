@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "broadphase/all_lists.h"
 #include "sim/crowd/barriers.h"
+#include "sim/crowd/crowd_cells.h"
 #include "sim/crowd/distance_field.h"
 #include "sim/crowd/model.h"
 #include "sim/scene.h"
@@ -24,10 +24,10 @@ class Walk {
   /// Builds each goal's distance field, one for all groups that have it. Throws InputError that names group,
   /// agent and place where no way leads from an agent to its goal. Nothing happens where there are no agents.
   /// Expects a scene whose bodies are agents or none, which must outlive this.
-  Walk(const Scene& scene, int threads);
+  explicit Walk(const Scene& scene);
 
-  /// Finds who is near whom.
-  void look(const State& state);
+  /// Brings the agents into the order in which they stand, and finds each one's way.
+  void look(const State& state, Workers& workers);
 
   /// Asks the models for the agents' velocities, all from the state as it is.
   void steer(const State& state, Workers& workers);
@@ -43,10 +43,19 @@ class Walk {
   struct Goal {
     std::unique_ptr<FloorPlan> plan;
     std::unique_ptr<DistanceField> field;
+    Eigen::AlignedBox2d bounds;  ///< m, of its area
+  };
+
+  /// Of the agents, by place in the cells.
+  struct Ranks {
+    std::vector<double> x, y, velocity_x, velocity_y, towards_x, towards_y, radius, desired_speed, id;
+
+    void resize(std::size_t n);
   };
 
   void build_goals();
   void expect_ways() const;
+  void rank(const State& state, std::size_t place);
   std::size_t agent(const State& state, std::size_t row) const { return state.id[row] - std::size_t{1}; }
   const AgentGroup& group(std::size_t agent) const { return scene_.crowd.groups[scene_.crowd.group[agent]]; }
 
@@ -54,11 +63,11 @@ class Walk {
   Barriers barriers_;
   std::vector<Goal> goals_;                            // as Crowd::areas; empty where no agent goes
   std::vector<std::unique_ptr<WalkingModel>> models_;  // as Crowd::groups
-  double reach_ = 0.0;
-  broadphase::AllLists lists_;
-  broadphase::NeighbourLists near_;
-  std::vector<double> radius_, desired_speed_;
-  std::vector<Vec> towards_, velocity_;
+  double largest_radius_ = 0.0, reach_ = 0.0;          // m
+  CrowdCells cells_;
+  Ranks ranks_;
+  std::vector<std::uint32_t> places_;  // those of each model together
+  std::vector<Vec> velocity_;          // by place
   std::vector<std::uint8_t> corrected_;
 };
 

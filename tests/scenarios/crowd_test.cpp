@@ -110,8 +110,6 @@ TEST(Crowd, IsRefusedWhereItLacksSomething) {
   expect_fault(kFloor + "[[agents]]\nmodel = 'social_force'\nat = [1, 1]\n", "agents[0].goal: is missing");
   expect_fault(kFloor + "[[agents]]\nmodel = 'social_forse'\ngoal = 'exit'\nat = [1, 1]\n",
                "did you mean \"social_force\"?");
-  expect_fault(kFloor + "[[agents]]\nmodel = 'orca'\ngoal = 'exit'\nat = [1, 1]\n",
-               "not supported yet: agents[0].model");
   expect_fault(kFloor + "[[agents]]\nmodel = 'social_force'\ngoal = 'exti'\nat = [1, 1]\n",
                "there is no \"exti\" in [areas], did you mean \"exit\"?");
   expect_fault("throng = 1\nareas.exit = [[0, 0], [4, 0], [4, 4]]\n" + kGroup + "at = [1, 1]\n",
@@ -144,6 +142,11 @@ TEST(Crowd, IsRefusedWhereDistributionsMakeNoSense) {
                "agents[0].desired_speed: must have a range");
   expect_fault(group + "desired_speed = { mean = 1 }\n", "agents[0].desired_speed.mean: unknown key");
   expect_fault(group + "desired_speed = -1\n", "agents[0].desired_speed: must be a number from 0");
+}
+
+TEST(Crowd, IsNotRecordedInMovesOfTheSameBodies) {
+  expect_fault(kFloor + "[record]\nquantize = 0.01\n" + kGroup + "at = [1, 1]\n",
+               "record.quantize: stores how the same bodies move on from frame to frame; agents leave");
 }
 
 TEST(Crowd, IsAloneInItsPlane) {

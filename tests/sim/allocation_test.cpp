@@ -71,7 +71,7 @@ TEST_P(SettledScene, StepsWithoutAllocating) {
 
 INSTANTIATE_TEST_SUITE_P(Gallery, SettledScene,
                          ::testing::Values("gas", "cradle", "billiard", "hopper", "gears", "mixed",
-                                           "corridor", "bottleneck"),
+                                           "corridor", "bottleneck", "crossing"),
                          [](const auto& scene) { return std::string(scene.param); });
 
 }  // namespace

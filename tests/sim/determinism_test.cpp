@@ -36,8 +36,9 @@ constexpr Golden kGallery[] = {
     {"polygons", 40, 0xafd4f107ecd47cb5},     {"pyramid", 10, 0x638ede55caa31237},
     {"hopper", 100, 0xd9a9662857617237},      {"gears", 100, 0xe5bc0003a2b65e0c},
     {"billiard", 1500, 0x8dd8bcba2d1db68a},   {"cradle", 2000, 0x2a3540ecea3a1826},
-    {"mixed", 200, 0x2346cda5a25d5a94},       {"corridor", 1200, 0xa98c91c89a6fd563},
-    {"bottleneck", 1200, 0x2b9773ec60b2dc64},
+    {"mixed", 200, 0x2346cda5a25d5a94},       {"corridor", 1200, 0x2403d4df9663dfbe},
+    {"bottleneck", 1200, 0x9172685bbf614a59}, {"circle_swap", 300, 0x3098722b25df02fc},
+    {"crossing", 500, 0x8ba71fdf83d1eae2},
 };
 
 class EveryScene : public ::testing::TestWithParam<Golden> {};

@@ -2,9 +2,10 @@
 // Each model against its equations, by hand.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
-#include "broadphase/all_lists.h"
 #include "sim/crowd/model.h"
 
 namespace throng {
@@ -30,14 +31,32 @@ struct Group {
     std::vector<double> values;
     for (const ModelParameter& p : kind(name).parameters) values.push_back(p.preset);
     const auto model = kind(name).make(values);
-    broadphase::AllLists().find(position, model->reach(0.25), nullptr, near);
-    return model->velocity({dt, position, velocity, towards, radius, desired_speed, near, barriers}, row);
+    cells.sort(position, model->reach(0.25));
+    const auto by_place = [&](auto value) {
+      std::vector<double> all(position.size() + CrowdView::kPadding);
+      for (std::size_t place = 0; place < position.size(); ++place) all[place] = value(cells.row()[place]);
+      return all;
+    };
+    const auto column = [&](const std::vector<Vec>& of, int axis) {
+      return by_place([&, axis](std::uint32_t i) { return of[i][axis]; });
+    };
+    const auto x = column(position, 0), y = column(position, 1), vx = column(velocity, 0),
+               vy = column(velocity, 1), tx = column(towards, 0), ty = column(towards, 1),
+               radii = by_place([&](std::uint32_t i) { return radius[i]; }),
+               speeds = by_place([&](std::uint32_t i) { return desired_speed[i]; }),
+               ids = by_place([](std::uint32_t i) { return i + 1.0; });
+    std::vector<std::uint32_t> places(position.size());
+    std::iota(places.begin(), places.end(), 0u);
+    std::vector<Vec> answer(position.size());
+    model->steer({dt, 1, 0, cells, x, y, vx, vy, tx, ty, radii, speeds, ids, 0.25, barriers}, places, answer);
+    const auto at = std::find(cells.row().begin(), cells.row().end(), row) - cells.row().begin();
+    return answer[static_cast<std::size_t>(at)];
   }
 
   double dt = 0.01;
   std::vector<Vec> position, velocity, towards;
   std::vector<double> radius, desired_speed;
-  broadphase::NeighbourLists near;
+  CrowdCells cells;
   Barriers barriers;
 };
 
@@ -136,6 +155,68 @@ TEST(CollisionFreeSpeed, TurnsAwayByTheSumOfItsNeighbours) {
   const double up = 8.0 * std::exp(-0.1 / 0.1), down = 8.0 * std::exp(-0.3 / 0.1);
   const Vec expected = Vec(1.0, down - up).normalized();
   EXPECT_NEAR((group.ask("collision_free_speed").normalized() - expected).norm(), 0.0, 1e-12);
+}
+
+/// Both must give way by half of what brings them past each other: their half planes by the paper, by hand.
+TEST(Orca, TwoWhoMeetShareTheWayRound) {
+  Group group({{0, 0}, {4, 0.3}});
+  group.velocity = {{1, 0}, {-1, 0}}, group.towards = {{1, 0}, {-1, 0}};
+  const Vec a = group.ask("orca", 0), b = group.ask("orca", 1);
+  // The left leg of the disc of 0.5 m about (4, 0.3) is at 4.289 + 7.140 degrees, the right one at 2.851
+  // below.
+  const double leg = std::atan2(0.3, 4.0) - std::asin(0.5 / std::hypot(4.0, 0.3));
+  const Vec normal(std::sin(leg), -std::cos(leg)), out = (Vec(2, 0).dot(normal)) * normal;
+  const Vec expected = Vec(1, 0) - 0.5 * out;
+  EXPECT_NEAR((a - expected).norm(), 0.0, 3e-3) << "but for the doubt";
+  EXPECT_NEAR((a + b).norm(), 0.0, 3e-3);
+}
+
+TEST(Orca, WalksAsWantedWhereNobodyIsInTheWay) {
+  Group group({{0, 0}, {-2, 0}, {0, 3}});
+  group.velocity = {{1, 0}, {1, 0}, {1, 0}};
+  const Vec v = group.ask("orca");
+  EXPECT_NEAR((v - Vec(1, 0)).norm(), 0.0, 1.5e-3);
+  EXPECT_NE(v, Vec(1, 0)) << "it is in doubt";
+}
+
+TEST(Orca, StopsBeforeAWallInTime) {
+  Group group({{0, 0}}, {{{{0.6, -5}, {0.6, 5}}, false}});
+  group.velocity[0] = Vec(1, 0);
+  EXPECT_NEAR(group.ask("orca").x(), (0.6 - 0.25) / 0.5, 1e-12);
+  group.position[0].x() = 0.4;
+  EXPECT_LE(group.ask("orca").x(), 1e-15) << "it touches the wall";
+}
+
+TEST(Orca, LooksAtTheNearestTenAlone) {
+  std::vector<Vec> places{{0, 0}};
+  for (int i = 0; i < 10; ++i) places.push_back({-0.6 - 0.1 * i, 0.0});
+  Group few(places);
+  places.push_back({1.7, 0.0});
+  Group many(places), less(places);
+  EXPECT_EQ(few.ask("orca"), many.ask("orca")) << "ten behind are nearer than the one ahead";
+  less.position[5] = {-40, 0};
+  EXPECT_NE(few.ask("orca"), less.ask("orca"));
+}
+
+TEST(Orca, FindsTheNearestTenOfACrowdInAnyOrder) {
+  std::vector<Vec> places{{0, 0}};
+  for (int i = 0; i < 80; ++i) {
+    const double angle = 2.4 * i;
+    places.push_back((0.6 + 0.05 * i) * Vec(std::cos(angle), std::sin(angle)));
+  }
+  Group few({places.begin(), places.begin() + 11}), many(places);
+  std::reverse(places.begin() + 1, places.end());
+  Group reversed(places);
+  for (Group* group : {&few, &many, &reversed}) group->velocity[0] = Vec(1, 0);
+  EXPECT_EQ(few.ask("orca"), many.ask("orca"));
+  EXPECT_EQ(few.ask("orca"), reversed.ask("orca"));
+}
+
+TEST(Orca, TwoInOnePlacePart) {
+  Group group({{1, 1}, {1, 1}});
+  group.desired_speed = {0.0, 0.0};
+  EXPECT_LT(group.ask("orca", 0).x(), -0.5);
+  EXPECT_GT(group.ask("orca", 1).x(), 0.5);
 }
 
 TEST(Models, SayWhichStepsTheyBear) {

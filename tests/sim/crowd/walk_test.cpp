@@ -36,7 +36,7 @@ std::string rooms(const std::string& model) {
          model + "'\n";
 }
 
-const char* const kModels[] = {"constant_velocity", "social_force", "collision_free_speed"};
+const char* const kModels[] = {"constant_velocity", "social_force", "collision_free_speed", "orca"};
 
 TEST(Walk, TakesFortySecondsForFortyMetresAtOneMetreASecond) {  // IMO MSC.1/Circ.1533, test 1
   for (const char* model : kModels) {

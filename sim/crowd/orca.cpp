@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+#include "sim/crowd/orca.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "sim/crowd/orca.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/crowd/near-inl.h"
+#include "sim/crowd/permitted_velocity.h"
+#include "sim/crowd/velocity_obstacle.h"
+#include "sim/random.h"
+
+#ifndef THRONG_ORCA
+#define THRONG_ORCA
+namespace throng {
+
+/// In the order of the parameters.
+struct Reciprocal {
+  double horizon, wall_horizon, cutoff, neighbours, top_speed;
+
+  void add_walls(const CrowdView& crowd, std::uint32_t place, std::vector<HalfPlane>& planes) const;
+  Vec wanted(const CrowdView& crowd, std::uint32_t place) const;
+};
+
+}  // namespace throng
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace throng::HWY_NAMESPACE {
+
+/// Those who count, the nearest first.
+struct Chosen {
+  std::vector<double> square;                         // m², of all that are near
+  std::vector<double> dx, dy, width, slip_x, slip_y;  // m, m/s: own velocity less the other's
+  std::vector<double> normal_x, normal_y, depth;
+  std::size_t size = 0;
+
+  void resize(std::size_t all, std::size_t most) {
+    if (square.size() < all) square.resize(all);
+    if (dx.size() < most + 2 * kFour)
+      for (std::vector<double>* one : {&dx, &dy, &width, &slip_x, &slip_y, &normal_x, &normal_y, &depth})
+        one->resize(most + 2 * kFour, 1.0);
+  }
+};
+
+HWY_INLINE void measure(const Others& others, Chosen& chosen) {
+  const D d;
+  for (std::size_t k = 0; k < others.size; k += kLanes) {
+    const Reals dx = hn::LoadU(d, others.dx.data() + k), dy = hn::LoadU(d, others.dy.data() + k);
+    hn::StoreU(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), d, chosen.square.data() + k);
+  }
+}
+
+/// Leaves out who is surely not of the nearest `most`, as far as a look or two tell: what follows is
+/// quadratic.
+HWY_INLINE void thin(double reach, std::size_t most, Others& others, std::vector<double>& square) {
+  const D d;
+  for (const double share : {1.5, 3.0}) {
+    if (others.size <= 3 * most) return;
+    const double bound = reach * reach * share * static_cast<double>(most) / static_cast<double>(others.size);
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < others.size; k += kLanes)
+      count += hn::CountTrue(d, hn::Le(hn::LoadU(d, square.data() + k), hn::Set(d, bound)));
+    if (count >= most) return others.keep(bound, square);
+  }
+}
+
+/// How many are nearer than the k-th, or as near and before him.
+HWY_INLINE std::size_t rank_of(std::size_t k, std::size_t size, const std::vector<double>& square) {
+  const D d;
+  const Reals own = hn::Set(d, square[k]), before = hn::Set(d, static_cast<double>(k));
+  std::size_t rank = 0;
+  for (std::size_t j = 0; j < size; j += kLanes) {
+    const Reals other = hn::LoadU(d, square.data() + j);
+    const Mask tie = hn::And(hn::Eq(other, own), hn::Lt(hn::Iota(d, static_cast<double>(j)), before));
+    rank += hn::CountTrue(d, hn::Or(hn::Lt(other, own), tie));
+  }
+  return rank;
+}
+
+/// Picks the nearest `most`.
+HWY_INLINE void choose(const CrowdView& crowd, std::uint32_t own, double reach, std::size_t most,
+                       Others& others, Chosen& chosen) {
+  chosen.resize(others.dx.size(), most);
+  measure(others, chosen);
+  thin(reach, most, others, chosen.square);
+  chosen.size = std::min(most, others.size);
+  const Vec v = crowd.velocity(own);
+  for (std::size_t k = 0; k < others.size; ++k) {
+    const std::size_t rank = rank_of(k, others.size, chosen.square);
+    if (rank >= most) continue;
+    const auto place = static_cast<std::uint32_t>(others.place[k]);
+    chosen.dx[rank] = others.dx[k], chosen.dy[rank] = others.dy[k], chosen.width[rank] = others.width[k];
+    chosen.slip_x[rank] = v.x() - crowd.velocity_x[place];
+    chosen.slip_y[rank] = v.y() - crowd.velocity_y[place];
+  }
+}
+
+/// The way out of each one's velocity obstacle, as throng::escape has it; who overlap part within this step.
+HWY_INLINE void find_ways_out(const Reciprocal& model, double dt, Chosen& chosen) {
+  const D d;
+  const Reals zero = hn::Zero(d);
+  for (std::size_t k = 0; k < chosen.size; k += kLanes) {
+    const Reals dx = hn::LoadU(d, chosen.dx.data() + k), dy = hn::LoadU(d, chosen.dy.data() + k);
+    const Reals width = hn::LoadU(d, chosen.width.data() + k), width2 = hn::Mul(width, width);
+    const Reals vx = hn::LoadU(d, chosen.slip_x.data() + k), vy = hn::LoadU(d, chosen.slip_y.data() + k);
+    const Reals square = hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy));
+    const Mask overlap = hn::Le(square, width2);
+    const Reals rate = hn::IfThenElse(overlap, hn::Set(d, 1.0 / dt), hn::Set(d, 1.0 / model.horizon));
+    const Reals wx = hn::Sub(vx, hn::Mul(dx, rate)), wy = hn::Sub(vy, hn::Mul(dy, rate));
+    const Reals w2 = hn::Add(hn::Mul(wx, wx), hn::Mul(wy, wy));
+    const Reals along = hn::Add(hn::Mul(wx, dx), hn::Mul(wy, dy));
+    const Mask before = hn::And(hn::Lt(along, zero), hn::Gt(hn::Mul(along, along), hn::Mul(width2, w2)));
+    const Mask front = hn::Or(overlap, before);
+
+    const Mask middle = hn::Eq(w2, zero);
+    const Reals out_x = hn::IfThenElse(middle, hn::Neg(dx), wx),
+                out_y = hn::IfThenElse(middle, hn::Neg(dy), wy);
+    const Reals out = hn::Sqrt(hn::IfThenElse(middle, square, w2));
+    const Reals front_depth = hn::Sub(hn::Mul(width, rate), hn::Sqrt(w2));
+
+    const Reals side = hn::IfThenElse(hn::Gt(hn::Sub(hn::Mul(dx, wy), hn::Mul(dy, wx)), zero),
+                                      hn::Set(d, 1.0), hn::Set(d, -1.0));
+    const Reals leg = hn::Sqrt(hn::Max(zero, hn::Sub(square, width2))), lean = hn::Mul(side, width);
+    const Reals leg_x = hn::Neg(hn::Mul(side, hn::Add(hn::Mul(dx, lean), hn::Mul(dy, leg))));
+    const Reals leg_y = hn::Mul(side, hn::Sub(hn::Mul(dx, leg), hn::Mul(dy, lean)));
+
+    const Reals over = hn::Div(hn::Set(d, 1.0), hn::IfThenElse(front, out, square));
+    const Reals nx = hn::Mul(hn::IfThenElse(front, out_x, leg_x), over);
+    const Reals ny = hn::Mul(hn::IfThenElse(front, out_y, leg_y), over);
+    const Reals leg_depth = hn::Neg(hn::Add(hn::Mul(vx, nx), hn::Mul(vy, ny)));
+    hn::StoreU(nx, d, chosen.normal_x.data() + k);
+    hn::StoreU(ny, d, chosen.normal_y.data() + k);
+    hn::StoreU(hn::IfThenElse(front, front_depth, leg_depth), d, chosen.depth.data() + k);
+  }
+}
+
+void WalkReciprocally(const Reciprocal& model, const CrowdView& crowd, std::span<const std::uint32_t> places,
+                      std::span<Vec> velocity) {
+  thread_local Others others;  // kept: a step allocates nothing
+  thread_local Chosen chosen;
+  thread_local std::vector<HalfPlane> planes, room;
+  const auto most = static_cast<std::size_t>(model.neighbours);
+  for (const std::uint32_t place : places) {
+    planes.clear();
+    model.add_walls(crowd, place, planes);
+    const std::size_t walls = planes.size();
+    if (most > 0) {
+      others.gather(crowd, place, model.cutoff);
+      choose(crowd, place, model.cutoff, most, others, chosen);
+      find_ways_out(model, crowd.dt, chosen);
+      const Vec v = crowd.velocity(place);
+      for (std::size_t k = 0; k < chosen.size; ++k) {
+        const Vec normal(chosen.normal_x[k], chosen.normal_y[k]);
+        planes.push_back({normal, normal.dot(v) + 0.5 * chosen.depth[k]});
+      }
+    }
+    velocity[place] = permitted_velocity(planes, walls, model.top_speed, model.wanted(crowd, place), room);
+  }
+}
+
+}  // namespace throng::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace throng {
+
+HWY_EXPORT(WalkReciprocally);
+
+Vec Reciprocal::wanted(const CrowdView& crowd, std::uint32_t place) const {
+  Random random(crowd.seed, static_cast<std::uint64_t>(crowd.step),
+                static_cast<std::uint32_t>(crowd.id[place]), Purpose::doubt);
+  const double x = random.uniform(-kOrcaDoubt, kOrcaDoubt);
+  const double y = random.uniform(-kOrcaDoubt, kOrcaDoubt);
+  return crowd.desired_speed[place] * (crowd.towards(place) + Vec(x, y));
+}
+
+/// Who touches a wall gets no nearer to it.
+void Reciprocal::add_walls(const CrowdView& crowd, std::uint32_t place,
+                           std::vector<HalfPlane>& planes) const {
+  const Vec p = crowd.position(place);
+  const double radius = crowd.radius[place], reach = radius + wall_horizon * top_speed;
+  const Vec far(reach, reach);
+  crowd.barriers.for_each_near({Vec(p - far), Vec(p + far)}, [&](const Barriers::Segment& segment) {
+    const Vec out = p - nearest_on_segment(segment.a, segment.b, p);
+    const double distance = out.norm();
+    if (distance > reach || !(distance > 0.0)) return;
+    if (distance <= radius) return planes.push_back({out / distance, 0.0});
+    const auto [point, normal] =
+        escape(segment.a - p, segment.b - p, radius, wall_horizon, crowd.velocity(place));
+    planes.push_back({normal, normal.dot(point)});
+  });
+}
+
+namespace {
+
+constexpr std::size_t kMostNeighbours = 32;
+constexpr ModelParameter kParameters[] = {
+    {"horizon", 3.0, 1e-2, 1e3, "s", "For which ways are clear of others, s."},
+    {"wall_horizon", 0.5, 1e-2, 1e3, "s", "For which ways are clear of walls, s."},
+    {"cutoff", 5.0, 0.0, 1e3, "m", "How far others are looked at, centre to centre, m."},
+    {"neighbours", 10.0, 0.0, static_cast<double>(kMostNeighbours), "",
+     "How many of them, the nearest ones, at most."},
+    {"top_speed", 2.0, 0.0, 1e3, "m/s", "That nobody goes beyond, m/s."}};
+
+class Orca : public WalkingModel {
+ public:
+  explicit Orca(std::span<const double> v) : model_{v[0], v[1], v[2], v[3], v[4]} {}
+
+  void steer(const CrowdView& crowd, std::span<const std::uint32_t> places,
+             std::span<Vec> velocity) const override {
+    HWY_DYNAMIC_DISPATCH(WalkReciprocally)(model_, crowd, places, velocity);
+  }
+
+  double reach(double) const override { return model_.neighbours >= 1.0 ? model_.cutoff : 0.0; }
+  double longest_step(double, double) const override { return std::min(model_.horizon, model_.wall_horizon); }
+
+ private:
+  Reciprocal model_;
+};
+
+}  // namespace
+
+ModelKind orca() {
+  return {"orca", "Reciprocal collision avoidance of van den Berg, Guy, Lin and Manocha (2011).", kParameters,
+          [](std::span<const double> values) -> std::unique_ptr<WalkingModel> {
+            return std::make_unique<Orca>(values);
+          }};
+}
+
+}  // namespace throng
+
+#endif

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// The models' kernels, compiled for each width of vectors: the same bits, and those of what they stand for.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "tests/sim/crowd/targets_test.cpp"
+#include <gtest/gtest.h>
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include <random>
+
+#include "sim/crowd/near-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace throng::HWY_NAMESPACE {
+
+void Exponentials(const double* x, double* result) {
+  const D d;
+  for (std::size_t k = 0; k < kFour; k += kLanes)
+    hn::StoreU(exponential_of(hn::LoadU(d, x + k)), d, result + k);
+}
+
+}  // namespace throng::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+#include "sim/simulation.h"
+#include "tests/sim/scene_from.h"
+
+namespace throng {
+
+HWY_EXPORT(Exponentials);
+
+namespace {
+
+std::vector<std::int64_t> targets() {
+  std::vector<std::int64_t> list;
+  for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) list.push_back(left & -left);
+  return list;
+}
+
+class OnEachTarget : public testing::Test {
+ protected:
+  ~OnEachTarget() override { hwy::SetSupportedTargetsForTest(0); }
+
+  template <class F>
+  void for_each(F f) {
+    hwy::SetSupportedTargetsForTest(0);
+    const auto all = targets();
+    ASSERT_GE(all.size(), 2u) << "widths to compare";
+    for (const std::int64_t target : all) {
+      SCOPED_TRACE(hwy::TargetName(target));
+      hwy::SetSupportedTargetsForTest(target);
+      f();
+    }
+  }
+};
+
+TEST_F(OnEachTarget, TheExponentialIsTheScalarOne) {
+  for_each([] {
+    std::mt19937_64 random(1);
+    for (int i = 0; i < 10'000; ++i) {
+      double x[4], result[4];
+      for (double& one : x) one = -750.0 + 1450.0 * (static_cast<double>(random() >> 11) * 0x1p-53);
+      HWY_DYNAMIC_DISPATCH(Exponentials)(x, result);
+      for (int k = 0; k < 4; ++k) ASSERT_EQ(result[k], exponential(x[k])) << x[k];
+    }
+  });
+}
+
+TEST_F(OnEachTarget, CrowdsWalkToTheSameBits) {
+  for (const char* name : {"corridor", "bottleneck", "crossing"}) {
+    const Scene scene = gallery_scene(name);
+    std::vector<std::uint64_t> hashes;
+    for_each([&] {
+      const auto run = simulation(scene);
+      for (int i = 0; i < 300; ++i) run->step();
+      hashes.push_back(hash(run->state()));
+    });
+    for (const std::uint64_t one : hashes) EXPECT_EQ(one, hashes.front()) << name;
+  }
+}
+
+}  // namespace
+}  // namespace throng
+
+#endif
