@@ -44,6 +44,18 @@ TEST_F(BenchCommand, AsksAllEnginesTheSameQuestions) {
             (std::set<std::string>{"throng", "nanoflann", "cgal"}));
 }
 
+TEST_F(BenchCommand, WalksCrowdsAsTheirPlainTwinsDo) {
+  const Result result = throng("bench crowd --quick --blocks 1 --json " + path("rows.json"));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  std::set<std::string> rows;
+  for (const auto& row : nlohmann::json::parse(read(path("rows.json")))) {
+    rows.insert(std::string(row["case"]) + " " + std::string(row["engine"]));
+    EXPECT_GT(row["error"]["us_per_agent_step"], 0.0);
+  }
+  EXPECT_EQ(rows.size(), 6u);
+  EXPECT_TRUE(rows.contains("orca n=1000 plain"));
+}
+
 TEST_F(BenchCommand, TakesARegularExpressionForWhichCasesToRun) {
   const Result result = throng(
       "bench broadphase --quick --engine throng --blocks 1 --only '^uniform n=1000 k=.0 random$' --json " +

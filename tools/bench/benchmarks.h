@@ -38,4 +38,7 @@ std::vector<Row> bench_bvh(const Options& options);
 /// Do moving solids meet, and when first: bisection, advancement, sampling, Box2D; against 50 digits.
 std::vector<Row> bench_motion(const Options& options);
 
+/// Steps of crowds of each model, beside their plain twins: scalar, neighbours from nanoflann.
+std::vector<Row> bench_crowd(const Options& options);
+
 }  // namespace throng::bench

@@ -50,12 +50,13 @@ int main(int argc, char** argv) {
       {"broadphase", bench_broadphase},
       {"narrowphase", bench_narrowphase},
       {"bvh", bench_bvh},
-      {"motion", bench_motion}};
+      {"motion", bench_motion},
+      {"crowd", bench_crowd}};
   Options options;
   std::string name, json, target;
   CLI::App app{"The benchmarks of throng: time and error beside each other, engines in turn in one run."};
   app.name("throng bench");
-  app.add_option("NAME", name, "step, recording, broadphase, narrowphase, bvh or motion")
+  app.add_option("NAME", name, "step, recording, broadphase, narrowphase, bvh, motion or crowd")
       ->required()
       ->check(CLI::IsMember(benchmarks));
   app.add_option("--scenarios", options.scenarios, "folder of the gallery")->default_val(THRONG_SCENARIOS);

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+// throng bench crowd: whole steps of crowds on an open floor, beside their plain twins.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+#include "scenarios/load.h"
+#include "sim/simulation.h"
+#include "tools/bench/benchmarks.h"
+#include "tools/bench/interleave.h"
+#include "tools/bench/plain_crowd.h"
+
+namespace throng::bench {
+
+namespace {
+
+constexpr double kAgreement = 1e-9;  // m, after a step from one state
+constexpr std::size_t kMostForTwins = 10'000;
+constexpr int kWarm = 20;  // steps, until nobody starts any more
+
+struct Case {
+  const char* model;
+  std::size_t agents;
+  double each;  ///< m², of the floor
+  double radius, speed, dt;
+  const char* parameters;
+  int threads = 1;
+
+  std::string name() const { return std::string(model) + " n=" + std::to_string(agents); }
+};
+
+/// Of 24 neighbours within 3 m; of orca RVO2's circle: radius 1.5 m, the 10 nearest of about 20 within 15 m.
+std::vector<Case> cases(bool quick) {
+  std::vector<Case> all;
+  const auto add = [&](const char* model, std::size_t agents, int threads) {
+    const bool orca = std::string(model) == "orca";
+    if (quick) agents /= 10;
+    all.push_back({model, agents, orca ? 35.0 : 1.178, orca ? 1.5 : 0.2, orca ? 1.5 : 1.34, orca ? 0.1 : 0.02,
+                   orca ? "orca = { horizon = 10, wall_horizon = 1, cutoff = 15 }" : "", threads});
+  };
+  for (const std::size_t agents : {10'000, 100'000, 1'000'000})
+    for (const char* model : {"collision_free_speed", "social_force", "orca"}) {
+      if (quick && agents > 10'000) continue;
+      add(model, agents, 1);
+      if (agents == 100'000) add(model, agents, 2);
+    }
+  return all;
+}
+
+/// Two streams that cross: to the right, and upwards.
+Scene scene_of(const Case& one) {
+  const double side = std::sqrt(one.each * static_cast<double>(one.agents));
+  const auto number = [](double value) { return std::to_string(value); };
+  const std::string s = number(side), inner = number(side - 2.0), half = std::to_string(one.agents / 2);
+  std::string text = "throng = 1\nname = 'crowd'\nseed = 4\ntime = { dt = " + number(one.dt) +
+                     ", until = 1e6 }\ndomain.box = [[0, 0], [" + s + ", " + s + "]]\n[areas]\nright = [[" +
+                     inner + ", 0], [" + s + ", 0], [" + s + ", " + s + "], [" + inner + ", " + s +
+                     "]]\nabove = [[0, " + inner + "], [" + s + ", " + inner + "], [" + s + ", " + s +
+                     "], [0, " + s + "]]\n";
+  for (const char* goal : {"right", "above"})
+    text += "[[agents]]\ncount = " + half + "\nplace = { random = { within = [[0, 0], [" + s + ", " + s +
+            "]] } }\nradius = " + number(one.radius) + "\ndesired_speed = " + number(one.speed) +
+            "\ngoal = '" + goal + "'\nmodel = '" + one.model + "'\n" + one.parameters + "\n";
+  Loaded loaded = load_scenario_text(text, "crowd");
+  if (loaded.errors() > 0) throw std::runtime_error(to_string(loaded.diagnostics, "crowd"));
+  return std::move(loaded.scene);
+}
+
+/// m, the farthest that two states are apart by one step from the same. Who has left is nowhere.
+double disagreement(const Scene& scene) {
+  const auto native = simulation(scene);
+  PlainCrowd plain(scene);
+  native->step(), plain.step();
+  const State& state = native->state();
+  double most = 0.0;
+  for (std::size_t row = 0; row < state.id.size(); ++row)
+    most = std::max(most, (state.position[row] - plain.position()[state.id[row] - 1]).norm());
+  return most;
+}
+
+std::vector<Row> run(const Case& one, const Options& options) {
+  std::fprintf(stderr, "placing %zu agents\n", one.agents);
+  const Scene scene = scene_of(one);
+  const auto native = simulation(scene, one.threads);
+  std::optional<PlainCrowd> plain;
+  if (one.agents <= kMostForTwins) {
+    plain.emplace(scene);
+    const double apart = disagreement(scene);
+    if (!(apart <= kAgreement))
+      throw std::runtime_error(one.name() + ": the plain twin is " + std::to_string(apart) +
+                               " m off after a step");
+  }
+  const int steps = std::max<int>(1, static_cast<int>(100'000 / one.agents));
+  std::vector<Contestant> contestants{{"throng", [&] {
+                                         for (int i = 0; i < steps; ++i) native->step();
+                                       }}};
+  if (plain)
+    contestants.push_back({"plain", [&] {
+                             for (int i = 0; i < steps; ++i) plain->step();
+                           }});
+  for (Contestant& contestant : contestants)
+    for (int i = 0; i < kWarm; i += steps) contestant.block();
+  interleave(contestants, options.blocks, steps);
+  std::vector<Row> rows;
+  for (const Contestant& contestant : contestants)
+    rows.push_back({"crowd",
+                    one.name() + (one.threads > 1 ? " on two threads" : ""),
+                    contestant.engine,
+                    one.threads,
+                    contestant.ms,
+                    static_cast<double>(steps),
+                    "agents=" + std::to_string(one.agents),
+                    {{"us_per_agent_step", 1e3 * median(contestant.ms) / static_cast<double>(one.agents)}}});
+  return rows;
+}
+
+}  // namespace
+
+std::vector<Row> bench_crowd(const Options& options) {
+  std::vector<Row> rows;
+  for (const Case& one : cases(options.quick)) {
+    if (!chosen(one.name(), options)) continue;
+    for (Row& row : run(one, options)) rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+}  // namespace throng::bench
