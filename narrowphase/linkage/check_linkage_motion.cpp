@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <cassert>
+
 #include "narrowphase/linkage/links_in_motion.h"
 
 namespace throng::narrowphase {
@@ -38,6 +40,7 @@ void LinkageChecker::add_path(std::span<const double> waypoints) {
 }
 
 void LinkageChecker::add_segment(std::span<const double> from, std::span<const double> to) {
+  assert(!beyond_limits(scene_.linkage, from) && !beyond_limits(scene_.linkage, to));
   if (segments_ == motions_.size()) motions_.emplace_back();
   LinkageMotion& motion = motions_[segments_++];
   motion.reset(scene_.linkage, from, to);

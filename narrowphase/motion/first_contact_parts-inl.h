@@ -22,6 +22,18 @@ inline bool comes_later(const Waiting& x, const Waiting& y) {
   return std::tie(x.time, x.pair.a, x.pair.b) > std::tie(y.time, y.pair.a, y.pair.b);
 }
 
+/// Of two contacts the earlier one, its bracket closed by the other where that is certain sooner; a doubt
+/// that lasts until a certain hit begins is part of its bracket. Of equals the first.
+inline FirstPartsContact merged(FirstPartsContact first, FirstPartsContact second) {
+  if (first.contact.verdict == Verdict::free) return second;
+  if (second.contact.t_lo < first.contact.t_lo) std::swap(first, second);
+  const FirstContact& later = second.contact;
+  const bool closes = later.verdict == Verdict::hit && later.t_lo <= first.contact.t_hi;
+  if (!closes || (first.contact.verdict == Verdict::hit && later.t_hi >= first.contact.t_hi)) return first;
+  second.contact.t_lo = first.contact.t_lo;
+  return second;
+}
+
 /// Of two solids on their ways. `Leaves` has the solid's `tree()`, and of the thing at a place of its leaves
 /// `shape(place)`, as it is until the next one is asked for, and `name(place)`.
 template <class Leaves>
@@ -46,7 +58,7 @@ class Race {
       queue_.pop_back();
       if (comes_too_late(first.time)) break;
       if (nodes_ + evaluations_ >= question_.looks) {
-        merge({{Verdict::undecided, first.time, best_.contact.t_hi, 0}, 0, 0});
+        best_ = merged(best_, {{Verdict::undecided, first.time, best_.contact.t_hi, 0}, 0, 0});
         break;
       }
       look(first);
@@ -104,21 +116,7 @@ class Race {
     const FirstContact found =
         first_contact(a_.shape(k), motion_a_, b_.shape(l), motion_b_, best_.contact.t_hi, question);
     evaluations_ += found.evaluations;
-    if (found.verdict != Verdict::free) merge({found, a_.name(k), b_.name(l)});
-  }
-
-  /// Of two contacts the earlier one, its bracket closed by the other where that is certain sooner; a doubt
-  /// that lasts until a certain hit begins is part of its bracket.
-  void merge(FirstPartsContact found) {
-    FirstPartsContact& best = best_;
-    if (best.contact.verdict == Verdict::free) return void(best = found);
-    if (found.contact.t_lo < best.contact.t_lo) std::swap(found, best);
-    const FirstContact& later = found.contact;
-    const bool closes = later.verdict == Verdict::hit && later.t_lo <= best.contact.t_hi;
-    if (!closes || (best.contact.verdict == Verdict::hit && later.t_hi >= best.contact.t_hi)) return;
-    const double t_lo = best.contact.t_lo;
-    best = found;
-    best.contact.t_lo = t_lo;
+    if (found.verdict != Verdict::free) best_ = merged(best_, {found, a_.name(k), b_.name(l)});
   }
 
   Leaves a_, b_;

@@ -154,6 +154,26 @@ TEST(LinkageFirstContact, TellsTheFirstDoubtAndNoHitWithoutIt) {
   }
 }
 
+/// Past 4,000 points a millimetre apart, 1e-8 m from each: 10,000 evaluations end on the way, and what comes
+/// behind them, a post that is hit, isn't known.
+TEST(LinkageFirstContact, NeverCallsFreeWhatItGaveUp) {
+  World world;
+  world.linkage.assign(1, Link{});
+  world.linkage[0].joint = Joint::prismatic;
+  world.linkage[0].shape = world.shapes.add({disc(0.5)});
+  std::vector<Convex> points;
+  for (int i = 0; i < 4000; ++i) points.push_back(disc(0.0, {1.0 + 1e-3 * i, 0.5 + 1e-8}));
+  points.push_back(disc(0.1, {6.0, 0.0}));
+  world.obstacles = world.shapes.add(std::move(points));
+  const LinkageAnswer answer = world.checker().first_contact(std::vector{0.0}, std::vector{8.0});
+  EXPECT_EQ(answer.verdict, Verdict::undecided);
+  EXPECT_GT(answer.from, 1.0 / 8.0);
+  EXPECT_LT(answer.from, 5.0 / 8.0);
+  EXPECT_EQ(answer.to, 1.0);
+  EXPECT_EQ(answer.pair, (LinkPair{0, kWorld}));
+  EXPECT_EQ(answer.evaluations, 10001u);
+}
+
 TEST(LinkageFirstContact, NoMotionIsFreeAtOnce) {
   World world = bar_and_post(2.0, {0.0, 1.0}, 0.1);
   const LinkageAnswer answer = world.checker().first_contact(std::vector{0.3}, std::vector{0.3});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "narrowphase/motion/first_contact_parts.h"
+#include "narrowphase/motion/first_contact_parts-inl.h"
 
 #include <gtest/gtest.h>
 
@@ -67,6 +67,67 @@ TEST(FirstPartsContact, IsTheFirstOfAllPairsOfParts) {
   std::printf("seed 20260210: %d of 3000 hit\n", hits);
   EXPECT_GT(hits, 900);
   EXPECT_LT(hits, 2100);
+}
+
+FirstPartsContact contact(Verdict verdict, double t_lo, double t_hi, std::uint32_t part) {
+  return {{verdict, t_lo, t_hi, 0}, part, 0};
+}
+
+/// Of both orders.
+void expect_merged(const FirstPartsContact& x, const FirstPartsContact& y,
+                   const FirstPartsContact& expected) {
+  for (const FirstPartsContact& found : {merged(x, y), merged(y, x)}) {
+    EXPECT_EQ(found.contact.verdict, expected.contact.verdict);
+    EXPECT_EQ(found.contact.t_lo, expected.contact.t_lo);
+    EXPECT_EQ(found.contact.t_hi, expected.contact.t_hi);
+    EXPECT_EQ(found.part_a, expected.part_a);
+  }
+}
+
+TEST(MergedContacts, AreTheEarlierOneInABracketAsNarrowAsBothKnow) {
+  using enum Verdict;
+  const FirstPartsContact early = contact(hit, 0.2, 0.5, 1), doubt = contact(undecided, 0.2, 0.5, 1);
+  EXPECT_EQ(merged(contact(free, 1, 1, 0), early).part_a, 1u) << "whatever comes is better than none";
+  expect_merged(early, contact(hit, 0.6, 0.7, 2), early);
+  expect_merged(early, contact(hit, 0.3, 0.4, 2), contact(hit, 0.2, 0.4, 2));
+  expect_merged(early, contact(hit, 0.3, 0.5, 2), early);
+  expect_merged(early, contact(hit, 0.3, 0.6, 2), early);
+  expect_merged(early, contact(undecided, 0.3, 0.4, 2), early);
+  expect_merged(early, contact(undecided, 0.1, 0.15, 2), contact(undecided, 0.1, 0.15, 2));
+  expect_merged(doubt, contact(hit, 0.6, 0.7, 2), doubt);
+  expect_merged(doubt, contact(hit, 0.5, 0.7, 2), contact(hit, 0.2, 0.7, 2));
+  expect_merged(doubt, contact(hit, 0.3, 0.4, 2), contact(hit, 0.2, 0.4, 2));
+}
+
+/// Of equal beginnings none is earlier: the first stands.
+TEST(MergedContacts, OfEqualOnesAreTheFirst) {
+  EXPECT_EQ(merged(contact(Verdict::hit, 0.2, 0.5, 1), contact(Verdict::hit, 0.2, 0.5, 2)).part_a, 1u);
+}
+
+/// However few: what it knows until then stands, and the contact is never outside.
+TEST(FirstPartsContact, IsInDoubtFromWhereItsLooksAreSpent) {
+  Random random(20260212);
+  int undecided = 0, hits = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Solids s = random_solids(random);
+    const FirstContact expected = definition(s);
+    const PartsBvh a = parts_bvh(s.a), b = parts_bvh(s.b);
+    double known = 0.0;
+    for (int looks = 0; looks <= 64; looks = looks < 8 ? looks + 1 : 2 * looks) {
+      PartsQuestion question;
+      question.looks = looks;
+      const FirstContact found = first_contact(a, s.motion_a, b, s.motion_b, 1.0, question).contact;
+      ASSERT_LE(found.t_lo, expected.t_hi) << "seed 20260212, pair " << i << ", looks " << looks;
+      ASSERT_GE(found.t_hi, expected.t_lo) << "seed 20260212, pair " << i << ", looks " << looks;
+      ASSERT_TRUE(found.verdict == Verdict::undecided || found.verdict == expected.verdict) << i;
+      if (looks == 0) ASSERT_EQ(found.verdict, Verdict::undecided) << i;
+      ASSERT_GE(found.t_lo, known) << "more looks never know less";
+      known = found.t_lo;
+      undecided += found.verdict == Verdict::undecided, hits += found.verdict == Verdict::hit;
+    }
+  }
+  EXPECT_GT(undecided, 900);
+  EXPECT_GT(hits, 300);
 }
 
 TEST(FirstPartsContact, InASceneIsTheFirstWallOnTheWay) {

@@ -86,8 +86,8 @@ TEST(GapParabola, ByVertexHoldsForACornerThatItsShapeTurnsAbout) {
   EXPECT_EQ(gap_parabola_by_vertex(pair, placed, {{0, 1}, 0.0, 0.0}, 0.0, 0.5).holds, 0.5);
 }
 
-/// Along an axis that turns at 1 rad/s a rod at rest, 2 m long and across it, bends by 1 m/s² at both ends and
-/// by 0.5 m/s² for where it stands; the ends come at 1 m/s.
+/// Along an axis that turns at 1 rad/s a rod at rest, 2 m long and across it, bends by 1 m/s² at both ends
+/// and by 0.5 m/s² for where it stands; the ends come at 1 m/s.
 TEST(GapParabola, ByVertexBendsAShapeThatStandsByHowFarItReaches) {
   const Convex point = disc(0.0), rod = segment({0, -1}, {0, 1});
   const MovingConvexPair pair(point, {{0, 0}, 0, {0, 0}, 1.0}, rod, {{0.5, 0}, 0, {0, 0}, 0}, 1.0);

@@ -116,6 +116,87 @@ TEST(SafeTime, IsTheLeastOverAllPairsOfParts) {
   EXPECT_LT(apart, 1700);
 }
 
+/// Of one pair of parts, each alone in its leaf.
+ClearTime definition(const Convex& p, const Pose& pose_p, const Convex& q, const Pose& pose_q,
+                     const GapRate& rate, const RelativeMotion& motion, const ClearTime& wanted) {
+  const auto far = [](const Convex& c) {
+    double most = 0.0;
+    for (const Vec& v : c.vertices) most = std::max(most, v.norm());
+    return most;
+  };
+  const Separation apart = separation(p, pose_p, q, pose_q);
+  const double straight = apart.distance / rate.of(far(p), far(q));
+  const OpenGap gap{
+      {p.vertices, pose_p, far(p)}, {q.vertices, pose_q, far(q)}, apart.normal, p.radius + q.radius};
+  return longer({straight, straight}, clear_time(gap, motion, wanted));
+}
+
+/// Of scenes of a dozen shapes, both of which move: no less than what an accepted error of a half leaves of
+/// the least over all pairs of parts, and never beyond a contact.
+TEST(SafeTime, OfMovingScenesIsWithinTheAcceptedErrorOfTheDefinition) {
+  constexpr std::uint64_t kSeed = 20261122;
+  Random random(kSeed);
+  int apart = 0, rough = 0;
+  for (int trial = 0; trial < 1500; ++trial) {
+    std::vector<Convex> parts_a, parts_b;
+    for (std::vector<Convex>* parts : {&parts_a, &parts_b})
+      for (int i = 0; i < 12; ++i) {
+        Convex part = scaled(random_shape(random, 1.0), 0.2);
+        const Vec at = random_vec(random, 2, 2);
+        for (Vec& v : part.vertices) v += at;
+        parts->push_back(std::move(part));
+      }
+    const PartsBvh a = parts_bvh(parts_a), b = parts_bvh(parts_b);
+    Motion motion_a = random_motion(random), motion_b = random_motion(random);
+    motion_b.position += random_vec(random, 4, 4);
+    const double now = 0.5;
+    const Pose pose_a = pose_at(motion_a, now), pose_b = pose_at(motion_b, now);
+    const GapRate rate = gap_rate(motion_a, motion_b);
+    const RelativeMotion motion{motion_a.spin, motion_b.spin, motion_b.velocity - motion_a.velocity,
+                                rate.shift};
+    SafeTimeQuestion question = wanting(0.5, 0.5);
+    question.motion = &motion, question.relative_error = 0.5;
+    const SafeTime found = safe_time(a, pose_a, b, pose_b, rate, question);
+    const bool touching = separation(a, pose_a, b, pose_b).distance <= 0.0;
+    ASSERT_EQ(found.hit, touching) << "seed " << kSeed << ", trial " << trial;
+    if (touching) continue;
+    ++apart;
+    ClearTime least{0.5, 0.5};
+    for (const Convex& p : parts_a)
+      for (const Convex& q : parts_b)
+        least = shorter(least, definition(p, pose_a, q, pose_b, rate, motion, {0.5, 0.5}));
+    ASSERT_GE(found.before, least.before / 1.5 * (1.0 - 1e-6)) << "seed " << kSeed << ", trial " << trial;
+    ASSERT_GE(found.after, least.after / 1.5 * (1.0 - 1e-6)) << "seed " << kSeed << ", trial " << trial;
+    rough += found.before < 0.999 * least.before || found.after < 0.999 * least.after;
+    const double before = std::min(0.5, found.before), after = std::min(0.5, found.after);
+    for (int i = 0; i <= 20; ++i) {
+      const double t = now - before + (before + after) * i / 20.0;
+      ASSERT_GT(separation(a, pose_at(motion_a, t), b, pose_at(motion_b, t)).distance, 0.0)
+          << "seed " << kSeed << ", trial " << trial << ", time " << t;
+    }
+  }
+  EXPECT_GT(apart, 400);
+  EXPECT_LT(apart, 1400);
+  EXPECT_GT(rough, 20) << "the accepted error is used";
+}
+
+/// Two squares 1 m apart, of which one comes at 1 m/s: distances over rates, and parabolas.
+TEST(SafeTime, OfOutlinesLeavesOutWhatPosesMayBeOffBy) {
+  const std::vector<std::vector<Vec>> square{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+  const auto a = outline<BoxAndBall<2>>(square);
+  const RelativeMotion motion{0.0, 0.0, {-1, 0}, 1.0};
+  for (const RelativeMotion* known : {static_cast<const RelativeMotion*>(nullptr), &motion}) {
+    SafeTimeQuestion question = wanting(2.0, 2.0);
+    question.motion = known;
+    question.pose_error = 0.25;
+    EXPECT_NEAR(safe_time(a, Pose{}, a, Pose{{2, 0.5}}, {1, 0, 0}, question).after, 0.75, 1e-12);
+    question.pose_error = 1.5;
+    const SafeTime unsure = safe_time(a, Pose{}, a, Pose{{2, 0.5}}, {1, 0, 0}, question);
+    EXPECT_EQ(unsure.after, 0.0);
+    EXPECT_FALSE(unsure.hit);
+  }
+}
+
 TEST(SafeTime, OfOutlinesIsAHitWhereEitherHoldsTheOther) {
   const std::vector<std::vector<Vec>> large{{{-3, -3}, {3, -3}, {3, 3}, {-3, 3}}},
       small{{{0, 0}, {1, 0}, {0, 1}}};
