@@ -56,8 +56,10 @@ MotionAnswer answer_all(const MotionSystem& system, LinkageChecker& checker,
   MotionAnswer answer{checker.check_path(system.path(), options, found).verdict, {}, 0};
   for (std::size_t i = 0; i < found.size(); ++i) {
     found[i].segment = static_cast<std::uint32_t>(i);
-    if (found[i].verdict == Verdict::hit) found[i] = first_contact(system, checker, found[i]);
+    const bool hit = found[i].verdict == Verdict::hit;
+    if (hit) found[i] = first_contact(system, checker, found[i]);
     answer.segments.push_back(named(system, found[i]));
+    if (hit) answer.segments.back().clear = found[i].from;
     answer.segments.back().evaluations = found[i].evaluations;
     answer.evaluations += found[i].evaluations;
   }

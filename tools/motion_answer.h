@@ -17,8 +17,9 @@ struct MotionContact {
 struct SegmentAnswer {
   std::optional<narrowphase::Verdict> verdict;  ///< none: it was not asked to its end
   double from = 0.0,
-         to = 0.0;   ///< fractions: of the first contact, of a contact (both equal), or what is in doubt
-  std::string a, b;  ///< who touches, or is in doubt
+         to = 0.0;     ///< fractions: of the first contact, of a contact (both equal), or what is in doubt
+  std::string a, b;    ///< who touches, or is in doubt
+  double clear = 0.0;  ///< fraction up to which the first contact's search has proven all free
   std::optional<MotionContact> contact;
   std::optional<std::size_t> evaluations;  ///< computations of a pair's distance, where counted apart
   std::vector<narrowphase::Neighbourhood> covering;  ///< fractions; `pair` is a row of the scene's pairs

@@ -24,11 +24,13 @@ std::vector<std::uint32_t> busiest(const std::vector<Lane>& all) {
 std::vector<Lane> lanes(const MotionSystem& system, const MotionAnswer& answer, std::size_t most) {
   const auto pairs = system.scene().pairs;
   std::vector<Lane> all(pairs.size()), result;
-  for (std::size_t i = 0; i < answer.segments.size(); ++i)
-    for (const narrowphase::Neighbourhood& one : answer.segments[i].covering) {
-      const auto start = static_cast<double>(i);
+  for (std::size_t i = 0; i < answer.segments.size(); ++i) {
+    const auto start = static_cast<double>(i);
+    for (const narrowphase::Neighbourhood& one : answer.segments[i].covering)
       all[one.pair].strips.push_back({start + one.from, start + one.to, start + one.time, one.proven});
-    }
+    if (const double clear = answer.segments[i].clear; clear > 0.0)
+      for (Lane& lane : all) lane.strips.push_back({start, start + clear, start, true});
+  }
   const std::vector<std::uint32_t> rows = busiest(all);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     Lane& lane = all[rows[i]];

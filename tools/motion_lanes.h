@@ -5,7 +5,8 @@
 
 namespace throng::tools {
 
-/// What was proven free of a pair, or of several pairs, along all segments.
+/// What was proven free of a pair, or of several pairs, along all segments. Where a segment hits, that is all
+/// before the first contact and whatever was proven on the way to it; the rest was not asked.
 struct Lane {
   struct Strip {
     double from, to,

@@ -194,11 +194,14 @@ void draw_all(cairo_t* cairo, const Page& page, const MotionSystem& system, cons
   draw_scale_bar(cairo, page.border, page.height - 2.9 * page.unit, page.width, page.scale, page.unit);
   set_colour(cairo, kFaint);
   set_font(cairo, 0.85 * page.unit, false);
-  write(cairo,
-        "start pale, end full" + std::string(view.contact ? view.doubt ? ", in doubt" : ", contact" : "") +
-            (view.contact ? " red; below: what each distance (tick) proves free"
-                          : "; below: what each distance (tick) proves free"),
-        page.width - page.border, page.height - 1.4 * page.unit, Align::right);
+  const std::string red = view.contact ? view.doubt ? ", in doubt red" : ", contact red" : "";
+  const char* blank =
+      answer.verdict == Verdict::hit ? ", blank: not asked, as a contact ends the search" : "";
+  write(
+      cairo,
+      fitting(cairo, "start pale, end full" + red + "; below: what each distance (tick) proves free" + blank,
+              page.width - 2 * page.border),
+      page.width - page.border, page.height - 1.4 * page.unit, Align::right);
   draw_timeline(cairo, page, answer, rows);
 }
 

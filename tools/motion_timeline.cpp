@@ -2,6 +2,8 @@
 #include "tools/motion_timeline.h"
 
 #include <algorithm>
+#include <optional>
+#include <span>
 
 #include "tools/answer_json.h"
 #include "tools/motion_view.h"
@@ -14,6 +16,7 @@ namespace {
 using narrowphase::Verdict;
 
 constexpr Colour kProven{0.33, 0.55, 0.62};
+constexpr double kApart = 4.0;  // pixels, from line to line at least
 
 /// What was proven free, a lane a pair; time goes to the right.
 class Timeline {
@@ -47,6 +50,7 @@ class Timeline {
           "segment " + std::to_string(i) + (verdict ? std::string(": ") + word(*verdict) : "");
       if (each > text_width(cairo_, name) + unit_)
         write(cairo_, name, x(at + 0.5), top + 1.2 * unit_, Align::centre);
+      if (each < kApart) continue;
       set_colour(cairo_, kFaint, 0.5);
       cairo_set_line_width(cairo_, 1);
       for (double border : {at, at + 1}) {
@@ -60,16 +64,45 @@ class Timeline {
   void draw_lane(const Lane& lane, double y) {
     set_colour(cairo_, kInk);
     write(cairo_, fitting(cairo_, lane.label, left_ - label_ - 0.5 * unit_), label_, y + 0.85 * unit_);
-    for (const Lane::Strip& strip : lane.strips) {
-      cairo_rectangle(cairo_, x(strip.from), y, std::max(0.5, x(strip.to) - x(strip.from)), unit_);
-      set_colour(cairo_, strip.proven ? kProven : kContact, strip.proven ? 0.45 : 1.0);
-      cairo_fill(cairo_);
+    std::vector<Lane::Strip> strips = lane.strips;
+    std::ranges::sort(strips, {}, &Lane::Strip::from);
+    draw_proven(strips, y);
+    for (const Lane::Strip& strip : strips)
+      if (!strip.proven) fill(strip.from, strip.to, y, kContact, 1.0);
+    draw_ticks(lane, y);
+  }
+
+  void fill(double from, double to, double y, const Colour& colour, double opacity) {
+    cairo_rectangle(cairo_, x(from), y, std::max(0.5, x(to) - x(from)), unit_);
+    set_colour(cairo_, colour, opacity);
+    cairo_fill(cairo_);
+  }
+
+  /// Strips that overlap are one: a thousand would be black.
+  void draw_proven(std::span<const Lane::Strip> ascending, double y) {
+    std::optional<std::pair<double, double>> all;
+    for (const Lane::Strip& strip : ascending) {
+      if (!strip.proven) continue;
+      if (all && strip.from > all->second) fill(all->first, all->second, y, kProven, 0.45), all.reset();
+      if (!all) all.emplace(strip.from, strip.to);
+      all->second = std::max(all->second, strip.to);
     }
+    if (all) fill(all->first, all->second, y, kProven, 0.45);
+  }
+
+  /// When distances were computed; where that is too dense to tell apart, some of them.
+  void draw_ticks(const Lane& lane, double y) {
+    std::vector<double> ticks;
+    for (const Lane::Strip& strip : lane.strips) ticks.push_back(x(strip.at));
+    std::ranges::sort(ticks);
     set_colour(cairo_, kInk);
     cairo_set_line_width(cairo_, 1);
-    for (const Lane::Strip& strip : lane.strips) {
-      cairo_move_to(cairo_, x(strip.at), y + 0.2 * unit_);
-      cairo_line_to(cairo_, x(strip.at), y + 0.8 * unit_);
+    double last = -kApart;
+    for (const double at : ticks) {
+      if (at - last < kApart) continue;
+      last = at;
+      cairo_move_to(cairo_, at, y + 0.2 * unit_);
+      cairo_line_to(cairo_, at, y + 0.8 * unit_);
     }
     cairo_stroke(cairo_);
   }
