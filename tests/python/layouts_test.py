@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: MIT
+"""Recordings that older versions wrote, as throng_read, the program and its exports know them."""
+import csv
+import json
+import pathlib
+import subprocess
+import unittest
+
+import h5py
+import numpy as np
+
+from program import PROGRAM, Program
+import throng_read
+
+KEPT = sorted((pathlib.Path(__file__).parents[1] / "sim/recording/layouts").glob("*.h5"))
+
+
+class Layouts(Program):
+    def test_there_is_one_of_each_older_layout(self):
+        self.assertEqual([path.stem for path in KEPT], ["1.0", "1.1"])
+        for path in KEPT:
+            with h5py.File(path) as file:
+                self.assertEqual(".".join(map(str, file["throng"].attrs["version"])), path.stem)
+
+    def test_are_read_and_exported(self):
+        for path in KEPT:
+            with self.subTest(path.name), throng_read.open(path) as recording, h5py.File(path) as file:
+                np.testing.assert_array_equal(recording.step, range(0, 21, 4))
+                self.assertTrue(recording.complete)
+                trajectory = file["particles/trajectory"]
+                for field in ("position", "angle", "velocity", "spin"):
+                    np.testing.assert_array_equal(getattr(recording, field)[:], trajectory[field]["value"][:])
+                np.testing.assert_array_equal(recording.position[0], [[3.4, 0.25], [0.7, 0.4], [1.7, 0.4]])
+                self.assertEqual([shape.holes for shape in recording.shapes], [[], []])
+                self.assertIsNone(recording.contacts(3))
+                self.assertEqual(recording.observables, {})
+                for form in ("csv", "pedpy", "xdmf", "h5md3", "lammps"):
+                    self.assertEqual(self.throng("export", str(path), "--format", form, "-o", "a." + form, "--force"), (0, ""))
+                with open(self.path("a.csv"), encoding="utf8") as lines:
+                    x = [float(row["x"]) for row in csv.DictReader(lines)]
+                np.testing.assert_array_equal(x, recording.position[:][..., 0].ravel())
+                self.assertEqual(self.throng("replay", str(path), "--png", "a.png"), (0, ""))
+                info = json.loads(subprocess.run([PROGRAM, "info", path, "--json"], capture_output=True, check=True).stdout)
+                self.assertEqual([info[key] for key in ("frames", "bodies", "rates")], [6, 3, [4, 4, 4, 4]])
+
+
+if __name__ == "__main__":
+    unittest.main()
