@@ -44,8 +44,8 @@ export function table(dark) {
   for (let i = 0; i < LEVELS; ++i) put(i, ramp(i / (LEVELS - 1), dark));
   GROUPS.forEach((colour, i) => put(GROUP + i, colour));
   put(PLAIN, dark ? [122, 162, 196] : [108, 146, 179]);
-  put(STATIC, dark ? [104, 109, 117] : [158, 161, 166]);
-  put(KINEMATIC, dark ? [146, 152, 161] : [115, 120, 128]);
+  put(STATIC, dark ? [104, 109, 117] : [186, 189, 194]);
+  put(KINEMATIC, dark ? [190, 196, 205] : [115, 120, 128]);
   put(PICKED, [213, 94, 0]);
   return bytes;
 }
