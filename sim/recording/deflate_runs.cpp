@@ -18,7 +18,8 @@ constexpr std::size_t kLongest = 258, kShortest = 3;  // bytes of a run, after t
 constexpr std::uint16_t kEnd = 256;
 constexpr std::size_t kSymbols = 286, kLengths = 19;
 /// In which order the lengths of the code of code lengths stand (RFC 1951, 3.2.7).
-constexpr std::array<std::uint8_t, kLengths> kOrder{16, 17, 18, 0, 8, 7, 9, 6, 10, 5, 11, 4, 12, 3, 13, 2, 14, 1, 15};
+constexpr std::array<std::uint8_t, kLengths> kOrder{16, 17, 18, 0, 8,  7, 9,  6, 10, 5,
+                                                    11, 4,  12, 3, 13, 2, 14, 1, 15};
 
 /// A literal, or a run: a symbol from 257 on and its further bits.
 struct Token {

@@ -10,8 +10,8 @@
 namespace throng::recording {
 
 /// The canonical prefix code of RFC 1951 for symbols that occur so often, of `longest` bits at most: that of
-/// Huffman (1952), with counts evened out until it is short enough. A symbol that does not occur has length 0;
-/// one that alone occurs has length 1.
+/// Huffman (1952), with counts evened out until it is short enough. A symbol that does not occur has length
+/// 0; one that alone occurs has length 1.
 template <std::size_t symbols>
 struct HuffmanCode {
   std::array<std::uint8_t, symbols> length{};

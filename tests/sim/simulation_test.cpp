@@ -35,7 +35,8 @@ constexpr double kWeight = 2.0 * std::numbers::pi * 0.25 * 10.0;  // N, of one
 class Simulations : public testing::TestWithParam<const char*> {
  protected:
   /// The rows of the pair, or none.
-  static std::vector<ContactRow> rows_of(const std::vector<ContactRow>& rows, std::uint32_t a, std::uint32_t b) {
+  static std::vector<ContactRow> rows_of(const std::vector<ContactRow>& rows, std::uint32_t a,
+                                         std::uint32_t b) {
     std::vector<ContactRow> found;
     for (const ContactRow& row : rows)
       if (row.a == a && row.b == b) found.push_back(row);

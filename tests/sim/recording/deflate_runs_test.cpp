@@ -42,7 +42,8 @@ TEST(DeflateRuns, IsReadByZlib) {
   expect_same(bytes_of({5}), 7);
   expect_same(bytes_of({5, 5}), 7);
   expect_same(bytes_of({1, 2, 3, 4, 5, 6, 7, 8, 9}), 3);
-  for (std::size_t length : {3, 4, 10, 11, 18, 19, 114, 115, 257, 258, 259, 260, 261, 262, 515, 516, 517, 600})
+  for (std::size_t length :
+       {3, 4, 10, 11, 18, 19, 114, 115, 257, 258, 259, 260, 261, 262, 515, 516, 517, 600})
     for (std::size_t block : {1, 2, 3, 4, 100, 258, 1000})
       expect_same(std::vector<std::byte>(length, std::byte{9}), block);
 }

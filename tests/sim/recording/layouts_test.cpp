@@ -14,7 +14,8 @@ class Layouts : public testing::TestWithParam<int> {
   }
 };
 
-/// A static brick and two discs that begin at (0.7, 0.4) and (1.7, 0.4) with (1, 0.5) m/s and 2 rad/s, and fall.
+/// A static brick and two discs that begin at (0.7, 0.4) and (1.7, 0.4) with (1, 0.5) m/s and 2 rad/s, and
+/// fall.
 TEST_P(Layouts, OfOlderVersionsAreRead) {
   const Recording recording(file());
   EXPECT_EQ(recording.origin().minor, GetParam());
