@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "narrowphase/linkage/check_linkage.h"
 
-#include <cassert>
-
 #include "narrowphase/relative.h"
 
 namespace throng::narrowphase {
@@ -35,7 +33,6 @@ std::optional<LinkContact> LinkageChecker::nearest(std::span<const double> value
 }
 
 void LinkageChecker::place(std::span<const double> values) {
-  assert(!beyond_limits(scene_.linkage, values));
   poses_.resize(scene_.linkage.size());
   place_links(scene_.linkage, values, poses_);
 }

@@ -7,9 +7,9 @@
 /// Do robots collide, standing or on the way, with obstacles, with one another, with themselves?
 namespace throng::narrowphase {
 
-/// All of it the caller's, who keeps it. Configurations are expected within the linkage's limits, as an
-/// assert says: these keep apart the pairs that `pairs_to_check` leaves out. Strangers' are asked by
-/// `beyond_limits`.
+/// All of it the caller's, who keeps it. Configurations are expected within the linkage's limits, which
+/// keep apart the pairs that `pairs_to_check` leaves out: strangers' are asked by `beyond_limits`, the ends
+/// of motions by an assert.
 struct LinkageScene {
   std::span<const Link> linkage;
   std::span<const LinkPair> pairs;      ///< those that may not touch: see `pairs_to_check`

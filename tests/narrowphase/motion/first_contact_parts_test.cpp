@@ -120,7 +120,7 @@ TEST(FirstPartsContact, IsInDoubtFromWhereItsLooksAreSpent) {
       ASSERT_LE(found.t_lo, expected.t_hi) << "seed 20260212, pair " << i << ", looks " << looks;
       ASSERT_GE(found.t_hi, expected.t_lo) << "seed 20260212, pair " << i << ", looks " << looks;
       ASSERT_TRUE(found.verdict == Verdict::undecided || found.verdict == expected.verdict) << i;
-      if (looks == 0) ASSERT_EQ(found.verdict, Verdict::undecided) << i;
+      ASSERT_TRUE(looks > 0 || found.verdict == Verdict::undecided) << i;
       ASSERT_GE(found.t_lo, known) << "more looks never know less";
       known = found.t_lo;
       undecided += found.verdict == Verdict::undecided, hits += found.verdict == Verdict::hit;
