@@ -28,6 +28,8 @@ struct Shortest {
   const SafeTimeQuestion& question;
   SafeTime time{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), false, 0,
                 0};
+  ClearTime left_out = {time.before, time.after};  ///< of what is long enough, the least: apart from
+                                                   ///< `time`, lest one accepted error go into the next
 
   ClearTime enough() const {
     const double share = 1.0 / (1.0 + question.relative_error);
@@ -37,6 +39,7 @@ struct Shortest {
     const ClearTime least = enough();
     return clear.before >= least.before && clear.after >= least.after;
   }
+  void leave_out(const ClearTime& clear) { left_out = shorter(left_out, clear); }
   void shorten(const ClearTime& clear) {
     time.before = std::min(time.before, clear.before);
     time.after = std::min(time.after, clear.after);
@@ -46,7 +49,7 @@ struct Shortest {
   void consider(double distance, double rate, const OpenGap& gap, std::uint32_t i, std::uint32_t j) {
     const double least = std::max(0.0, lasting(distance, rate));
     ClearTime clear{least, least};
-    if (is_enough(clear)) return shorten(clear);
+    if (is_enough(clear)) return leave_out(clear);
     if (question.motion != nullptr)
       clear = longer(clear, clear_time(gap, *question.motion, {question.before, question.after}));
     if (clear.before < time.before || clear.after < time.after) time.part_a = i, time.part_b = j;
@@ -108,13 +111,12 @@ void shorten(const OnTheirWay<Volume>& way, Shortest& best, Leaf leaf, Counters&
     ++counters.nodes;
     return Bounded{way.clear(pair, best), pair};
   };
-  ClearTime skipped{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   TraversalStack<Bounded> stack;
   stack.push(bounded({0, 0}));
   while (!stack.empty()) {
     const Bounded top = stack.pop();
     if (best.is_enough(top.clear)) {
-      skipped = shorter(skipped, top.clear);
+      best.leave_out(top.clear);
       continue;
     }
     if (are_leaves(way.a, way.b, top.pair)) {
@@ -127,7 +129,7 @@ void shorten(const OnTheirWay<Volume>& way, Shortest& best, Leaf leaf, Counters&
     stack.push(first.urgency() <= second.urgency() ? second : first);
     stack.push(first.urgency() <= second.urgency() ? first : second);
   }
-  best.shorten(skipped);
+  best.shorten(best.left_out);
 }
 
 }  // namespace throng::narrowphase
