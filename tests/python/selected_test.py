@@ -245,6 +245,31 @@ class Forged(Program):
                 self.assertRegex(error, f"^throng: {path} is damaged: (the steps and times of samples are not those of their frames"
                                         r"|(step|time|id) has too few frames)\n$")
 
+    def test_fields_and_ids_of_another_form_are_refused(self):
+        """A row of a region may have places that were never written: readers make room for what they know of it."""
+        position, angle, ids = (f"particles/trajectory/{element}/value" for element in ("position", "angle", "id"))
+        forms = ((position, "f8", (21, 4, 10 ** 9)), (position, "f8", (21, 4, 3)), (position, "f8", (21, 4)),
+                 (position, "f8", (21, 5, 2)), (position, "f8", (20, 4, 2)), (position, "i8", (21, 4, 2)),
+                 (angle, "f8", (21, 4, 2)), (angle, "f8", (21, 10 ** 9)), (angle, "f8", ()))
+        of_ids = ((ids, "u4", (21, 10 ** 9)), (ids, "u4", (21, 4, 2)), (ids, "u4", (20, 4)), (ids, "i8", (21, 4)))
+        for path, forged in ((self.recorded("whole.h5"), forms),
+                             (self.recorded("region.h5", "within=[[0.75, 0], [1.8, 3]]"), forms + of_ids)):
+            sound = pathlib.Path(path).read_bytes()
+            self.assertEqual(self.throng("info", path)[0], 0)
+            throng_read.open(path).close()
+            for name, number, shape in forged:
+                with self.subTest(path, name=name, number=number, shape=shape):
+                    pathlib.Path(path).write_bytes(sound)
+                    with h5py.File(path, "r+", libver="latest") as file:
+                        del file[name]
+                        chunks = (1, 4, 2)[:len(shape)] if shape else None
+                        file.create_dataset(name, shape, number, chunks=chunks, fletcher32=True if shape else None)
+                    code, error = self.throng("info", path)
+                    self.assertEqual(code, 2, error)
+                    said = "claims more than the file can hold" if 10 ** 9 in shape else "has another form"
+                    with self.assertRaisesRegex(throng_read.NotARecording, said):
+                        throng_read.open(path).close()
+
     def test_sizes_beyond_those_of_the_file_are_refused(self):
         """A megabyte of zeros, deflated, or nothing at all may claim any number of rows, and any size of chunk."""
         options = ("fields=['position', 'contacts']", "observables=4")

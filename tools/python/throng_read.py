@@ -186,7 +186,7 @@ class Recording:
         self._read_scene()
         changes = "throng/bodies/id" in self._file  # bodies come into a region, and leave it
         self.ids = self._all("throng/bodies/id" if changes else "particles/trajectory/id")
-        self._present = self._get("particles/trajectory/id/value") if changes else None
+        self._present = self._bounded("particles/trajectory/id/value", sparse=True) if changes else None
         self._present_step = self._all("particles/trajectory/id/step") if changes else None
         for field in ("position", "angle", "velocity", "spin"):
             setattr(self, field, self._field(f"particles/trajectory/{field}"))
@@ -256,18 +256,20 @@ class Recording:
     def _field(self, path):
         if path not in self._file:
             return None
-        frames = self._frames_of(path)
-        values = (self._get if self._present is not None else self._bounded)(path + "/value")
-        if values.dtype.kind != "f" or values.shape[0] < len(frames) or values.shape[1] != len(self.ids):
+        frames, name, changes = self._frames_of(path), path.rpartition("/")[2], self._present is not None
+        values = self._bounded(path + "/value", sparse=changes)
+        of_body = (2,) if name in ("position", "velocity") else ()
+        if values.dtype.kind != "f" or values.shape[1:] != (len(self.ids), *of_body) or values.shape[0] < len(frames):
             raise ValueError(f"{path} has another form")
-        if self._present is not None:
+        if changes:
             values = Region(values, self._present, self._samples_of_ids(frames), frames, self.ids)
-        return Field(path.rpartition("/")[2], values, frames, self.time)
+        return Field(name, values, frames, self.time)
 
     def _samples_of_ids(self, frames):
         """The rows of id that are these frames."""
         samples = np.searchsorted(self._present_step, self.step[frames])
-        if self._present.shape[1:] != (len(self.ids),) or (samples >= len(self._present)).any() or \
+        if self._present.dtype != np.dtype("u4") or self._present.shape[1:] != (len(self.ids),) or \
+                (samples >= len(self._present)).any() or \
                 not np.array_equal(self._present_step[samples], self.step[frames]):
             raise ValueError("particles/trajectory/id has another form")
         return samples
@@ -314,11 +316,11 @@ class Recording:
             raise ValueError(f"{path} has chunks that are too large")
         return dataset
 
-    def _bounded(self, path, density=1):
-        """One that claims no more than the file can hold."""
+    def _bounded(self, path, density=1, sparse=False):
+        """One that claims no more than the file can hold; nor does a row of a sparse one, which may lack chunks."""
         dataset = self._get(path)
         room = os.path.getsize(self._path) + (SLACK if self._file.swmr_mode else 0)
-        if math.prod(dataset.shape) * dataset.dtype.itemsize > density * room:
+        if math.prod(dataset.shape[1:] if sparse else dataset.shape) * dataset.dtype.itemsize > density * room:
             raise ValueError(f"{path} claims more than the file can hold")
         return dataset
 
