@@ -77,3 +77,14 @@ test("a reader that says something from time to time is not given up", async () 
   assert.equal(started.length, 1);
   source.close();
 });
+
+test("who is closed starts nobody, and says nothing, whatever is still asked of it", async () => {
+  const { source, opening } = opened(), told = [];
+  await opening;
+  source.scan("blob", 0, (...points) => told.push(points));
+  source.close();
+  source.frame(3, ["position"], false);
+  started[1].says({ points: [] });
+  await new Promise(resolve => setTimeout(resolve, 4 * SOON));
+  assert.deepEqual([started.length, started.map(({ ended }) => ended), told], [2, [true, true], []]);
+});

@@ -17,6 +17,8 @@ export class Source {
   #waiting = /** @type {Map<number, {order: {ticket: number, frame: number}, resolve: (loaded: Loaded) => void, reject: (error: Error) => void}>} */ (new Map());  // by ticket
   #ticket = 0;
   #watch = 0;  // runs out where an answer is due and the worker says nothing
+  #scanWatch = 0;
+  #closed = false;
 
   /** Starts the reader, so that it is ready when a file comes. @param {string} url  of the worker's code @param {number} [patience]  ms */
   constructor(url, patience = PATIENCE) {
@@ -54,7 +56,7 @@ export class Source {
   /** Whoever waits, waits from now on, and not for ever. */
   #expect() {
     clearTimeout(this.#watch);
-    if (this.#opening || this.#waiting.size) this.#watch = setTimeout(() => this.#giveUp(), this.patience);
+    if (!this.#closed && (this.#opening || this.#waiting.size)) this.#watch = setTimeout(() => this.#giveUp(), this.patience);
   }
 
   /** What the worker is stuck in is given up; another one goes on with the rest. */
@@ -90,17 +92,21 @@ export class Source {
   scan(blob, slow, take) {
     const scanner = this.#scanner = new Worker(this.url);
     const late = () => { scanner.terminate(); take([], true, LATE); };
-    let watch = setTimeout(late, this.patience);
+    this.#scanWatch = setTimeout(late, this.patience);
     scanner.onmessage = ({ data }) => {
-      clearTimeout(watch);
+      if (this.#closed) return;
+      clearTimeout(this.#scanWatch);
       if (data.points || data.error) take(data.points ?? [], Boolean(data.scanned || data.error), data.error);
-      if (data.scanned || data.error) scanner.terminate(); else watch = setTimeout(late, this.patience);
+      if (data.scanned || data.error) scanner.terminate(); else this.#scanWatch = setTimeout(late, this.patience);
     };
     scanner.postMessage({ open: blob, scan: slow });
   }
 
+  /** What was asked, or still is, gets no answer. */
   close() {
+    this.#closed = true;
     clearTimeout(this.#watch);
+    clearTimeout(this.#scanWatch);
     this.#worker.terminate();
     this.#scanner?.terminate();
   }
