@@ -163,6 +163,15 @@ describe("of bodies that come and go", () => {
     assert.ok(changed > 3, `${changed}`);
   });
 
+  test("frames without bodies hold no ids", () => {
+    record("seldom", MIXED, ["--set", "record.every=4", "--set", "record.observables=6", "--set", "record.within=[[0, 0], [4, 4]]"]);
+    const seldom = open(library, "seldom.h5"), { steps } = seldom.description;
+    assert.deepEqual([...steps], Array.from({ length: 26 }, (_, i) => 4 * i));
+    const changed = steps.filter((step, i) => i > 0 && String(rowsIn(step)) !== String(rowsIn(step - 4))).length;
+    assert.ok(changed > 3, `${changed}`);
+    steps.forEach((step, i) => assert.deepEqual(seldom.frame(i, FIELDS), region.frame(step, FIELDS), `step ${step}`));
+  });
+
   test("agents are such bodies, without a region", () => {
     copyFileSync(path("region.h5"), path("agents.h5"));
     alter("agents.h5", "f['throng/bodies/kind'][1:] = 3; del f['particles/trajectory/id'].attrs['min'], f['particles/trajectory/id'].attrs['max']");
@@ -185,6 +194,14 @@ describe("of bodies that come and go", () => {
     alter("ids.h5", "f['particles/trajectory/id/value'].resize(50, axis=0)");
     assert.match(refusal("ids.h5"), /frames are missing/);
   });
+
+  for (const [what, python] of Object.entries({ "of another step": "s[50] = 49", "of a step that is no frame": "s[50] = 1000", "of too few steps": "s = s[:50]" }))
+    test(`ids ${what} are damage`, () => {
+      const name = `ids ${what}.h5`;
+      copyFileSync(path("region.h5"), path(name));
+      alter(name, `g = f['particles/trajectory/id']; s = g['step'][:]; ${python}; del g['step']; g['step'] = s`);
+      assert.match(refusal(name), /frames are missing/);
+    });
 });
 
 test("the holes of polygons are read, and none from files that know of none", () => {

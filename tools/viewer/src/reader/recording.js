@@ -108,11 +108,12 @@ export class Recording {
     if (frames < 0) frames = hashes.length;
     const steps = numbers(this.file, "throng/frames/step", "int", [-1]), times = numbers(this.file, "throng/frames/time", "float", [-1]);
     const samples = (/** @type {number} */ every) => steps.subarray(0, frames).filter(step => step % every === 0).length;
-    if (steps.length < frames || (this.#presence && this.#presence.extent < frames) || times.length < frames || [...this.#data.values()].some(data => data.extent < samples(data.every))) throw damaged("frames are missing that it says it holds");
+    if (steps.length < frames || times.length < frames || [...this.#data.values()].some(data => data.extent < samples(data.every))) throw damaged("frames are missing that it says it holds");
     if (frames === 0) throw new BadFile("holds no frames: there is nothing to show");
     this.description.steps = steps.slice(0, frames);
     this.description.times = times.slice(0, frames);
     this.#expectTimes();
+    this.#presence?.find(this.description.steps, Array.from(this.#data.values(), ({ every }) => every));
     this.#choose();
   }
 
