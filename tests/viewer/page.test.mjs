@@ -187,6 +187,14 @@ test("what has a rate of its own is drawn as it was last, and says since when", 
   await page.waitForFunction(() => /velocity, at 0.63 s.*angle, at 0.63 s/s.test(document.getElementById("facts").textContent));
   await page.fill("#scrub", "33");
   await page.waitForFunction(() => /velocity(?!,).*angle(?!,)/s.test(document.getElementById("facts").textContent));
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("k");
+  await page.waitForFunction(() => globalThis.replay.shown.a.contacts?.pairs.length > 0);
+  assert.equal(await page.isVisible("#no-contacts"), false);
+  await page.keyboard.press("ArrowLeft");
+  await page.waitForFunction(() => globalThis.replay.shown.frame === 32);
+  assert.equal(await page.evaluate(() => globalThis.replay.shown.a.contacts), undefined);
+  await page.waitForSelector("#no-contacts:not([hidden])");
   assert.deepEqual(errors, []);
   await done();
 });

@@ -102,6 +102,16 @@ test("overlaps of shapes that turn are those of frames that know how they have t
   assert.equal(points.length, 51);
 });
 
+test("overlaps of shapes whose angles nobody recorded are not known, those of discs are", () => {
+  const largest = (name, ...options) => {
+    record(name, MIXED.replace(/record = .*/, 'record = { fields = ["position"] }'), options);
+    const recording = open(library, `${name}.h5`);
+    return [...scan(recording, new ContactFinder(recording.description), 1)].map(point => point.largest);
+  };
+  assert.ok(largest("unturned").every(Number.isNaN));
+  assert.ok(largest("discs", "--set", 'record.of.shape="ball"').some(depth => depth > 0));
+});
+
 test("some bodies are shown by their ids", () => {
   record("some", MIXED, ["--set", "record.of.ids=[3, 90]"]);
   assert.deepEqual([...open(library, "some.h5").description.bodies.id], [3, 90]);

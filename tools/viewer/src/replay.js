@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One recording being replayed: time, camera, what is shown of it, and the picture of that.
+import { tellsContacts } from "./physics/contacts.js";
 import { neighbours } from "./physics/neighbours.js";
 import { AGENT } from "./reader/scene.js";
 import { blend, bodyAt, faceForward, placeOf } from "./view/blend.js";
@@ -53,9 +54,14 @@ export class Replay {
   need() {
     const velocity = this.colouring.needs === "velocity" || this.picked >= 0 || this.walks;
     this.frames.need(["position", "angle", ...(velocity ? /** @type {const} */ (["velocity"]) : []), ...(this.picked >= 0 ? /** @type {const} */ (["spin"]) : [])],
-                     this.colouring.needs === "contacts" || this.showContacts);
+                     this.wantsContacts);
     this.dirty = true;
   }
+
+  get wantsContacts() { return this.colouring.needs === "contacts" || this.showContacts; }
+
+  /** Whether contacts are asked for that the frame which is shown doesn't tell. */
+  get lacksContacts() { return this.wantsContacts && this.shown !== null && !tellsContacts(this.description, this.shown.frame); }
 
   /** @param {number} width @param {number} height */
   resize(width, height) {

@@ -40,6 +40,15 @@ function wallSegments(walls) {
   return segments;
 }
 
+/**
+ * Whether a frame says which of its bodies touch: all are discs, or it says how they are turned, not only an earlier one.
+ * @param {import("../reader/recording.js").Description} description @param {number} frame
+ */
+export function tellsContacts({ bodies, shapes, rates, steps }, frame) {
+  const angles = rates.angle !== undefined && steps[frame] % rates.angle === 0;
+  return angles || bodies.shape.every(shape => shapes[shape].kind === 0);
+}
+
 /** Finds contacts of the frames of one scene; memory is used again from frame to frame. */
 export class ContactFinder {
   /** @param {import("../reader/scene.js").Scene} scene */
@@ -54,7 +63,7 @@ export class ContactFinder {
   }
 
   /**
-   * Expects the positions, and the angles where there are any. Who is not there (NaN) touches nobody. O(bodies).
+   * Expects the positions, and the angles of the same time where tellsContacts() wants them. Who is not there (NaN) touches nobody. O(bodies).
    * @param {import("../reader/recording.js").Frame} frame
    * @returns {Contacts}
    */

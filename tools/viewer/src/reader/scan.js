@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The run as curves: energies, overlap, contacts of frames all over the recording, coarse first.
+import { tellsContacts } from "../physics/contacts.js";
 import { measure } from "../physics/measures.js";
 import { spread } from "./overview.js";
 
@@ -30,10 +31,9 @@ export function coarseFirst(n) {
 export function* scan(recording, finder, slow) {
   const { description } = recording, rows = spread(description.times.length, POINTS);
   const withContacts = Math.max(20, Math.floor(PARTS / Math.max(1, finder.parts.body.length)));
-  const turns = description.shapes.some(({ kind }) => kind !== 0) && description.fields.includes("angle");
   for (const [done, k] of coarseFirst(rows.length).entries()) {
     const i = rows[k], frame = recording.frame(i, ["position", "angle", "velocity", "spin"]);
-    const contacts = done < withContacts && (frame.angle || !turns) ? finder.find(frame) : null;
+    const contacts = done < withContacts && tellsContacts(description, i) ? finder.find(frame) : null;
     yield { frame: i, time: description.times[i], ...measure(description, frame, slow),
             contacts: contacts ? contacts.pairs.length / 2 : NaN, largest: contacts?.largest ?? NaN, mean: contacts?.mean ?? NaN };
   }

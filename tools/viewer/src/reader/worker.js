@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The worker that reads a recording in place: {open} answers with its description, {frame} with a frame, {scan} with points.
 import h5wasm from "h5wasm";
-import { ContactFinder } from "../physics/contacts.js";
+import { ContactFinder, tellsContacts } from "../physics/contacts.js";
 import { mount } from "./mount.js";
 import { overview } from "./overview.js";
 import { HEAD, modeFor, Recording } from "./recording.js";
@@ -25,7 +25,7 @@ async function obey({ open, ticket, frame, fields, contacts, scan: slow }) {
     if (slow === undefined) postMessage({ description: recording.description, overview: overview(recording) });
   }
   if (frame !== undefined) {
-    const values = recording.last(frame, fields ?? []), found = contacts ? finder.find(values) : undefined;
+    const values = recording.last(frame, fields ?? []), found = contacts && tellsContacts(recording.description, frame) ? finder.find(values) : undefined;
     const buffers = [...Object.values(values), ...(found ? [found.pairs, found.depths, found.deepest] : [])].map(array => array.buffer);
     postMessage({ ticket, values, contacts: found }, { transfer: buffers });
   }

@@ -95,6 +95,7 @@ export class Controls {
     bar.style.width = `${metres * camera.scale}px`;
     bar.firstElementChild.textContent = length(metres);
     this.charts?.show(player.time);
+    byId("no-contacts").hidden = !replay.lacksContacts;
     showFacts(replay.picked >= 0 && shown ? facts(replay.description, shown.frame, replay.picked, shown.a) : null);
     if (replay.picked >= 0) showSensed(replay.sensed(), replay.description.bodies.id, replay.sensing);
   }
