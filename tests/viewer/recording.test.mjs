@@ -9,7 +9,8 @@ import { measure } from "../../tools/viewer/src/physics/measures.js";
 import { OpenFile } from "../../tools/viewer/src/reader/h5.js";
 import { overview } from "../../tools/viewer/src/reader/overview.js";
 import { scan } from "../../tools/viewer/src/reader/scan.js";
-import { alter, GAS, h5, MIXED, open, path, program, random, record } from "./helper.mjs";
+import { charts } from "../../tools/viewer/src/view/curves.js";
+import { alter, GAS, h5, MIXED, open, path, program, random, record, throng } from "./helper.mjs";
 
 let library, whole;
 
@@ -182,15 +183,6 @@ describe("of bodies that come and go", () => {
     steps.forEach((step, i) => assert.deepEqual(seldom.frame(i, FIELDS), region.frame(step, FIELDS), `step ${step}`));
   });
 
-  test("agents are such bodies, without a region", () => {
-    copyFileSync(path("region.h5"), path("agents.h5"));
-    alter("agents.h5", "f['throng/bodies/kind'][1:] = 3; del f['particles/trajectory/id'].attrs['min'], f['particles/trajectory/id'].attrs['max']");
-    const agents = open(library, "agents.h5"), frame = agents.frame(100, FIELDS);
-    assert.deepEqual(frame, region.frame(100, FIELDS));
-    assert.deepEqual(new ContactFinder(agents.description).find(frame).depths, new ContactFinder(region.description).find(frame).depths);
-    assert.equal(measure(agents.description, frame, 0.5).present, measure(region.description, frame, 0.5).present);
-  });
-
   for (const [what, python] of Object.entries({ "twice": "v[1] = v[0]", "back": "v[[0, 1]] = v[[1, 0]]", "of nobody": "v[1] = 4000000", "after the end": "v[150] = 150" }))
     test(`an id ${what} is damage`, () => {
       const name = `ids ${what}.h5`;
@@ -212,6 +204,57 @@ describe("of bodies that come and go", () => {
       alter(name, `g = f['particles/trajectory/id']; s = g['step'][:]; ${python}; del g['step']; g['step'] = s`);
       assert.match(refusal(name), /frames are missing/);
     });
+});
+
+describe("of agents", () => {
+  const scenario = name => readFileSync(new URL(`../../scenarios/${name}.toml`, import.meta.url), "utf8");
+  let summary, agents;
+  before(() => {
+    summary = record("corridor", scenario("corridor"), ["--every", "10"]);
+    agents = open(library, "corridor.h5");
+  });
+
+  test("each is where the program's table has it, until it leaves", () => {
+    const { description: { bodies, steps, times } } = agents, table = new Map(Array.from(steps, step => [step, []]));
+    assert.equal(throng("export", path("corridor.h5"), "--format", "csv", "-o", path("corridor.csv")).status, 0);
+    const [head, ...lines] = readFileSync(path("corridor.csv"), "utf8").trim().split("\n");
+    assert.match(head, /^step,time,id,x,y,vx,vy/);
+    for (const [step, , ...row] of lines.map(line => line.split(",").map(Number))) table.get(step).push(row);
+    steps.forEach((step, i) => {
+      const expected = { position: new Float64Array(2 * bodies.count).fill(NaN), velocity: new Float64Array(2 * bodies.count).fill(NaN) };
+      for (const [id, x, y, vx, vy] of table.get(step)) { expected.position.set([x, y], 2 * (id - 1)); expected.velocity.set([vx, vy], 2 * (id - 1)); }
+      assert.deepEqual(agents.frame(i, ["position", "velocity"]), expected, `step ${step}`);
+    });
+    const here = Array.from(steps, step => table.get(step).length), empty = here.indexOf(0);
+    assert.deepEqual([here[0], new Set(here).size > 20], [60, true]);
+    assert.ok(times[empty - 1] < summary.last_arrival && summary.last_arrival <= times[empty], `${summary.last_arrival} s`);
+    assert.equal(measure(agents.description, agents.frame(200, FIELDS), 0.5).present, here[200]);
+  });
+
+  test("the floor, the areas and where they go are known", () => {
+    const { bodies, walls, areas, groups } = agents.description;
+    assert.ok(bodies.changes && bodies.kind.every(kind => kind === 3));
+    assert.deepEqual(walls.map(({ points, closed }) => [points.length / 2, closed]), [[4, true], [4, true]]);
+    assert.deepEqual(areas.map(({ name, goal }) => [name, goal]), [["end", true], ["start", false]]);
+    assert.deepEqual(groups, [{ name: "to end", first: 1, count: 60 }]);
+  });
+
+  test("they have no energies, as in the program's numbers, and no curve of them", () => {
+    const { kinetic, turning, potential, moving } = measure(agents.description, agents.frame(100, FIELDS), 0.5);
+    assert.deepEqual([kinetic, turning, potential, moving > 20], [0, NaN, 0, true]);
+    assert.deepEqual(charts(agents.description, 0.5, 0).map(({ title }) => title), ["Overlap", "Counts"]);
+  });
+
+  test("they overlap as deep as the program measured", () => {
+    record("bottleneck", scenario("bottleneck"), ["--until", "5", "--every", "100", "--set", "record.observables=100"]);
+    const recording = open(library, "bottleneck.h5"), finder = new ContactFinder(recording.description);
+    const [largest, mean] = ["max", "mean"].map(which => recording.file.get(`observables/${which}_overlap/value`).value);
+    assert.ok(largest.filter(depth => depth > 0).length > 2);
+    largest.forEach((depth, i) => {
+      const found = finder.find(recording.frame(i, FIELDS));
+      assert.ok(Math.abs(found.largest - depth) < 1e-12 && Math.abs(found.mean - mean[i]) < 1e-12, `${found.largest} is not ${depth}`);
+    });
+  });
 });
 
 test("the holes of polygons are read, and none from files that know of none", () => {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Numbers of a frame: energies, how many bodies move, and how many are there.
-import { isFree } from "../reader/scene.js";
+import { DYNAMIC, isFree } from "../reader/scene.js";
 
 /**
  * @typedef {{kinetic: number, turning: number, potential: number, moving: number, present: number}} Measures
- *   J (kg m²/s²), of bodies that move by themselves: of translation, of rotation, and of height, which is 0 at the scene's origin; NaN where what
- *   it takes was not recorded; present: how many of them are there
+ *   kinetic, turning, potential: J (kg m²/s²), of dynamic bodies: of translation, of rotation, and of height, which is 0 at the scene's
+ *   origin; NaN where what it takes was not recorded; moving, present: how many of those that move by themselves, agents too
  */
 
 /** kg m² about the centre of mass. @param {import("../reader/scene.js").Scene} scene @param {number} row */
@@ -26,11 +26,10 @@ export function measure(scene, { position, velocity, spin }, slow) {
     const x = 2 * row, y = x + 1, mass = bodies.mass[row];
     if (!isFree(bodies.kind[row]) || (position && Number.isNaN(position[x]))) continue;
     ++present;
-    if (velocity) {
-      const square = velocity[x] ** 2 + velocity[y] ** 2;
-      kinetic += 0.5 * mass * square;
-      if (square > slow * slow) ++moving;
-    }
+    const square = velocity ? velocity[x] ** 2 + velocity[y] ** 2 : 0;
+    if (square > slow * slow) ++moving;
+    if (bodies.kind[row] !== DYNAMIC) continue;
+    kinetic += 0.5 * mass * square;
     if (spin) turning += 0.5 * inertia(scene, row) * spin[row] ** 2;
     if (gravity && position) potential -= mass * (gravity[0] * position[x] + gravity[1] * position[y]);
   }

@@ -93,10 +93,10 @@ function readBodies(file, shapes, materials) {
   };
 }
 
-export const AGENT = 3;
+export const DYNAMIC = 0, AGENT = 3;
 
 /** Whether a body moves by itself: all but what is static or driven. @param {number} kind */
-export const isFree = kind => kind === 0 || kind === AGENT;
+export const isFree = kind => kind === DYNAMIC || kind === AGENT;
 
 /** @param {File} file @returns {Wall[]} */
 function readWalls(file) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The curves of a run: which there are, and the axes they stand on.
+import { DYNAMIC } from "../reader/scene.js";
 import { length, short, si } from "./format.js";
 
 /**
@@ -20,7 +21,7 @@ export function charts(d, slow, lowest) {
   if (falls) energies.push({ name: "of height", colour: "var(--curve-2)", value: height });
   /** @type {Chart[]} */
   const all = [
-    { title: "Energy", unit: joule, curves: energies },
+    { title: "Energy", unit: joule, curves: d.bodies.kind.includes(DYNAMIC) ? energies : [] },
     { title: "Overlap", unit: length, decades: true, curves: [{ name: "largest", colour: "var(--curve-2)", value: p => p.largest }, { name: "mean", colour: "var(--curve-1)", value: p => p.mean }] },
     { title: "Counts", unit: number, curves: [...(d.bodies.changes ? [{ name: "here", colour: "var(--ink)", value: (/** @type {Point} */ p) => p.present }] : []), { name: "touching", colour: "var(--curve-1)", value: p => p.contacts },
       ...(moves ? [{ name: `faster than ${short(slow, 2)} m/s`, colour: "var(--curve-2)", value: (/** @type {Point} */ p) => p.moving }] : [])] },
