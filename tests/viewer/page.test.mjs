@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The page as people use it: opened from a file, without network, in Chromium.
 import assert from "node:assert/strict";
-import { copyFileSync, statSync, truncateSync, writeFileSync } from "node:fs";
+import { copyFileSync, readFileSync, statSync, truncateSync, writeFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { alter, browser, GAS, MIXED, path, record, throng } from "./helper.mjs";
 
@@ -223,6 +223,33 @@ test("bodies that come and go are drawn while they are there, and counted", asyn
   await page.waitForFunction(() => globalThis.replay.shown?.frame === 99);
   assert.equal(await page.evaluate(() => globalThis.replay.following), true);
   assert.ok(Number.isFinite(await page.evaluate(() => globalThis.replay.camera.x)));
+  assert.deepEqual(errors, []);
+  await done();
+});
+
+test("agents are drawn with a line to where they walk, and without one where they stand", async () => {
+  record("corridor", readFileSync(new URL("../../scenarios/corridor.toml", import.meta.url), "utf8"), ["--every", "10"]);
+  const { page, errors, done } = await visit("mixed.html");
+  await page.setInputFiles("#file", path("corridor.h5"));
+  await page.waitForFunction(() => globalThis.replay?.walks && globalThis.replay.shown);
+  assert.match(await text(page, "about"), /60 agents, 451 frames/);
+  for (const [frame, walks] of [[0, false], [90, true]]) {
+    await page.fill("#scrub", String(frame));
+    await page.waitForFunction(i => globalThis.replay.shown.frame === i, frame);
+    const [ahead, behind] = await page.evaluate(() => {
+      const { replay } = globalThis, { camera, shown: { a: { values: { position: [x, y], velocity: [vx, vy] } } }, stage: { gl, canvas }, description: { bodies } } = replay;
+      camera.fit([x - 1, y - 1, x + 1, y + 1]);
+      replay.dirty = true;
+      replay.tick(0);
+      const ratio = canvas.width / camera.width, speed = Math.hypot(vx, vy), [ux, uy] = speed > 0 ? [vx / speed, vy / speed] : [1, 0];
+      return [0.5, -0.5].map(part => {
+        const bytes = new Uint8Array(4), [px, py] = camera.pixel(x + part * bodies.radius[0] * ux, y + part * bodies.radius[0] * uy);
+        gl.readPixels(Math.round(px * ratio), canvas.height - Math.round(py * ratio), 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+        return String(bytes);
+      });
+    });
+    assert.equal(ahead !== behind, walks, `${ahead} before, ${behind} behind it in frame ${frame}`);
+  }
   assert.deepEqual(errors, []);
   await done();
 });

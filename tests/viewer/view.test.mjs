@@ -2,7 +2,7 @@
 // The page's pure parts: camera, clock, frames at hand, colours, curves, words.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { ABSENT, blend, bodyAt, faceForward, placeOf } from "../../tools/viewer/src/view/blend.js";
+import { ABSENT, blend, bodyAt, faceForward, NOWHERE, placeOf } from "../../tools/viewer/src/view/blend.js";
 import { Camera, roundBelow } from "../../tools/viewer/src/view/camera.js";
 import { colour, colourings } from "../../tools/viewer/src/view/colouring.js";
 import { axis, charts, merge, ticks, valueAt } from "../../tools/viewer/src/view/curves.js";
@@ -181,10 +181,12 @@ test("who leaves stands until the next frame, who comes is there with it", () =>
   assert.equal(bodyAt(states, Float64Array.of(1, 1, 1, 1), 2, 5, 0), -1);
 });
 
-test("agents look where they walk", () => {
+test("agents look where they walk, and nowhere where they stand", () => {
   const states = new Float32Array(12).fill(5), velocity = Float64Array.of(0, 1, 0, 1, 0.01, 0.01);
   faceForward(states, Float64Array.of(3, 0, 3), { velocity });
-  assert.deepEqual([states[2], states[6], states[10]], [Math.fround(Math.PI / 2), 5, 5]);
+  assert.deepEqual([states[2], states[6], states[10]], [Math.fround(Math.PI / 2), 5, NOWHERE]);
+  faceForward(states, Float64Array.of(3, 0, 3), {});
+  assert.deepEqual([states[2], states[6], states[10]], [NOWHERE, 5, NOWHERE]);
 });
 
 test("bodies far from 0, 0 are as exact as near it", () => {

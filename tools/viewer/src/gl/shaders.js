@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What all bodies share in the shaders: their state by row, their colour, the place on the screen.
 
+import { NOWHERE } from "../view/blend.js";
+
 /** Rows of a texture. */
 export const WIDTH = 1024;
 
@@ -23,7 +25,7 @@ export const DISC = [`
 layout(location = 0) in uint row;
 layout(location = 1) in vec3 disc;
 uniform float rim, inset;  // pixels; inset: the disc is drawn that much smaller
-out vec2 at; out vec3 colour; out float radius;
+out vec2 at; out vec3 colour; out float radius, looks;
 ${BODY}
 void main() {
   vec4 state = stateOf(row);
@@ -31,15 +33,16 @@ void main() {
   radius = max(disc.z * scale, 0.6) - min(inset, 0.24 * disc.z * scale);
   at = corner * (radius + 1.0);
   colour = colourOf(state);
+  looks = state.z > float(${0.5 * NOWHERE}) ? 1.0 : 0.0;
   gl_Position = onScreen(state, (placed(state) + turned(disc.xy, state.z)) * scale + turned(at, state.z));
 }`, `
-in vec2 at; in vec3 colour; in float radius;
+in vec2 at; in vec3 colour; in float radius, looks;
 uniform float rim, turn, whole;  // pixels; turn: of the line that shows how a disc has turned; whole: 1 for all in the rim's colour
 out vec4 shown;
 void main() {
   float d = length(at), width = min(rim, 0.24 * radius);
   float inner = max(whole, rim > 0.0 ? clamp(d - (radius - width) + 0.5, 0.0, 1.0) * clamp(radius - 1.2, 0.0, 1.0) : 0.0);
-  if (turn > 0.0 && radius > 4.0 * turn && at.x > 0.0)
+  if (turn * looks > 0.0 && radius > 4.0 * turn && at.x > 0.0)
     inner = max(inner, clamp(0.5 * min(turn, 0.16 * radius) - abs(at.y) + 0.5, 0.0, 1.0));
   float alpha = clamp(radius - d + 0.5, 0.0, 1.0);
   shown = vec4(mix(colour, colour * ${0.55}, inner), 1.0) * alpha;

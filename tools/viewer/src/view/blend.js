@@ -6,6 +6,9 @@ import { AGENT } from "../reader/scene.js";
 const TURN = 2 * Math.PI;
 const STANDS = 0.05;  // m/s below which an agent has no heading
 
+/** The angle of an agent that stands, which none has; what has it shows no line. */
+export const NOWHERE = -10;
+
 /** The colour of a body that is not there; what has it is not drawn. */
 export const ABSENT = -1;
 
@@ -47,11 +50,12 @@ function angleOf(a, b, t, row) {
   return from !== from ? 0 : to !== to ? from : from + t * (to - from);
 }
 
-/** Turns agents, who have no angle, to where they walk. @param {Float32Array} states @param {Float64Array} kind @param {import("../reader/recording.js").Frame} frame */
+/** Turns agents, whose angle says nothing, to where they walk. @param {Float32Array} states @param {Float64Array} kind @param {import("../reader/recording.js").Frame} frame */
 export function faceForward(states, kind, { velocity }) {
-  for (let row = 0; velocity && row < kind.length; ++row) {
-    const vx = velocity[2 * row], vy = velocity[2 * row + 1];
-    if (kind[row] === AGENT && Math.hypot(vx, vy) > STANDS) states[4 * row + 2] = Math.atan2(vy, vx);
+  for (let row = 0; row < kind.length; ++row) {
+    if (kind[row] !== AGENT) continue;
+    const vx = velocity?.[2 * row] ?? 0, vy = velocity?.[2 * row + 1] ?? 0;
+    states[4 * row + 2] = Math.hypot(vx, vy) > STANDS ? Math.atan2(vy, vx) : NOWHERE;
   }
 }
 
