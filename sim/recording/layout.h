@@ -33,7 +33,7 @@
 ///   finished              u64: 0 while the run goes on, then chain_hash of frames/frame_hash
 ///   frames                step i64[F], time f64[F] = step * dt, state_hash u64[F], frame_hash u64[F]
 ///   rates/R               (1.2) step and time of the frames whose step is a multiple of R, where not all are. Every
-///                         other `step` and `time` is a hard link to these or to those of `frames`
+///                         other `step` and `time`, but those of `id`, is a hard link to these or to those of `frames`
 ///   quantized             (1.2) with record.quantize, instead of the positions of H5MD: position u32[F,N,2] through
 ///                         shuffle and deflate, step, time; attributes every, quantum f64 (m), key_every i64, how
 ///   contacts              (1.2) attribute every; a u32, b u32, impulse f64, point f64[,2], rows as ContactRow has
@@ -49,11 +49,12 @@
 ///   walls                 offset u64[W+1] -> points f64[,2]; closed u8, material u32
 ///   walkable              (1.3) where there are agents: offset u64[R+1] -> points f64[,2], the rings of the floor
 /// ```
-/// What has an attribute `every` is in the frames whose step is a multiple of it. Where bodies come and go,
-/// with record.within (1.2) and among agents (1.3), `id` is a group, too, with value u32[F,N]: a frame's bodies
-/// stand in front, ascending by id, and 0, the fill value, in the other places; fields have the same order. It is in
-/// the frames that its own step lists: those that hold a field of bodies or contacts. With record.within it has
-/// attributes min and max f64[2], the region.
+/// What has an attribute `every` is in the frames whose step is a multiple of it, and has a row for each of these:
+/// their number is its F. Where bodies come and go, with record.within (1.2) and among agents (1.3), `id` is a group,
+/// too, with value u32[,N]: a frame's bodies stand in front, ascending by id, and 0, the fill value, in the other
+/// places; fields have the same order, and chunks of which nothing is written are not there. It has a row for each
+/// frame that holds a field of bodies or contacts, and rows of its own, step i64[] and time f64[], that list these
+/// frames. With record.within it has attributes min and max f64[2], the region.
 ///
 /// `state_hash` is throng::hash of the whole state, so that a run can be checked against another (before 1.1 it
 /// was another function, and there was no attribute `checkpoint`). `frame_hash`
@@ -61,9 +62,10 @@
 /// field (whole multiples of the quantum, i32, where they are quantized), a, b, impulse, point of the contacts, the
 /// observables; 0 never occurs. It is the commit
 /// record: a frame counts once its row stands there, whatever the extents of the other datasets say. Values of
-/// bodies carry fletcher32 and one chunk a frame (at most kMaxChunk bytes). Rows that grow a little at a time
-/// (`frames`, `rates`, contacts, observables) carry none: their last chunk is rewritten as it fills, and a
-/// reader or a crash in between would see a wrong checksum; `frame_hash` and `finished` cover them.
+/// bodies carry fletcher32, and no chunk of theirs is of two frames (at most kMaxChunk bytes, or kRegionChunk bodies
+/// where these come and go). Rows that grow a little at a time (`frames`, `rates`, contacts, observables, step and
+/// time of `id`) carry none: their last chunk is rewritten as it fills, and a reader or a crash in between would see
+/// a wrong checksum; `frame_hash` and `finished` cover them.
 // clang-format on
 namespace throng::recording {
 
@@ -71,7 +73,9 @@ inline constexpr int kMajor = 1;  ///< a reader refuses a newer one
 /// A reader takes any. Since 1 polygons may have holes, which readers of 1.0 overlook, there is an attribute
 /// `checkpoint`, and `state_hash` is another function: to a throng of 1.0 such states differ from those that
 /// it computes. Since 2 fields have rates, and there are quantized positions, contacts, observables and
-/// regions: readers of 1.1 take frames that have them for damaged. Since 3 there are agents.
+/// regions: readers of 1.1 take frames that have them for damaged. Since 3 there are agents. The first
+/// regions of 2 had a row of `id` for every frame, even without bodies, its step and time links to those of
+/// `frames`; the last ones have what 3 has. Readers find rows of `id` by its step, and so take both.
 inline constexpr int kMinor = 3;
 
 inline constexpr std::size_t kMaxChunk = std::size_t{1} << 20;  ///< bytes

@@ -47,5 +47,23 @@ TEST_P(Layouts, OfOlderVersionsAreRead) {
 INSTANTIATE_TEST_SUITE_P(Since1, Layouts, testing::Values(0, 1),
                          [](const auto& minor) { return "Of1_" + std::to_string(minor.param); });
 
+/// Three discs among x = 0.75 m and 1.8 m. Frame 2, of step 6, has observables only, and yet a row of ids.
+TEST(LayoutsOf1_2, MayHaveIdsInEveryFrame) {
+  const Recording recording(THRONG_SOURCE_DIR "/tests/sim/recording/layouts/1.2.h5");
+  EXPECT_EQ(recording.origin().minor, 2);
+  std::vector<std::int64_t> steps;
+  std::vector<std::vector<std::uint8_t>> present;
+  for (std::size_t i = 0; i < recording.frames(); ++i) {
+    const Frame frame = recording.frame(i);
+    steps.push_back(frame.step);
+    if (!frame.position.empty()) present.push_back(frame.is_present);
+  }
+  EXPECT_EQ(steps, (std::vector<std::int64_t>{0, 4, 6, 8, 12, 16, 18, 20}));
+  const std::vector<std::uint8_t> third{0, 0, 1, 0}, both{0, 1, 1, 0}, second{0, 1, 0, 0};
+  EXPECT_EQ(present, (std::vector{third, third, both, second, second, second}));
+  EXPECT_EQ(recording.frame(0).position[2], Vec(1.7, 0.4));
+  EXPECT_NEAR(recording.frame(3).position[1].x(), 0.78, 1e-12) << "0.08 s at 1 m/s from 0.7 m, in the air";
+}
+
 }  // namespace
 }  // namespace throng
