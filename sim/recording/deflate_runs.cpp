@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstdint>
 #include <cstring>
 
@@ -115,8 +116,9 @@ void put_block(std::span<const Token> tokens, bool last, BitWriter& out) {
 }  // namespace
 
 void deflate_runs(std::span<const std::byte> bytes, std::size_t block, std::vector<std::byte>& out) {
+  assert(block > 0);
   thread_local std::vector<Token> tokens;
-  const std::size_t blocks = bytes.size() / std::max<std::size_t>(1, block) + 1;
+  const std::size_t blocks = bytes.size() / block + 1;
   out.resize(2 * bytes.size() + 400 * blocks);
   BitWriter bits(out.data());
   bits.put(0x0178, 16);  // zlib's head: deflate, a window of 32 kB, the fastest

@@ -4,6 +4,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cstring>
 #include <stdexcept>
 
@@ -51,10 +52,6 @@ void unshuffle(std::span<const std::byte> bytes, std::span<std::uint32_t> number
   }
 }
 
-}  // namespace
-
-namespace {
-
 /// The next whole number below, where that has 31 bits: in two instructions, where std::floor is a call.
 std::int32_t whole(double x) {
   const auto towards_zero = static_cast<std::int32_t>(x);
@@ -73,6 +70,7 @@ std::int32_t quantized(double x, double quantum) {
 }
 
 void quantize(std::span<const double> from, double quantum, std::span<std::int32_t> to) {
+  assert(to.size() >= from.size());
   bool fits = true;
   for (double x : from) fits &= has_31_bits(x / quantum + 0.5);
   if (!fits) throw std::range_error("beyond 31 bits");

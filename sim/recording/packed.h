@@ -14,6 +14,9 @@ inline constexpr std::size_t kKeyEvery = 16;
 
 /// The whole number nearest to x / quantum, halves up. Throws std::range_error where it is beyond 31 bits.
 std::int32_t quantized(double x, double quantum);
+
+/// The same of each of them, into the first places of `to`, which stays as it is where one throws. Expects
+/// to.size() >= from.size().
 void quantize(std::span<const double> from, double quantum, std::span<std::int32_t> to);
 
 /// What is stored of frame `k`: of a key frame (k a multiple of kKeyEvery) its numbers, of the next one by

@@ -41,6 +41,17 @@ TEST(Packed, RefusesWhatIsBeyond31Bits) {
   EXPECT_THROW(quantized(std::numeric_limits<double>::quiet_NaN(), 1.0), std::range_error);
 }
 
+TEST(Packed, RoundsAllOrNone) {
+  const double places[] = {1.2344, -1.25, 0.0, 7e5}, one_too_far[] = {1.2344, -1.25, 0.0, 7e7};
+  Numbers numbers{1, 2, 3, 4, 5};
+  EXPECT_THROW(quantize(one_too_far, 0.01, numbers), std::range_error);
+  EXPECT_EQ(numbers, (Numbers{1, 2, 3, 4, 5}));
+  quantize(places, 0.01, numbers);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(numbers[i], quantized(places[i], 0.01));
+  EXPECT_EQ(numbers[4], 5);
+  EXPECT_DEBUG_DEATH(quantize(places, 0.01, std::span(numbers).first(3)), "from.size");
+}
+
 /// A body that goes on as it went costs nothing: 100, 107, 114, 121, then 3 less, then a step back.
 TEST(Packed, StoresHowMotionChanges) {
   const std::int32_t places[] = {100, 107, 114, 121, 125, 124};
