@@ -87,6 +87,9 @@ TEST_F(MotionPicture, ShowsThatAllBeforeTheFirstContactIsProven) {
 [[obstacles]]
 shape = "ball"
 at = [9, 0]
+[[obstacles]]
+shape = "ball"
+at = [4, 1.1]
 [[bodies]]
 shape = "ball"
 waypoints = [[0, 0], [10, 0]]
