@@ -53,7 +53,8 @@ Table link_table() {
         "the first, the base."},
        {"joint", choice({"revolute", "prismatic", "fixed"}),
         "revolute: turns; prismatic: slides along `axis`; fixed: neither, and waypoints have no value for "
-        "it.",
+        "it. Two links with at most one joint between them that moves are not compared: what is fixed on a "
+        "link counts as that link.",
         "\"revolute\""},
        {"at", point(), "Where the joint is, in the parent's frame, m.", "[0.0, 0.0]"},
        {"angle", angle(), "How the link is turned against its parent where its value is 0, rad.", "0.0"},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // throng motion: is a path free, and if not, when is the first contact?
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 
@@ -65,14 +66,18 @@ The answer is one JSON object:
   "clearance"    with --clearance, of a free path; null where nothing is compared
     "bracket"    m: nothing comes nearer than the first, which is proven, and "pair" comes as near as the second,
                  at "fraction" of "segment" with these nearest "points"; the first is 0.999 of the second or more,
-                 but where --epsilon or rounding leaves a doubt
-    "evaluations" what that took: about 1,000 configurations looked at, then mostly one to ten times the question
+                 but where --epsilon or rounding leaves a doubt: then of the least margin that was undecided
+    "evaluations" what that took: at most some 1,000 configurations looked at, fewer of many pairs, then mostly one
+                 to ten times the question
 With --waypoint N it is of that configuration alone: "verdict", free or hit, "distance" of the "pair" that is nearest
 to each other (m; below 0 minus the depth; null where nothing is compared), their "points" and the "normal".
+Two links of one robot are compared where two joints or more that move lie between them; limits may rule that out.
+What is fixed on a link is one with it: neither is compared with what hangs on the other by one joint. A revolute
+joint that keeps its value moves, in this sense.
 An answer is an answer: the exit code is 0 for each verdict, and 2 where the file or the command line is faulty.
 Examples: throng motion scenarios/motions/sofa.toml --html sofa.html
           throng motion scenarios/motions/arm.toml --any
-          throng motion scenarios/motions/post.toml --margin 1e-4 --clearance
+          throng motion scenarios/motions/post.toml --margin 5e-5 --clearance
           throng motion - --summary < scenarios/motions/crossing.toml)";
 
 MotionTask load_or_throw(const std::string& file) {
@@ -90,10 +95,15 @@ void print(const Json& answer) {
   std::puts(answer.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
 }
 
-std::string in_metres(const char* format, double length) {
-  char text[80];
-  std::snprintf(text, sizeof text, format, length);
-  return text;
+/// In m; of a bound that is proven, no more than it.
+std::string in_metres(double length, bool is_bound) {
+  char text[32];
+  double shown = length;
+  do {
+    std::snprintf(text, sizeof text, "%.6g", shown);
+    shown -= 1e-6 * length;
+  } while (is_bound && std::strtod(text, nullptr) > length);
+  return std::string(text) + " m";
 }
 
 /// One configuration.
@@ -107,7 +117,7 @@ void answer_waypoint(const MotionTask& task, const Options& options) {
   const char* verdict = word(hit ? narrowphase::Verdict::hit : narrowphase::Verdict::free);
   if (options.summary) {
     const std::string who = nearest ? ": " + nearest->a + " – " + nearest->b : "";
-    const std::string far = nearest ? in_metres(" %.6g m", nearest->separation.distance) : "";
+    const std::string far = nearest ? " " + in_metres(nearest->separation.distance, false) : "";
     std::puts((verdict + who + far).c_str());
     return;
   }
@@ -126,7 +136,7 @@ void answer_path(const MotionTask& task, const Options& options) {
   const bool asked = options.clearance && answer.verdict == narrowphase::Verdict::free;
   const auto clearance = asked ? least_clearance(task, task.margin, options.epsilon) : std::nullopt;
   if (options.summary) {
-    const std::string least = clearance ? in_metres(", clearance %.6g m", clearance->low) : "";
+    const std::string least = clearance ? ", clearance " + in_metres(clearance->low, true) : "";
     std::puts((summary(system, answer, view_of(system, answer)) + least).c_str());
     return;
   }
@@ -168,10 +178,10 @@ void add_motion(CLI::App& app, int& exit_code) {
       "--any", options->any,
       "ask only whether all of it is free: stops at whichever contact is found first, which takes "
       "less time than the first on the way");
-  CLI::Option* clearance = command->add_flag(
-      "--clearance", options->clearance,
-      "how near a free path comes to anything, as two bounds: costs some 1,000 looks at the path and a few "
-      "times the question itself");
+  CLI::Option* clearance = command->add_flag("--clearance", options->clearance,
+                                             "how near a free path comes to anything, as two bounds: costs "
+                                             "up to some 1,000 looks at the path and a few "
+                                             "times the question itself");
   command
       ->add_option("--margin", options->margin,
                    "clearance (m) that a free path has at least, instead of the file's: what comes as near "

@@ -2,9 +2,11 @@
 #include "tools/motion_clearance.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
+#include "sim/input_error.h"
 #include "tools/answer_json.h"
 
 namespace throng::tools {
@@ -17,23 +19,28 @@ using narrowphase::LinkContact;
 using narrowphase::Verdict;
 using Json = nlohmann::ordered_json;
 
-constexpr double kPrecision = 1e-3;     // of the clearance, how far apart both ends of the bracket may be
-constexpr std::size_t kSamples = 1024;  // about, of the whole path, but where all pairs' distances
-constexpr std::size_t kMostDistances = 1'000'000;  // there were more than these
-constexpr int kSections = 40;           // of the golden section, round a place that is near
-constexpr int kBoldRounds = 8;          // that ask just below what was found; then halves
-constexpr int kMostRounds = 100;        // 2^-92 of the first distance
+constexpr double kPrecision = 1e-3;   // of the clearance, how far apart both ends of the bracket may be
+constexpr std::size_t kLooks = 1024;  // at most, all along the path; and
+constexpr std::size_t kLooksASegment = 64;
+constexpr std::size_t kMostDistances = 1'000'000;  // of all looks, whatever the pairs
+constexpr int kSections = 40;                      // of the golden section, round a place that is near
+constexpr int kBoldRounds = 8;                     // that ask just below what was found; then halves
+constexpr int kMostRounds = 100;                   // 2^-92 of the first distance
 
 class ClearanceSearch {
  public:
   ClearanceSearch(const MotionTask& task, double low, double epsilon)
-      : task_(task), system_(task, 0.0), checker_(system_.scene()), epsilon_(epsilon), low_(low) {}
+      : task_(task),
+        system_(task, 0.0, MotionSystem::Pairs::all),
+        checker_(system_.scene()),
+        epsilon_(epsilon),
+        low_(low) {}
 
   std::optional<MotionClearance> run() {
     if (system_.scene().pairs.empty()) return std::nullopt;
     look_everywhere();
-    for (int round = 0; round < kMostRounds && high_ - low_ > kPrecision * high_; ++round)
-      if (!ask(round < kBoldRounds ? (1.0 - 0.5 * kPrecision) * high_ : 0.5 * (low_ + high_))) break;
+    if (!is_narrow()) prove();
+    assert(low_ <= high_ + system_.rounding());
     return MotionClearance{std::min(low_, high_), nearest_, evaluations_};
   }
 
@@ -56,12 +63,14 @@ class ClearanceSearch {
 
   void look_everywhere() {
     const std::size_t segments = system_.segments();
-    const std::size_t samples = std::min(kSamples, kMostDistances / system_.scene().pairs.size());
-    const std::size_t each = std::clamp<std::size_t>(samples / segments, 2, 64);
-    for (std::size_t segment = 0; segment < segments; ++segment)
-      for (std::size_t k = 0; k <= each; ++k)
-        look(segment, static_cast<double>(k) / static_cast<double>(each));
-    descend(1.0 / static_cast<double>(each));
+    std::size_t steps =
+        std::min({kLooks, kLooksASegment * segments, kMostDistances / system_.scene().pairs.size()});
+    steps = steps < segments ? std::max<std::size_t>(steps, 1) : steps - steps % segments;  // each waypoint
+    for (std::size_t k = 0; k <= steps; ++k) {
+      const std::size_t segment = std::min(k * segments / steps, segments - 1);
+      look(segment, static_cast<double>(k * segments - segment * steps) / static_cast<double>(steps));
+    }
+    descend(static_cast<double>(segments) / static_cast<double>(steps));
   }
 
   /// Round the nearest place so far, as far as `reach` of its segment.
@@ -81,22 +90,42 @@ class ClearanceSearch {
       }
   }
 
-  /// Whether anything comes as near as `margin`. Returns false where the answer is no progress.
-  bool ask(double margin) {
-    if (!(low_ < margin && margin < high_)) return false;
-    const MotionSystem grown(task_, margin);
+  /// The least margin that isn't free, or may not be.
+  double upper() const { return std::min(high_, doubtful_); }
+
+  bool is_narrow() const { return !(upper() - low_ > kPrecision * upper()); }
+
+  void prove() {
+    std::optional<MotionSystem> grown;
+    try {
+      grown.emplace(task_, high_);  // what is out of reach there is so at each lesser margin
+    } catch (const InputError&) {
+      return;  // too many pairs: what is proven stands
+    }
+    for (int round = 0; round < kMostRounds && !is_narrow(); ++round) {
+      const bool bold = round < kBoldRounds && high_ <= doubtful_;
+      const double margin = bold ? (1.0 - 0.5 * kPrecision) * high_ : 0.5 * (low_ + upper());
+      if (!(low_ < margin && margin < upper())) return;
+      grown->grow(margin);
+      ask(*grown, margin);
+    }
+  }
+
+  /// Whether anything comes as near as `margin`.
+  void ask(const MotionSystem& grown, double margin) {
     LinkageChecker checker(grown.scene());
     const LinkageAnswer found = checker.check_path(grown.path(), {epsilon_});
     evaluations_ += found.evaluations;
-    if (found.verdict == Verdict::free) low_ = margin;
-    return found.verdict == Verdict::free || (found.verdict == Verdict::hit && go_nearer(found));
+    if (found.verdict == Verdict::free)
+      low_ = margin;
+    else if (found.verdict == Verdict::undecided || !go_nearer(found))
+      doubtful_ = margin;
   }
 
   bool go_nearer(const LinkageAnswer& hit) {
     const double before = high_;
-    const LinkContact contact{
-        hit.pair, hit.part_a, hit.part_b,
-        system_.separation(hit.pair, hit.part_a, hit.part_b, hit.segment, hit.to)};
+    const LinkContact contact{hit.pair, hit.part_a, hit.part_b,
+                              system_.separation(hit.pair, hit.part_a, hit.part_b, hit.segment, hit.to)};
     keep(contact, hit.segment, hit.to);
     if (high_ < before) descend(1.0 / 64);
     return high_ < before;
@@ -107,6 +136,7 @@ class ClearanceSearch {
   LinkageChecker checker_;
   double epsilon_, low_;  // m
   double high_ = std::numeric_limits<double>::infinity();
+  double doubtful_ = std::numeric_limits<double>::infinity();  // the least margin left undecided
   MotionDistance nearest_;
   std::size_t evaluations_ = 0;
 };
@@ -118,7 +148,7 @@ Json points(const narrowphase::Separation& separation) {
 }  // namespace
 
 std::optional<MotionDistance> nearest_at(const MotionTask& task, std::size_t waypoint) {
-  const MotionSystem system(task, 0.0);
+  const MotionSystem system(task, 0.0, MotionSystem::Pairs::all);
   const std::size_t segment = std::min(waypoint, system.segments() - 1);
   const auto found = LinkageChecker(system.scene()).nearest(system.waypoint(waypoint));
   if (!found) return std::nullopt;

@@ -2,6 +2,7 @@
 #include "tools/motion_system.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -39,20 +40,45 @@ Convex placed(const Convex& part, const Obstacle& obstacle) {
 
 }  // namespace
 
-MotionSystem::MotionSystem(const MotionTask& task, double margin) : task_(task), margin_(margin) {
+MotionSystem::MotionSystem(const MotionTask& task, double margin, Pairs pairs)
+    : task_(task), margin_(margin), most_(margin) {
   grown_.resize(task.shapes.size());
   shapes_.resize(task.shapes.size());
   add_movers();
   add_obstacles();
   scene_.linkage = linkage_;
-  add_pairs();
+  add_pairs(pairs);
   scene_.pairs = pairs_;
-  check_size();
+  check_size(pairs == Pairs::all ? 0 : pairs_.size());
   for (std::size_t i = 0; i < task.waypoints(); ++i) {
     for (const Mover& mover : task.movers)
       path_.insert(path_.end(), mover.waypoints[i].begin(), mover.waypoints[i].end());
     path_.insert(path_.end(), obstacle_links_.size(), 0.0);
   }
+}
+
+void MotionSystem::grow(double margin) {
+  assert(margin <= most_);
+  margin_ = margin;
+  for (std::vector<Convex>& parts : grown_) parts.clear();
+  for (std::uint32_t row = 0; row < shapes_.size(); ++row)
+    if (!shapes_[row].parts.empty()) shapes_[row] = narrowphase::parts_bvh(grown(row));
+  build_obstacles();
+}
+
+double MotionSystem::rounding() const {
+  double lengths = scene_.obstacles ? scene_.obstacles->tree.nodes[0].far : 0.0, turned = 1.0;
+  for (const Link& link : linkage_) {
+    lengths += link.at.norm() + (link.shape ? link.shape->tree.nodes[0].far : 0.0);
+    turned += std::abs(link.angle);
+  }
+  for (std::size_t i = 0; i < linkage_.size(); ++i) {
+    double farthest = 0.0;  // a turn or a slide
+    for (std::size_t k = 0; k < task_.waypoints(); ++k)
+      farthest = std::max(farthest, std::abs(waypoint(k)[i]));
+    turned += farthest, lengths += linkage_[i].joint == narrowphase::Joint::prismatic ? farthest : 0.0;
+  }
+  return 0x1p-40 * lengths * turned;
 }
 
 std::span<const Convex> MotionSystem::grown(std::uint32_t row) {
@@ -101,12 +127,20 @@ void MotionSystem::add_obstacles() {
       link.shape = shape(obstacle.shape), link.at = obstacle.at, link.angle = obstacle.angle;
       link.lower = link.upper = 0.0;
       linkage_.push_back(link);
-      continue;
+    } else {
+      for (std::size_t part = 0; part < task_.shapes[obstacle.shape].parts.size(); ++part)
+        obstacle_of_.push_back(i);
     }
-    for (const Convex& part : grown(obstacle.shape)) {
-      parts_.push_back(placed(part, obstacle));
-      obstacle_of_.push_back(i);
-    }
+  }
+  build_obstacles();
+}
+
+void MotionSystem::build_obstacles() {
+  parts_.clear();
+  for (std::size_t row = 0; row < obstacle_of_.size();) {
+    const Obstacle& obstacle = task_.obstacles[obstacle_of_[row]];
+    for (const Convex& part : grown(obstacle.shape)) parts_.push_back(placed(part, obstacle));
+    row = parts_.size();
   }
   if (parts_.empty()) return;
   obstacles_ = narrowphase::parts_bvh(parts_);
@@ -138,20 +172,22 @@ MotionSystem::LinkPairs MotionSystem::pairs_that_may_touch() const {
   return pairs;
 }
 
-void MotionSystem::add_pairs() {
+void MotionSystem::add_pairs(Pairs pairs) {
+  constexpr std::size_t kEffort = 1000;  // distances a pair, to prove that limits keep it apart
   const LinkPairs may_touch = pairs_that_may_touch();
   std::vector<LinkPair> excluded;
   for (const auto& [a, b] : may_touch) excluded.push_back({a, b});
-  pairs_ = pairs_to_check(std::span(linkage_).first(moving_), scene_.obstacles != nullptr, excluded);
+  pairs_ = pairs_to_check(std::span(linkage_).first(moving_), scene_.obstacles != nullptr, excluded,
+                          pairs == Pairs::all ? 0 : kEffort);
   for (std::uint32_t a = 0; a < moving_; ++a)
     for (std::uint32_t k = 0; k < obstacle_links_.size(); ++k)
       if (linkage_[a].shape && !may_touch.contains({a, moving_ + k})) pairs_.push_back({a, moving_ + k});
 }
 
-void MotionSystem::check_size() const {
-  const std::size_t all = linkage_.size() + pairs_.size(), most = scenarios::kMostAtOnce;
+void MotionSystem::check_size(std::size_t pairs) const {
+  const std::size_t all = linkage_.size() + pairs, most = scenarios::kMostAtOnce;
   if (all > most / segments())
-    throw InputError(std::to_string(linkage_.size()) + " links and " + std::to_string(pairs_.size()) +
+    throw InputError(std::to_string(linkage_.size()) + " links and " + std::to_string(pairs) +
                      " pairs that may not touch, times " + std::to_string(segments()) +
                      " segments, are more than " + std::to_string(most) +
                      ": ask in several files, or let touch who may");

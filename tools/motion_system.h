@@ -16,10 +16,15 @@ namespace throng::tools {
 /// move.
 class MotionSystem {
  public:
+  /// Which pairs of links are compared: all that may not touch, for distances of single configurations; or
+  /// without those that the joint limits keep farther apart than the margin, for questions about a path.
+  enum class Pairs { all, within_reach };
+
   /// Expects a task without faults, which must outlive this. Every shape is grown by half of `margin` (m,
   /// rounded up): what touches is at most so far apart, what is free is farther. As costly as
-  /// `pairs_to_check`. Throws InputError where pairs and segments are too many to be asked at once.
-  MotionSystem(const MotionTask& task, double margin);
+  /// `pairs_to_check`. Throws InputError where links or pairs within reach, times segments, are too many to
+  /// be asked at once.
+  MotionSystem(const MotionTask& task, double margin, Pairs pairs = Pairs::within_reach);
   explicit MotionSystem(const MotionTask& task) : MotionSystem(task, task.margin) {}
   MotionSystem(const MotionSystem&) = delete;
   MotionSystem& operator=(const MotionSystem&) = delete;
@@ -27,6 +32,14 @@ class MotionSystem {
   const narrowphase::LinkageScene& scene() const { return scene_; }
   const MotionTask& task() const { return task_; }
   double margin() const { return margin_; }  ///< m
+
+  /// Changes the margin (m), but not the pairs. Expects one no larger than at first, at which what is out of
+  /// reach is so too. As costly as building the hierarchies of all shapes.
+  void grow(double margin);
+
+  /// More than distances on the path may be off by, m. O(links * waypoints).
+  double rounding() const;
+
   std::size_t segments() const { return task_.waypoints() - 1; }
 
   /// All configurations, one behind the other.
@@ -54,15 +67,17 @@ class MotionSystem {
   const narrowphase::PartsBvh* shape(std::uint32_t row);
   void add_movers();
   void add_obstacles();
+  void build_obstacles();
   bool are_all_obstacles(const Solids& solids) const;
   std::vector<std::uint32_t> links_of(const Solids& solids) const;  // all obstacles: kWorld, too
   LinkPairs pairs_that_may_touch() const;                           // the lower one first
-  void add_pairs();
-  void check_size() const;
+  void add_pairs(Pairs pairs);
+  void check_size(std::size_t pairs) const;
   std::string link_name(std::uint32_t link) const;
 
   const MotionTask& task_;
   double margin_;                                        // m
+  double most_;                                          // m, the margin at first
   std::vector<std::vector<narrowphase::Convex>> grown_;  // a row each of the task's shapes; empty but where
                                                          // there is a margin
   std::vector<narrowphase::PartsBvh> shapes_;            // a row each of the task's; empty but those of links

@@ -53,6 +53,13 @@ void expect_clearance(const MotionTask& task) {
   if (!clearance) return;
   expect(task.margin <= clearance->low, "what was asked is proven");
   expect(clearance->low <= clearance->nearest.separation.distance, "the bracket is one");
+  const MotionSystem system(task, 0.0, MotionSystem::Pairs::all);
+  narrowphase::LinkageChecker checker(system.scene());
+  for (std::size_t segment = 0; segment < system.segments(); ++segment)
+    for (int k = 0; k <= 16; ++k)
+      expect(checker.nearest(system.values(segment, k / 16.0))->separation.distance >=
+                 clearance->low - system.rounding(),
+             "samples come no nearer than what is proven");
   expect(is_finite(to_json(*clearance)), "all figures of it are finite");
 }
 

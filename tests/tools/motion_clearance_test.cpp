@@ -97,6 +97,100 @@ TEST_F(MotionCommand, BracketsTheLeastClearance) {
                   .is_null());
 }
 
+// It happened: a doubt at the first margin asked ended the search, with nothing proven.
+TEST_F(MotionCommand, ProvesWhatIsBelowADoubt) {
+  std::string scene = kPassing;
+  scene.replace(scene.find("[4, 1.25]"), 9, "[4.03, 1.25]");
+  const json answer = ask(scene, "--clearance --epsilon 0.2");
+  ASSERT_EQ(answer.at("verdict"), "free");
+  EXPECT_GE(answer.at("clearance").at("bracket").at(0), 0.999 * (0.25 - 0.2)) << "what epsilon leaves no doubt of";
+  EXPECT_LE(answer.at("clearance").at("bracket").at(0), 0.25);
+  EXPECT_NEAR(answer.at("clearance").at("bracket").at(1).get<double>(), 0.25, 1e-12);
+}
+
+// It happened: three looks a segment at least, and 30,000 here.
+TEST_F(MotionCommand, LooksAtALongPathHereAndThere) {
+  std::string waypoints;
+  for (int i = 0; i < 9000; ++i) waypoints += "[0, 0],";
+  const json answer = ask("shapes.ball.disc.radius = 0.5\n[[obstacles]]\nshape = 'ball'\nat = [0, 1.25]\n"
+                          "[[bodies]]\nshape = 'ball'\nwaypoints = [" + waypoints + "]\n", "--clearance");
+  const json& clearance = answer.at("clearance");
+  EXPECT_NEAR(clearance.at("bracket").at(1).get<double>(), 0.25, 1e-12);
+  EXPECT_LE(clearance.at("evaluations").get<int>(), answer.at("evaluations").get<int>() + 1200);
+}
+
+/// A chain of three rods that its limits keep nearly straight: the outer ones are 1 m apart, or a little less.
+const std::string kStraight = R"(shapes.rod.segment = [[0, 0], [1, 0]]
+[[robots]]
+name = "arm"
+links = [{ shape = 'rod' }, { shape = 'rod', at = [1, 0], limits = [-0.1, 0.1] },
+         { shape = 'rod', at = [1, 0], limits = [-0.1, 0.1] }]
+waypoints = [[0, 0, 0]]
+)";
+
+// It happened: what the limits keep apart was not compared, however large the margin.
+TEST_F(MotionCommand, MeasuresLinksThatTheirLimitsKeepApart) {
+  EXPECT_EQ(ask(kStraight, "--margin 1.5").at("verdict"), "hit");
+  const json one = ask(kStraight, "--waypoint 0 --margin 1.5");
+  EXPECT_EQ(one.at("verdict"), "hit");
+  EXPECT_NEAR(one.at("distance").get<double>(), 1.0, 1e-15);
+  EXPECT_EQ(one.at("pair"), json({"arm.links[0]", "arm.links[2]"}));
+  const json clearance = ask(kStraight, "--clearance").at("clearance");
+  ASSERT_TRUE(clearance.is_object()) << clearance;
+  EXPECT_NEAR(clearance.at("bracket").at(1).get<double>(), 1.0, 1e-15);
+  EXPECT_GE(clearance.at("bracket").at(0), 0.999);
+}
+
+// Between two looks the ball passes the post; at all of them the wall is nearer.
+TEST_F(MotionCommand, FindsAClearanceThatNoLookMeets) {
+  const json bracket = ask(R"(shapes.ball.disc.radius = 0.01
+[[walls]]
+segment = [[-9, -0.5], [109, -0.5]]
+[[obstacles]]
+shape = "ball"
+at = [50.78, 0.05]
+[[bodies]]
+shape = "ball"
+waypoints = [[0, 0], [100, 0]]
+)", "--clearance").at("clearance").at("bracket");
+  EXPECT_LE(bracket.at(0), 0.03);
+  EXPECT_GE(bracket.at(0), 0.999 * 0.03 - 1e-12);
+  EXPECT_NEAR(bracket.at(1).get<double>(), 0.03, 1e-6);
+}
+
+// The same of an arm that folds between two looks, and that its limits keep off itself.
+TEST_F(MotionCommand, FindsHowNearLimitsLetLinksComeThatNoLookMeets) {
+  std::string waypoints;
+  for (int i = 0; i < 2000; ++i) waypoints += i == 977 ? "[0, 1.7, 1.7]," : "[0, 0, 0],";
+  const json bracket = ask("shapes.rod.segment = [[0, 0], [1, 0]]\n[[robots]]\nlinks = [{ shape = 'rod' }, "
+                           "{ shape = 'rod', at = [1, 0], limits = [-1.7, 1.7] }, "
+                           "{ shape = 'rod', at = [1, 0], limits = [-1.7, 1.7] }]\nwaypoints = [" + waypoints +
+                           "]\n", "--clearance").at("clearance").at("bracket");
+  const double least = std::hypot(1 + std::cos(1.7) + std::cos(3.4), std::sin(1.7) + std::sin(3.4));  // of the tip
+  EXPECT_LE(bracket.at(0), least);
+  EXPECT_GE(bracket.at(0), 0.999 * least - 1e-12);
+  EXPECT_NEAR(bracket.at(1).get<double>(), least, 1e-6);
+}
+
+// What README says of links between which at most one joint moves.
+TEST_F(MotionCommand, ComparesWhatAJointHoldsThatKeepsItsValueNotWhatIsFixed) {
+  const auto verdict = [&](const std::string& mast, const std::string& value) {
+    return ask("shapes.rod.segment = [[0, 0], [1, 0]]\n[[robots]]\nlinks = [{ shape = 'rod' }, { shape = 'rod', "
+               "at = [1, 0] }, { shape = 'rod', at = [0.5, 0], " + mast + " }]\nwaypoints = [[0, 0" + value +
+               "], [0, 3.1" + value + "]]\n")
+        .at("verdict");
+  };
+  EXPECT_EQ(verdict("joint = 'fixed', angle = 1.57", ""), "free");
+  EXPECT_EQ(verdict("angle = 1.57", ", 0"), "hit");
+  EXPECT_THAT(throng("motion --fields").out, HasSubstr("what is fixed on a link counts as that link"));
+}
+
+TEST_F(MotionCommand, ShowsAClearanceInItsHelpThatThereIs) {
+  EXPECT_THAT(throng("motion --help").out, HasSubstr("post.toml --margin 5e-5 --clearance\n"));
+  const json answer = ask_file(kExamples + "post.toml", "--margin 5e-5 --clearance");
+  EXPECT_TRUE(answer.at("clearance").is_object());
+}
+
 TEST_F(MotionCommand, FindsAClearanceOfATenthOfAMillimetre) {
   const json bracket = ask_file(kExamples + "post.toml", "--clearance").at("clearance").at("bracket");
   EXPECT_LE(bracket.at(0), 1e-4);
@@ -198,9 +292,24 @@ TEST_F(MotionCommand, SumsUpInALine) {
     return throng("motion " + write("m.toml", "motion = 1\n" + kPassing) + " --summary " + options).out;
   };
   EXPECT_EQ(line(""), "free\n");
-  EXPECT_EQ(line("--clearance --margin 0.2").substr(0, 40), "free at a margin of 0.2 m, clearance 0.2");
+  const std::string told = "free at a margin of 0.2 m, clearance ", whole = line("--clearance --margin 0.2");
+  EXPECT_EQ(whole.substr(0, told.size()), told);
+  EXPECT_GE(std::stod(whole.substr(told.size())), 0.24975 - 1e-6);
   EXPECT_THAT(line("--margin 0.4"), testing::StartsWith("hit at a margin of 0.4 m: ball – post at 0.18"));
   EXPECT_EQ(line("--waypoint 1"), "free: ball – post 0.600781 m\n");
+}
+
+// It happened: six digits of it, rounded to the nearest, were more than what was proven.
+TEST_F(MotionCommand, SumsUpABoundByNoMoreThanIsProven) {
+  for (const char* y : {"1.25", "1.3137", "1.7771", "2.0243", "2.9997", "11.00007"}) {
+    std::string scene = kPassing;
+    scene.replace(scene.find("1.25"), 4, y);
+    const double low = ask(scene, "--clearance").at("clearance").at("bracket").at(0);
+    const std::string line = throng("motion " + path("m.toml") + " --clearance --summary").out;
+    const double shown = std::stod(line.substr(line.find("clearance ") + 10));
+    EXPECT_LE(shown, low) << line;
+    EXPECT_GE(shown, low * (1.0 - 2e-5)) << line;
+  }
 }
 
 TEST_F(MotionCommand, ReadsTheStandardInput) {
