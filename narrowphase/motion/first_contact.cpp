@@ -152,7 +152,7 @@ class Advance {
 FirstContact first_contact(const Convex& a, const Motion& motion_a, const Convex& b, const Motion& motion_b,
                            double duration, const ContactQuestion& question) {
   const MovingConvexPair pair(a, motion_a, b, motion_b, duration);
-  assert(pair.size() == 0.0 || (pair.size() >= 1e-140 && pair.size() <= 1e150));
+  assert(pair.size() == 0.0 || (pair.size() >= 1e-150 && pair.size() <= 1e150));
   TimeSpan span = near(pair, duration);
   span.from = std::max(span.from, question.from);
   if (span.until < span.from) return {Verdict::free, duration, duration, 0};

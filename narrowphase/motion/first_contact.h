@@ -24,7 +24,7 @@ struct FirstContact {
 
 /// The first contact of two convex shapes from time 0 to `duration`: what a rigid body's step asks of a fast
 /// body, one call a pair and step. Expects finite motions, lengths and speeds up to 1e150, shapes that are
-/// points or together 1e-140 m in size or more, below which squares lose their digits, and a finite duration
+/// points or together 1e-150 m in size or more, below which squares lose their digits, and a finite duration
 /// >= 0.
 ///
 /// A hit: the two overlap at t_hi, by more than rounding, in a bracket no wider than asked for. Only where
