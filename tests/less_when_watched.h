@@ -5,7 +5,8 @@
 
 namespace throng {
 
-/// So many trials or points; a fifth of them where asserts and sanitizers watch every step of a slow definition.
+/// So many trials or points; a fifth of them where asserts and sanitizers watch every step of a slow
+/// definition.
 constexpr std::size_t less_when_watched(std::size_t usual) {
 #ifdef NDEBUG
   return usual;

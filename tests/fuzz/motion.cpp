@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The text of a motion file: refused with the reasons, or answered in finite numbers that fit together, and that
-// samples do not contradict.
+// The text of a motion file: refused with the reasons, or answered in finite numbers that fit together, and
+// that samples do not contradict.
 #include <algorithm>
 #include <cmath>
 #include <string_view>

@@ -92,9 +92,10 @@ TEST_F(MotionCommand, BracketsTheLeastClearance) {
   EXPECT_NEAR(clearance.at("points").at(0).at(1).get<double>(), 0.5, 1e-9);
   EXPECT_NEAR(clearance.at("points").at(1).at(1).get<double>(), 0.75, 1e-9);
   EXPECT_FALSE(ask(kPassing, "--clearance --margin 0.3").contains("clearance")) << "of free paths alone";
-  EXPECT_TRUE(ask("shapes.s.disc.radius = 1\n[[bodies]]\nshape = 's'\nwaypoints = [[0, 0], [1, 1]]\n", "--clearance")
-                  .at("clearance")
-                  .is_null());
+  EXPECT_TRUE(
+      ask("shapes.s.disc.radius = 1\n[[bodies]]\nshape = 's'\nwaypoints = [[0, 0], [1, 1]]\n", "--clearance")
+          .at("clearance")
+          .is_null());
 }
 
 // It happened: a doubt at the first margin asked ended the search, with nothing proven.
@@ -103,7 +104,8 @@ TEST_F(MotionCommand, ProvesWhatIsBelowADoubt) {
   scene.replace(scene.find("[4, 1.25]"), 9, "[4.03, 1.25]");
   const json answer = ask(scene, "--clearance --epsilon 0.2");
   ASSERT_EQ(answer.at("verdict"), "free");
-  EXPECT_GE(answer.at("clearance").at("bracket").at(0), 0.999 * (0.25 - 0.2)) << "what epsilon leaves no doubt of";
+  EXPECT_GE(answer.at("clearance").at("bracket").at(0), 0.999 * (0.25 - 0.2))
+      << "what epsilon leaves no doubt of";
   EXPECT_LE(answer.at("clearance").at("bracket").at(0), 0.25);
   EXPECT_NEAR(answer.at("clearance").at("bracket").at(1).get<double>(), 0.25, 1e-12);
 }
@@ -112,14 +114,18 @@ TEST_F(MotionCommand, ProvesWhatIsBelowADoubt) {
 TEST_F(MotionCommand, LooksAtALongPathHereAndThere) {
   std::string waypoints;
   for (int i = 0; i < 9000; ++i) waypoints += "[0, 0],";
-  const json answer = ask("shapes.ball.disc.radius = 0.5\n[[obstacles]]\nshape = 'ball'\nat = [0, 1.25]\n"
-                          "[[bodies]]\nshape = 'ball'\nwaypoints = [" + waypoints + "]\n", "--clearance");
+  const json answer =
+      ask("shapes.ball.disc.radius = 0.5\n[[obstacles]]\nshape = 'ball'\nat = [0, 1.25]\n"
+          "[[bodies]]\nshape = 'ball'\nwaypoints = [" +
+              waypoints + "]\n",
+          "--clearance");
   const json& clearance = answer.at("clearance");
   EXPECT_NEAR(clearance.at("bracket").at(1).get<double>(), 0.25, 1e-12);
   EXPECT_LE(clearance.at("evaluations").get<int>(), answer.at("evaluations").get<int>() + 1200);
 }
 
-/// A chain of three rods that its limits keep nearly straight: the outer ones are 1 m apart, or a little less.
+/// A chain of three rods that its limits keep nearly straight: the outer ones are 1 m apart, or a little
+/// less.
 const std::string kStraight = R"(shapes.rod.segment = [[0, 0], [1, 0]]
 [[robots]]
 name = "arm"
@@ -152,7 +158,10 @@ at = [50.78, 0.05]
 [[bodies]]
 shape = "ball"
 waypoints = [[0, 0], [100, 0]]
-)", "--clearance").at("clearance").at("bracket");
+)",
+                           "--clearance")
+                           .at("clearance")
+                           .at("bracket");
   EXPECT_LE(bracket.at(0), 0.03);
   EXPECT_GE(bracket.at(0), 0.999 * 0.03 - 1e-12);
   EXPECT_NEAR(bracket.at(1).get<double>(), 0.03, 1e-6);
@@ -164,9 +173,13 @@ TEST_F(MotionCommand, FindsHowNearLimitsLetLinksComeThatNoLookMeets) {
   for (int i = 0; i < 2000; ++i) waypoints += i == 977 ? "[0, 1.7, 1.7]," : "[0, 0, 0],";
   const json bracket = ask("shapes.rod.segment = [[0, 0], [1, 0]]\n[[robots]]\nlinks = [{ shape = 'rod' }, "
                            "{ shape = 'rod', at = [1, 0], limits = [-1.7, 1.7] }, "
-                           "{ shape = 'rod', at = [1, 0], limits = [-1.7, 1.7] }]\nwaypoints = [" + waypoints +
-                           "]\n", "--clearance").at("clearance").at("bracket");
-  const double least = std::hypot(1 + std::cos(1.7) + std::cos(3.4), std::sin(1.7) + std::sin(3.4));  // of the tip
+                           "{ shape = 'rod', at = [1, 0], limits = [-1.7, 1.7] }]\nwaypoints = [" +
+                               waypoints + "]\n",
+                           "--clearance")
+                           .at("clearance")
+                           .at("bracket");
+  const double least =
+      std::hypot(1 + std::cos(1.7) + std::cos(3.4), std::sin(1.7) + std::sin(3.4));  // of the tip
   EXPECT_LE(bracket.at(0), least);
   EXPECT_GE(bracket.at(0), 0.999 * least - 1e-12);
   EXPECT_NEAR(bracket.at(1).get<double>(), least, 1e-6);
@@ -175,9 +188,10 @@ TEST_F(MotionCommand, FindsHowNearLimitsLetLinksComeThatNoLookMeets) {
 // What README says of links between which at most one joint moves.
 TEST_F(MotionCommand, ComparesWhatAJointHoldsThatKeepsItsValueNotWhatIsFixed) {
   const auto verdict = [&](const std::string& mast, const std::string& value) {
-    return ask("shapes.rod.segment = [[0, 0], [1, 0]]\n[[robots]]\nlinks = [{ shape = 'rod' }, { shape = 'rod', "
-               "at = [1, 0] }, { shape = 'rod', at = [0.5, 0], " + mast + " }]\nwaypoints = [[0, 0" + value +
-               "], [0, 3.1" + value + "]]\n")
+    return ask("shapes.rod.segment = [[0, 0], [1, 0]]\n[[robots]]\nlinks = [{ shape = 'rod' }, { shape = "
+               "'rod', "
+               "at = [1, 0] }, { shape = 'rod', at = [0.5, 0], " +
+               mast + " }]\nwaypoints = [[0, 0" + value + "], [0, 3.1" + value + "]]\n")
         .at("verdict");
   };
   EXPECT_EQ(verdict("joint = 'fixed', angle = 1.57", ""), "free");
@@ -236,7 +250,8 @@ TEST_F(MotionCommand, ProvesClearancesThatSamplesAndMarginsAgreeWith) {
     EXPECT_NEAR(least_distance(task, clearance.at("segment"), clearance.at("fraction")), high, 1e-12);
     double least = 1e300;
     for (int i = 0; i <= 2 * kSamples; ++i)
-      least = std::min(least, least_distance(task, i > kSamples, (i > kSamples ? i - kSamples : i) / 1.0 / kSamples));
+      least = std::min(
+          least, least_distance(task, i > kSamples, (i > kSamples ? i - kSamples : i) / 1.0 / kSamples));
     EXPECT_GE(least, low);
     std::ostringstream below, above;
     below.precision(17), above.precision(17);

@@ -50,7 +50,8 @@ class MotionPicture : public MotionCommand {
   }
 };
 
-/// A row of pixels through the lowest lane: above the lowest row with a pixel of what is proven; 0: there is none.
+/// A row of pixels through the lowest lane: above the lowest row with a pixel of what is proven; 0: there is
+/// none.
 int lowest_lane(const Picture& picture) {
   const int from = static_cast<int>(0.3 * picture.width()), to = static_cast<int>(0.95 * picture.width());
   for (int y = picture.height() - 1; y > 0; --y)
@@ -59,7 +60,8 @@ int lowest_lane(const Picture& picture) {
   return 0;
 }
 
-/// The share of that row's pixels, from one fraction of the picture's width to another, of which something holds.
+/// The share of that row's pixels, from one fraction of the picture's width to another, of which something
+/// holds.
 template <class Holds>
 double share(const Picture& picture, double from, double to, const Holds& holds) {
   const int y = lowest_lane(picture);
@@ -73,8 +75,10 @@ double share(const Picture& picture, double from, double to, const Holds& holds)
 TEST_F(MotionPicture, ShowsWhatIsProvenOfALongPath) {
   std::string waypoints;
   for (int i = 0; i < 3001; ++i) waypoints += "[" + std::to_string(0.001 * i) + ", 0],";
-  const Picture picture = draw("shapes.ball.disc.radius = 0.5\n[[obstacles]]\nshape = 'ball'\nat = [2, 3]\n"
-                               "[[bodies]]\nshape = 'ball'\nwaypoints = [" + waypoints + "]\n");
+  const Picture picture = draw(
+      "shapes.ball.disc.radius = 0.5\n[[obstacles]]\nshape = 'ball'\nat = [2, 3]\n"
+      "[[bodies]]\nshape = 'ball'\nwaypoints = [" +
+      waypoints + "]\n");
   const auto proven = [&](int x, int y) { return picture.is_proven(x, y); };
   const auto dark = [&](int x, int y) { return picture.is_dark(x, y); };
   EXPECT_GT(share(picture, 0.3, 0.95, proven), 0.5);
