@@ -77,7 +77,7 @@ class MotionSystem {
 
   const MotionTask& task_;
   double margin_;                                        // m
-  double most_;                                          // m, the margin at first
+  [[maybe_unused]] double most_;                         // m, the margin at first: what asserts expect
   std::vector<std::vector<narrowphase::Convex>> grown_;  // a row each of the task's shapes; empty but where
                                                          // there is a margin
   std::vector<narrowphase::PartsBvh> shapes_;            // a row each of the task's; empty but those of links

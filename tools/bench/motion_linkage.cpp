@@ -19,6 +19,7 @@ namespace {
 using namespace narrowphase;
 
 constexpr double kArm = 5.0;                                            // m, stretched
+constexpr double kLimit = 2.6;                                          // rad, of each joint either way
 constexpr double kAllOfThem = std::numeric_limits<double>::infinity();  // s, that asking may take
 
 /// An arm, what stands around it, and straight motions from free configurations.
@@ -54,7 +55,7 @@ std::vector<Convex> posts(std::size_t count, std::uint64_t& place) {
 Linkage arm_of(std::size_t links, const PartsBvh& beam) {
   Linkage arm(links);
   for (std::size_t i = 0; i < links; ++i) {
-    arm[i].shape = &beam, arm[i].lower = -2.6, arm[i].upper = 2.6;
+    arm[i].shape = &beam, arm[i].lower = -kLimit, arm[i].upper = kLimit;
     if (i > 0)
       arm[i].parent = static_cast<std::uint32_t>(i - 1), arm[i].at = {kArm / static_cast<double>(links), 0.0};
   }
@@ -68,7 +69,7 @@ void add_motions(ArmCase& c, std::size_t count, double step, bool free, std::uin
     std::vector<double> from, to;
     for (std::size_t i = 0; i < c.arm.size(); ++i) {
       from.push_back(uniform(place, -2.0, 2.0));
-      to.push_back(from.back() + uniform(place, -step, step));
+      to.push_back(std::clamp(from.back() + uniform(place, -step, step), -kLimit, kLimit));
     }
     if (checker.contact(from)) continue;
     if (free && checker.check_motion(from, to).verdict != Verdict::free) continue;
