@@ -21,37 +21,11 @@ struct FreeSpeed {
   double time_gap, strength, range, wall_strength, wall_range, cutoff;
 };
 
-inline constexpr double kFreeNegligible = 16.0;  // ranges: e^-16 of the strength
-inline constexpr double kFreeMostExponent = 700.0;
-
 }  // namespace throng
 #endif
 
 HWY_BEFORE_NAMESPACE();
 namespace throng::HWY_NAMESPACE {
-
-/// Adds to `sum` how the others turn the agent away; `gap` becomes how far from touching each is (m).
-HWY_INLINE void turn_away(const FreeSpeed& model, const Others& others, std::vector<double>& gap, Vec& sum) {
-  const D d;
-  const Reals negligible = hn::Set(d, kFreeNegligible * model.range), strength = hn::Set(d, model.strength);
-  const Reals per_range = hn::Set(d, -1.0 / model.range), most = hn::Set(d, kFreeMostExponent);
-  FourSums x, y;
-  for (std::size_t i = 0; i < others.size; i += kFour)
-    for (std::size_t p = 0; p < kParts; ++p) {
-      const std::size_t k = i + p * kLanes;
-      const Reals dx = hn::LoadU(d, others.dx.data() + k), dy = hn::LoadU(d, others.dy.data() + k);
-      const Reals distance = hn::Sqrt(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)));
-      const Reals free = hn::Sub(distance, hn::LoadU(d, others.width.data() + k));
-      hn::StoreU(free, d, gap.data() + k);
-      const Mask close = hn::Le(free, negligible);
-      if (hn::AllFalse(d, close)) continue;
-      const Reals push = hn::Mul(strength, exponential_of(hn::Min(hn::Mul(free, per_range), most)));
-      const Reals scale = hn::IfThenElseZero(close, hn::Div(push, distance));
-      x.add(p, hn::Mul(scale, dx));
-      y.add(p, hn::Mul(scale, dy));
-    }
-  sum -= Vec(x.total(), y.total());
-}
 
 /// m, to the nearest one whom walking on along `heading` would run into.
 HWY_INLINE double gap_ahead(const Others& others, const std::vector<double>& gap, const Vec& heading) {
@@ -72,11 +46,11 @@ Vec away_from_walls(const FreeSpeed& model, const CrowdView& crowd, std::uint32_
   const Vec p = crowd.position(place);
   const double radius = crowd.radius[place];
   Vec sum(0.0, 0.0);
-  crowd.barriers.for_each_nearest(p, radius + kFreeNegligible * model.wall_range, [&](const Vec& q) {
+  crowd.barriers.for_each_nearest(p, radius + kNegligibleRanges * model.wall_range, [&](const Vec& q) {
     const double distance = (p - q).norm();
     if (distance > 0.0)
       sum += model.wall_strength *
-             exponential(std::min((radius - distance) / model.wall_range, kFreeMostExponent)) *
+             exponential(std::min((radius - distance) / model.wall_range, kMostExponent)) *
              ((p - q) / distance);
   });
   return sum;
@@ -88,9 +62,8 @@ void WalkFreely(const FreeSpeed& model, const CrowdView& crowd, std::span<const 
   thread_local std::vector<double> gap;
   for (const std::uint32_t place : places) {
     others.gather(crowd, place, model.cutoff);
-    if (gap.size() < others.dx.size()) gap.resize(others.dx.size());
     Vec heading = crowd.towards(place) + away_from_walls(model, crowd, place);
-    turn_away(model, others, gap, heading);
+    heading += repulsion(model.strength, model.range, others, gap);
     const double length = heading.norm();
     if (length > 0.0) heading /= length;
     const double speed =

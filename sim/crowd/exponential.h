@@ -23,6 +23,11 @@ inline constexpr double kInverseFactorials[] = {1.0 / 6227020800.0,
                                                 1.0,
                                                 1.0};
 
+/// What falls by e each range is left out so many ranges away: less than e^-16 of its strength.
+inline constexpr double kNegligibleRanges = 16.0;
+/// As far as an exponent goes that is to be taken: e^700 is still a number.
+inline constexpr double kMostExponent = 700.0;
+
 /// e^x by + - * alone, within 2 ulp: the same bits on every machine, which the system's libm doesn't promise.
 /// Below -708 as at -708. Expects x <= 709. About 4 ns.
 inline double exponential(double x) {

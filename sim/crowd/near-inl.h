@@ -133,6 +133,32 @@ struct Others {
   }
 };
 
+/// How all others push the agent away, or turn him: by `strength` (of any unit) where the two just touch, e
+/// times less each `range` (m) farther; those too far to matter are left out. `gap` becomes how far from
+/// touching each is (m, below 0: how deep).
+HWY_INLINE Vec repulsion(double strength, double range, const Others& others, std::vector<double>& gap) {
+  const D d;
+  const Reals negligible = hn::Set(d, kNegligibleRanges * range), where_touching = hn::Set(d, strength);
+  const Reals per_range = hn::Set(d, -1.0 / range), most = hn::Set(d, kMostExponent);
+  FourSums x, y;
+  if (gap.size() < others.dx.size()) gap.resize(others.dx.size());
+  for (std::size_t i = 0; i < others.size; i += kFour)
+    for (std::size_t p = 0; p < kParts; ++p) {
+      const std::size_t k = i + p * kLanes;
+      const Reals dx = hn::LoadU(d, others.dx.data() + k), dy = hn::LoadU(d, others.dy.data() + k);
+      const Reals distance = hn::Sqrt(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)));
+      const Reals free = hn::Sub(distance, hn::LoadU(d, others.width.data() + k));
+      hn::StoreU(free, d, gap.data() + k);
+      const Mask close = hn::Le(free, negligible);
+      if (hn::AllFalse(d, close)) continue;
+      const Reals push = hn::Mul(where_touching, exponential_of(hn::Min(hn::Mul(free, per_range), most)));
+      const Reals scale = hn::IfThenElseZero(close, hn::Div(push, distance));
+      x.add(p, hn::Mul(scale, dx));
+      y.add(p, hn::Mul(scale, dy));
+    }
+  return {-x.total(), -y.total()};
+}
+
 }  // namespace throng::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -24,48 +24,22 @@ struct Forces {
   Vec of_wall(double depth, const Vec& away, const Vec& slip, double most) const;
 };
 
-inline constexpr double kForceNegligible = 16.0;  // ranges: less than e^-16 of the strength is left out
-inline constexpr double kForceMostExponent = 700.0;
-
 }  // namespace throng
 #endif
 
 HWY_BEFORE_NAMESPACE();
 namespace throng::HWY_NAMESPACE {
 
-/// N, the repulsion by all who are near, in touch or not.
-HWY_INLINE Vec repulsion(const Forces& model, const Others& others, std::vector<double>& depth) {
-  const D d;
-  const Reals negligible = hn::Set(d, -kForceNegligible * model.range), strength = hn::Set(d, model.strength);
-  const Reals per_range = hn::Set(d, 1.0 / model.range), most = hn::Set(d, kForceMostExponent);
-  FourSums x, y;
-  for (std::size_t i = 0; i < others.size; i += kFour)
-    for (std::size_t p = 0; p < kParts; ++p) {
-      const std::size_t k = i + p * kLanes;
-      const Reals dx = hn::LoadU(d, others.dx.data() + k), dy = hn::LoadU(d, others.dy.data() + k);
-      const Reals distance = hn::Sqrt(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)));
-      const Reals deep = hn::Sub(hn::LoadU(d, others.width.data() + k), distance);
-      hn::StoreU(deep, d, depth.data() + k);
-      const Mask close = hn::Ge(deep, negligible);
-      if (hn::AllFalse(d, close)) continue;
-      const Reals push = hn::Mul(strength, exponential_of(hn::Min(hn::Mul(deep, per_range), most)));
-      const Reals scale = hn::IfThenElseZero(close, hn::Div(push, distance));
-      x.add(p, hn::Mul(scale, dx));
-      y.add(p, hn::Mul(scale, dy));
-    }
-  return {-x.total(), -y.total()};
-}
-
 /// N, between bodies: of those who touch, one by one.
 HWY_INLINE Vec touches(const Forces& model, const CrowdView& crowd, std::uint32_t own, const Others& others,
-                       const std::vector<double>& depth) {
+                       const std::vector<double>& gap) {
   Vec force(0.0, 0.0);
   for (std::size_t k = 0; k < others.size; ++k) {
-    if (!(depth[k] > 0.0)) continue;
+    if (!(gap[k] < 0.0)) continue;
     const Vec to(others.dx[k], others.dy[k]);
     const auto place = static_cast<std::uint32_t>(others.place[k]);
     force +=
-        model.touch(depth[k], -to / to.norm(), crowd.velocity(place) - crowd.velocity(own), 0.5 / crowd.dt);
+        model.touch(-gap[k], -to / to.norm(), crowd.velocity(place) - crowd.velocity(own), 0.5 / crowd.dt);
   }
   return force;
 }
@@ -73,16 +47,15 @@ HWY_INLINE Vec touches(const Forces& model, const CrowdView& crowd, std::uint32_
 void WalkByForces(const Forces& model, const CrowdView& crowd, std::span<const std::uint32_t> places,
                   double reach, std::span<Vec> velocity) {
   thread_local Others others;  // kept: a step allocates nothing
-  thread_local std::vector<double> depth;
+  thread_local std::vector<double> gap;
   for (const std::uint32_t place : places) {
     others.gather(crowd, place, reach);
-    if (depth.size() < others.dx.size()) depth.resize(others.dx.size());
     const Vec p = crowd.position(place), v = crowd.velocity(place);
     const double radius = crowd.radius[place];
     Vec force = (model.mass / model.reaction_time) * (crowd.desired_speed[place] * crowd.towards(place) - v);
-    force += repulsion(model, others, depth);
-    force += touches(model, crowd, place, others, depth);
-    crowd.barriers.for_each_nearest(p, radius + kForceNegligible * model.range, [&](const Vec& q) {
+    force += repulsion(model.strength, model.range, others, gap);
+    force += touches(model, crowd, place, others, gap);
+    crowd.barriers.for_each_nearest(p, radius + kNegligibleRanges * model.range, [&](const Vec& q) {
       const double distance = (p - q).norm();
       if (distance > 0.0) force += model.of_wall(radius - distance, (p - q) / distance, -v, 1.0 / crowd.dt);
     });
@@ -122,7 +95,7 @@ class SocialForce : public WalkingModel {
   }
 
   double reach(double largest_radius) const override {
-    return std::min(model_.cutoff, 2.0 * largest_radius + kForceNegligible * model_.range);
+    return std::min(model_.cutoff, 2.0 * largest_radius + kNegligibleRanges * model_.range);
   }
   double core() const override { return 0.5; }
   double longest_step(double, double) const override {
@@ -145,7 +118,7 @@ Vec Forces::touch(double depth, const Vec& away, const Vec& slip, double most) c
 
 /// The same with the repulsion (depth below 0: a gap).
 Vec Forces::of_wall(double depth, const Vec& away, const Vec& slip, double most) const {
-  const Vec push = strength * exponential(std::min(depth / range, kForceMostExponent)) * away;
+  const Vec push = strength * exponential(std::min(depth / range, kMostExponent)) * away;
   return depth > 0.0 ? Vec(push + touch(depth, away, slip, most)) : push;
 }
 
