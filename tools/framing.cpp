@@ -76,6 +76,8 @@ Extent framing(const Scene& scene, std::span<const Vec> positions) {
   const Extent domain{scene.domain.min, scene.domain.max};
   if (std::ranges::all_of(positions, [](const Vec& p) { return p.hasNaN(); }))
     return with_margin(bounded ? domain : of_walls(scene));
+  const bool walked = std::ranges::find(scene.bodies.kind, BodyKind::agent) != scene.bodies.kind.end();
+  if (walked) return with_margin(of_walls(scene));
   Extent extent = tight(scene, positions);
   if (!bounded) return with_margin(extent);
   const bool spread = (extent.size().array() >= kSpread * domain.size().array()).all();

@@ -14,8 +14,8 @@ struct Extent {
 };
 
 /// What a picture of bodies at `positions` should show: all of a bounded domain where they are spread over
-/// it, else the bodies and the walls near them, tightly; a few bodies far from all others don't count. Never
-/// empty.
+/// it, all of the floor that agents walk on, else the bodies and the walls near them, tightly; a few bodies
+/// far from all others don't count. Never empty.
 Extent framing(const Scene& scene, std::span<const Vec> positions);
 
 }  // namespace throng::tools

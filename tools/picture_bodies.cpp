@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "tools/images.h"
 #include "tools/pen.h"
@@ -14,6 +15,7 @@ namespace {
 constexpr Colour kFixed{0.62, 0.63, 0.65}, kKinematic{0.45, 0.47, 0.50}, kWall{0.20, 0.21, 0.24};
 constexpr double kSmallest = 1.5;   // pixels of radius below which a body has no outline
 constexpr double kTurnShows = 4.0;  // pixels of radius from which a disc shows how it turned
+constexpr double kStands = 0.05;    // m/s up to which an agent walks nowhere
 
 /// Holes run against the outline, which leaves them unfilled.
 void add_shape(cairo_t* cairo, const Shape& shape, double radius) {
@@ -48,7 +50,17 @@ Colour colour_of(const Scene& scene, const Frame& frame, std::size_t row, double
   return palette(top > 0 ? frame.velocity[row].norm() / top : 0.0);
 }
 
-/// How a disc has turned, where that was recorded.
+/// How a body has turned, where that was recorded (rad); agents, whose angle says nothing, face where they
+/// walk.
+std::optional<double> facing(const Scene& scene, const Frame& frame, std::size_t row) {
+  if (scene.bodies.kind[row] == BodyKind::agent) {
+    if (frame.velocity.empty() || !(frame.velocity[row].norm() > kStands)) return std::nullopt;
+    return std::atan2(frame.velocity[row].y(), frame.velocity[row].x());
+  }
+  if (frame.angle.empty()) return std::nullopt;
+  return std::fmod(frame.angle[row], 2 * std::numbers::pi);
+}
+
 void draw_turn(cairo_t* cairo, double radius, const Colour& colour, double pixel) {
   if (radius < kTurnShows * pixel) return;
   cairo_move_to(cairo, 0, 0);
@@ -62,11 +74,11 @@ void draw_at(cairo_t* cairo, const Scene& scene, const Frame& frame, std::size_t
              const Colour& colour, double pixel) {
   cairo_save(cairo);
   cairo_translate(cairo, at.x(), at.y());
-  if (!frame.angle.empty()) cairo_rotate(cairo, std::fmod(frame.angle[row], 2 * std::numbers::pi));
+  const std::optional<double> turned = facing(scene, frame, row);
+  cairo_rotate(cairo, turned.value_or(0.0));
   const Shape& shape = scene.shapes[scene.bodies.shape[row]];
   paint(cairo, shape, scene.bodies.radius[row], colour, pixel);
-  if (shape.kind == ShapeKind::disc && !frame.angle.empty())
-    draw_turn(cairo, scene.bodies.radius[row], colour, pixel);
+  if (shape.kind == ShapeKind::disc && turned) draw_turn(cairo, scene.bodies.radius[row], colour, pixel);
   cairo_restore(cairo);
 }
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -290,19 +291,33 @@ velocity = [9, 7]
 
 constexpr const char* kHole = "[[[-1.5, -1.5], [1.5, -1.5], [1.5, 1.5], [-1.5, 1.5]]]";
 
+class Picture {
+ public:
+  explicit Picture(const std::filesystem::path& file)
+      : surface_(cairo_image_surface_create_from_png(file.c_str())) {}
+  ~Picture() { cairo_surface_destroy(surface_); }
+  Picture(const Picture&) = delete;
+
+  int width() const { return cairo_image_surface_get_width(surface_); }
+  int height() const { return cairo_image_surface_get_height(surface_); }
+  /// Red, green and blue.
+  std::array<int, 3> at(int x, int y) const {
+    const unsigned char* pixel =
+        cairo_image_surface_get_data(surface_) + y * cairo_image_surface_get_stride(surface_) + 4 * x;
+    return {pixel[2], pixel[1], pixel[0]};
+  }
+
+ private:
+  cairo_surface_t* surface_;
+};
+
 /// The share of a picture that has the colour of bodies that stand.
 double grey_share(const std::filesystem::path& file) {
-  cairo_surface_t* picture = cairo_image_surface_create_from_png(file.c_str());
-  const int width = cairo_image_surface_get_width(picture), height = cairo_image_surface_get_height(picture);
+  const Picture picture(file);
   int grey = 0;
-  for (int y = 0; y < height; ++y) {
-    const unsigned char* row =
-        cairo_image_surface_get_data(picture) + y * cairo_image_surface_get_stride(picture);
-    for (int x = 0; x < width; ++x)
-      grey += row[4 * x + 2] == 158 && row[4 * x + 1] == 161 && row[4 * x] == 166;
-  }
-  cairo_surface_destroy(picture);
-  return static_cast<double>(grey) / (width * height);
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 0; x < picture.width(); ++x) grey += picture.at(x, y) == std::array{158, 161, 166};
+  return static_cast<double>(grey) / (picture.width() * picture.height());
 }
 
 TEST_F(Replay, ShowsThroughTheHolesOfPolygons) {
@@ -315,6 +330,50 @@ TEST_F(Replay, ShowsThroughTheHolesOfPolygons) {
   const double hole = grey_share(folder / "hole.png"), full = grey_share(folder / "full.png");
   EXPECT_GT(full, 0.2);
   EXPECT_NEAR(hole / full, (16.0 - 9.0) / 16.0, 0.03);
+}
+
+/// Where the line on the one coloured disc above the legend points: right, up, left, down, or nowhere.
+std::string line_on_disc(const std::filesystem::path& file) {
+  const Picture picture(file);
+  int left = picture.width(), right = 0, top = picture.height(), bottom = 0;
+  for (int y = 0; y < 17 * picture.height() / 20; ++y)
+    for (int x = 0; x < picture.width(); ++x) {
+      const auto [least, most] = std::ranges::minmax(picture.at(x, y));
+      if (most - least < 40) continue;
+      left = std::min(left, x), right = std::max(right, x), top = std::min(top, y),
+      bottom = std::max(bottom, y);
+    }
+  const int x = (left + right) / 2, y = (top + bottom) / 2, half = (right - left) / 4;
+  const std::array spokes{picture.at(x + half, y), picture.at(x, y - half), picture.at(x - half, y),
+                          picture.at(x, y + half)};
+  const char* const names[] = {"right", "up", "left", "down"};
+  for (std::size_t i = 0; i < 4; ++i)
+    if (spokes[i] != spokes[(i + 1) % 4] && spokes[i] != spokes[(i + 2) % 4]) return names[i];
+  return "nowhere";
+}
+
+// A line to the right once said that all of them look there.
+TEST_F(Replay, ShowsWhereAgentsWalkAndNothingOfThoseWhoStand) {
+  std::ofstream(folder / "walker.toml") << R"toml(throng = 1
+name = "walker"
+time = { dt = 0.02, until = 2 }
+walkable = "POLYGON ((0 0, 3 0, 3 8, 0 8, 0 0))"
+[areas]
+start = "POLYGON ((1 3, 2 3, 2 4, 1 4, 1 3))"
+end = "POLYGON ((0 7, 3 7, 3 8, 0 8, 0 7))"
+[[agents]]
+count = 1
+place = { random = { within = "start", gap = 0.05 } }
+radius = 0.3
+model = "constant_velocity"
+desired_speed = 1
+goal = "end"
+)toml";
+  ASSERT_EQ(throng("run walker.toml -o walker.h5 --progress none").code, 0);
+  for (const std::string time : {"0", "1"})
+    EXPECT_EQ(throng("replay walker.h5 --png at" + time + ".png --at " + time).code, 0);
+  EXPECT_EQ(line_on_disc(folder / "at0.png"), "nowhere");
+  EXPECT_EQ(line_on_disc(folder / "at1.png"), "up");
 }
 
 // It can't get out, and loses no speed: every step is told again.

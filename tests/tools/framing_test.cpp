@@ -49,6 +49,17 @@ TEST(Framing, ShowsAllOfABoxThatIsFull) {
   EXPECT_GE(shown.max.y(), 22);
 }
 
+// A goal that nobody has come near yet was once cut off.
+TEST(Framing, ShowsAllOfTheFloorThatAgentsWalkOn) {
+  Scene scene = discs(400);
+  scene.bodies.kind.assign(400, BodyKind::agent);
+  scene.walls = {{{{-1, -1}, {21, -1}, {21, 90}, {-1, 90}}, true, 0}};
+  const Extent shown = framing(scene, square(20));
+  EXPECT_LE(shown.min.y(), -1);
+  EXPECT_GE(shown.max.y(), 90);
+  EXPECT_LT(shown.size().maxCoeff(), 100);
+}
+
 TEST(Framing, ShowsTheWallsWhereTheCrowdIsAndNotThoseFarAway) {
   Scene scene = discs(400);
   scene.walls = {{{{-5, 0}, {-5, 30}}, false, 0}, {{{1000, 0}, {1000, 30}}, false, 0}};
