@@ -111,10 +111,11 @@ class ThrongRead(Program):
             return 0
 
     def test_reads_what_a_killed_run_committed_and_no_more(self):
-        run = subprocess.Popen([PROGRAM, "run", "three.toml", "-o", "b.h5", "--progress", "none", "--until", "1e6"],
+        run = subprocess.Popen([PROGRAM, "run", "three.toml", "-o", "b.h5", "--progress", "none", "--until", "3e4"],
                                cwd=self.folder, stdout=subprocess.DEVNULL)
         part = pathlib.Path(self.path("b.h5.part"))
         while self.frames_so_far(part) < 100:
+            self.assertIsNone(run.poll(), "the run ended before it was killed")
             time.sleep(0.02)
         run.send_signal(signal.SIGKILL)
         run.wait()
