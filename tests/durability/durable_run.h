@@ -20,7 +20,7 @@ inline bool full_length() {
 }
 
 /// Sanitizers take memory of their own.
-#if defined(__SANITIZE_ADDRESS__)
+#ifdef THRONG_SANITIZED
 inline constexpr bool kSanitized = true;
 #else
 inline constexpr bool kSanitized = false;

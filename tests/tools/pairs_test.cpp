@@ -481,7 +481,7 @@ TEST_F(Pairs, RefusesMoreDiscsThanItAnswersInSeconds) {
 }
 
 // The limit on memory, which sanitizers can't live with, proves that a line of any length is not held.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef THRONG_SANITIZED
 const std::string kLittleMemory;
 #else
 const std::string kLittleMemory = "ulimit -v 300000; ";
