@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstdlib>
+#include <filesystem>
+#include <ostream>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "sim/recording/checkpoint.h"
 #include "sim/recording/recording.h"
 #include "tests/tools/heap.h"
 #include "tests/tools/program.h"
@@ -30,6 +34,36 @@ inline constexpr bool kSanitized = false;
 /// make a process five times as slow.
 inline int cases(int full, int usual) {
   return full_length() ? full : kSanitized ? usual / 4 : usual;
+}
+
+/// What runs are asked to record: all fields in each frame, or all that there is, packed or of a region.
+struct Recorded {
+  const char* name;
+  const char* record;  ///< of the scenario
+};
+inline constexpr Recorded kRecorded[] = {{"whole", ""},
+                                         {"packed", R"([record]
+every = 2
+fields = ["position", "angle", "contacts"]
+also = [{ every = 3, fields = ["velocity"] }]
+observables = 5
+of = { shape = "ball" }
+quantize = 1e-3
+)"},
+                                         {"region", R"([record]
+every = 2
+fields = ["position", "angle", "contacts"]
+also = [{ every = 3, fields = ["velocity"] }]
+observables = 5
+within = [[-5, 0], [0.5, 4]]
+precision = "single"
+)"}};
+
+inline void PrintTo(const Recorded& recorded, std::ostream* out) {
+  *out << recorded.name;
+}
+inline std::string heap(const Recorded& recorded) {
+  return std::string(kHeap) + recorded.record;
 }
 
 class DurableRun : public Program {
@@ -61,6 +95,26 @@ class DurableRun : public Program {
     expect_beginning_of(whole, file);
     EXPECT_EQ(Recording(file).frames(), whole.size());
     EXPECT_TRUE(Recording(file).complete());
+  }
+
+  /// Frames that a reader is promised: those that the last whole checkpoint follows.
+  static std::size_t promised(const std::string& file) {
+    for (const std::string& name :
+         {recording::checkpoint_path(file), recording::previous_checkpoint_path(file)})
+      if (std::filesystem::exists(name)) return recording::read_checkpoint(name).origin.frames;
+    return 0;
+  }
+
+  /// Looks at what a death left of a recording that had `before` frames. Returns how many can be read.
+  static std::size_t expect_sound(const std::vector<std::uint64_t>& whole, const std::string& file,
+                                  std::size_t before) {
+    const std::size_t known = std::max(before, promised(file));
+    const std::string& left = std::filesystem::exists(file) ? file : file + ".part";
+    if (known == 0) return 0;  // it died before its first commit
+    expect_beginning_of(whole, left);
+    const std::size_t frames = Recording(left).frames();
+    EXPECT_GE(frames, known) << "frames are lost";
+    return frames;
   }
 };
 

@@ -12,12 +12,22 @@ namespace {
 using ::testing::AnyOf;
 using ::testing::HasSubstr;
 
-class FailingDisk : public DurableRun, public ::testing::WithParamInterface<const char*> {
+struct Failure {
+  const char* how;
+  const Recorded& recorded;
+};
+
+void PrintTo(const Failure& failure, std::ostream* out) {
+  *out << failure.how << ' ' << failure.recorded.name;
+}
+
+class FailingDisk : public DurableRun, public ::testing::WithParamInterface<Failure> {
  protected:
+  std::string scene() const { return write("a.toml", heap(GetParam().recorded)); }
   static std::string failing_at(int write) {
     return std::string("ASAN_OPTIONS=verify_asan_link_order=0 LD_PRELOAD=" THRONG_FAILING_DISK
                        " THRONG_FAILURE=") +
-           GetParam() + " THRONG_FAILING_WRITE=" + std::to_string(write) + " ";
+           GetParam().how + " THRONG_FAILING_WRITE=" + std::to_string(write) + " ";
   }
 
   /// What must hold after a run that failed. Returns whether frames were kept.
@@ -36,7 +46,7 @@ class FailingDisk : public DurableRun, public ::testing::WithParamInterface<cons
 /// Frames that were committed when the end failed were once removed by the sentence that called them
 /// readable.
 TEST_P(FailingDisk, EndsARunWithASentenceThatIsTrueOfWhatIsLeftAndResumeGoesOnWithIt) {
-  const std::string scene = write("a.toml", kHeap), options = "--until 0.05 --checkpoint 1000 --force";
+  const std::string scene = this->scene(), options = "--until 0.05 --checkpoint 1000 --force";
   const std::vector<std::uint64_t> whole = reference(scene, options);
   int kept = 0, nothing = 0, checkpoints = 0;
   for (int write = 1;; ++write) {
@@ -65,12 +75,12 @@ TEST_P(FailingDisk, EndsARunWithASentenceThatIsTrueOfWhatIsLeftAndResumeGoesOnWi
   EXPECT_GT(kept, 3);
   EXPECT_GT(nothing, 10);
   // what comes after the checkpoint makes no file longer: a full disk doesn't stop it
-  EXPECT_EQ(checkpoints > 0, std::string(GetParam()) != "full");
+  EXPECT_EQ(checkpoints > 0, std::string(GetParam().how) != "full");
 }
 
 /// What was there before stays, whatever write fails while it is copied and continued.
 TEST_P(FailingDisk, AResumeThatFailsLosesNoFrame) {
-  const std::string scene = write("a.toml", kHeap), file = path("a.h5");
+  const std::string scene = this->scene(), file = path("a.h5");
   const std::vector<std::uint64_t> whole = reference(scene, "--until 0.06"),
                                    half = reference(scene, "--until 0.03 --checkpoint 1000", "half.h5");
   for (int write = 1;; ++write) {
@@ -96,8 +106,13 @@ TEST_P(FailingDisk, AResumeThatFailsLosesNoFrame) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(H3, FailingDisk, ::testing::Values("eio", "enospc", "full", "once"),
-                         [](const auto& how) { return std::string(how.param); });
+INSTANTIATE_TEST_SUITE_P(H3, FailingDisk,
+                         ::testing::Values(Failure{"eio", kRecorded[0]}, Failure{"enospc", kRecorded[0]},
+                                           Failure{"full", kRecorded[0]}, Failure{"once", kRecorded[0]},
+                                           Failure{"enospc", kRecorded[1]}, Failure{"eio", kRecorded[2]}),
+                         [](const auto& failure) {
+                           return std::string(failure.param.how) + "_" + failure.param.recorded.name;
+                         });
 
 }  // namespace
 }  // namespace throng

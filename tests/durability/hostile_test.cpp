@@ -52,6 +52,13 @@ std::string text(const Frame& frame) {
   for (const Vec& p : frame.velocity) all << p;
   for (double x : frame.angle) all << x << ' ';
   for (double x : frame.spin) all << x << ' ';
+  for (int there : frame.is_present) all << there;
+  if (frame.contacts)
+    for (const ContactRow& row : *frame.contacts)
+      all << ' ' << row.a << ' ' << row.b << ' ' << row.impulse << ' ' << row.point;
+  if (const auto& seen = frame.observables)
+    all << ' ' << seen->kinetic_energy << ' ' << seen->potential_energy << ' ' << seen->momentum << ' '
+        << seen->contacts << ' ' << seen->max_overlap << ' ' << seen->mean_overlap;
   return all.str();
 }
 
@@ -141,6 +148,15 @@ struct Hostile : testing::Test {
     return {bytes_of(folder / "single.h5"), everything(folder / "single.h5")};
   }
 
+  /// Of all that there may be in a file, the hash of each frame must hold what carries no checksum.
+  Sample full(bool region) const {
+    Scene scene = mixed_scene(kBodies);
+    scene.record = full_record(region);
+    const std::string file = folder / (region ? "region.h5" : "packed.h5");
+    record_run(file, scene, 12);
+    return {bytes_of(file), everything(file)};
+  }
+
   /// A copy of the part once all frames are committed, while the writer has it open.
   Sample unfinished() const {
     const Scene scene = mixed_scene(kBodies);
@@ -193,7 +209,7 @@ struct Hostile : testing::Test {
   Sample good;
 };
 
-const int kMutations = cases(10'000 / 3 + 1, 400);
+const int kMutations = cases(10'000 / 5, 300);
 
 TEST_F(Hostile, X1MutatedFilesAreRefusedOrUnharmed) {
   expect_mutations_seen(good, kMutations);
@@ -201,6 +217,22 @@ TEST_F(Hostile, X1MutatedFilesAreRefusedOrUnharmed) {
 
 TEST_F(Hostile, X1MutatedFilesOfSinglePrecisionAreRefusedOrUnharmed) {
   expect_mutations_seen(single(), kMutations);
+}
+
+TEST_F(Hostile, X1MutatedFilesOfPackedPositionsAreRefusedOrUnharmed) {
+  expect_mutations_seen(full(false), kMutations);
+}
+
+TEST_F(Hostile, X1MutatedFilesOfRegionsAreRefusedOrUnharmed) {
+  expect_mutations_seen(full(true), kMutations);
+}
+
+TEST_F(Hostile, X2TruncatedFilesOfEveryKindAreRefused) {
+  for (const bool region : {false, true}) {
+    const Sample sample = full(region);
+    for (std::size_t size = 0; size < sample.bytes.size() && !HasFailure(); size += 512)
+      EXPECT_TRUE(refused(sample.bytes.substr(0, size), sample)) << "truncated to " << size;
+  }
 }
 
 /// HDF5 looks a hundred times at a checksum that is wrong in a file that is open for writing, and doubles its

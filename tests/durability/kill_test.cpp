@@ -5,11 +5,9 @@
 #include <signal.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <chrono>
 #include <random>
 
-#include "sim/recording/checkpoint.h"
 #include "tests/durability/durable_run.h"
 
 namespace throng {
@@ -17,7 +15,7 @@ namespace {
 
 constexpr unsigned kSeed = 20261121;
 
-class Kills : public DurableRun {
+class Kills : public DurableRun, public ::testing::WithParamInterface<Recorded> {
  protected:
   /// Starts the program, sends `signal` after so long, and waits. Returns the status that wait gives.
   static int run_and_signal(std::vector<std::string> arguments, int signal, std::chrono::microseconds after) {
@@ -37,25 +35,6 @@ class Kills : public DurableRun {
     int status = 0;
     waitpid(child, &status, 0);
     return status;
-  }
-
-  /// Frames that a reader is promised: those that the last whole checkpoint follows.
-  std::size_t promised(const std::string& file) {
-    for (const std::string& name :
-         {recording::checkpoint_path(file), recording::previous_checkpoint_path(file)})
-      if (std::filesystem::exists(name)) return recording::read_checkpoint(name).origin.frames;
-    return 0;
-  }
-
-  /// Looks at what a death left. Returns how many frames can be read.
-  std::size_t expect_sound(const std::string& file, std::size_t before) {
-    const std::size_t known = std::max(before, promised(file));
-    const std::string& left = std::filesystem::exists(file) ? file : file + ".part";
-    if (known == 0) return 0;  // it died before its first commit
-    expect_beginning_of(whole, left);
-    const std::size_t frames = Recording(left).frames();
-    EXPECT_GE(frames, known) << "frames are lost";
-    return frames;
   }
 
   /// The frames of the uninterrupted run, and the span of time in which signals come: some are too late for
@@ -92,7 +71,7 @@ class Kills : public DurableRun {
       EXPECT_TRUE(signal == SIGKILL ? WIFSIGNALED(status) : died_in_order(status)) << "status " << status;
       ++deaths;
       resumed_kills += frames > 0;
-      frames = expect_sound(file, frames);
+      frames = expect_sound(whole, file, frames);
     }
     for (const char* end : {"", ".part", ".part.new"}) std::filesystem::remove(file + end);
     return deaths;
@@ -103,11 +82,17 @@ class Kills : public DurableRun {
     return WIFEXITED(status) ? WEXITSTATUS(status) == 130 : WTERMSIG(status) == SIGTERM;
   }
 
+  /// Each kind of recording has its part of the deaths.
+  static int part_of(int deaths) {
+    const int parts = static_cast<int>(std::size(kRecorded));
+    return (deaths + parts - 1) / parts;
+  }
+
   /// Lives until `wanted` deaths, and until a quarter as many came after a resume: how soon one is ready to
   /// die is the machine's.
   void live_and_die(int signal, int wanted) {
     SCOPED_TRACE("seed " + std::to_string(kSeed));
-    const std::string scene = write("a.toml", kHeap);
+    const std::string scene = write("a.toml", heap(GetParam()));
     run_whole(scene);
     int deaths = 0;
     for (int life = 0; !HasFailure() && (deaths < wanted || resumed_kills <= wanted / 4); ++life) {
@@ -117,13 +102,16 @@ class Kills : public DurableRun {
   }
 };
 
-TEST_F(Kills, H1NoFrameIsLostNoneIsWrongAndResumeReachesTheSameEnd) {
-  live_and_die(SIGKILL, cases(1000, 100));
+TEST_P(Kills, H1NoFrameIsLostNoneIsWrongAndResumeReachesTheSameEnd) {
+  live_and_die(SIGKILL, part_of(cases(1000, 100)));
 }
 
-TEST_F(Kills, H5AStoppedRunGoesOnToTheSameEnd) {
-  live_and_die(SIGTERM, cases(200, 20));
+TEST_P(Kills, H5AStoppedRunGoesOnToTheSameEnd) {
+  live_and_die(SIGTERM, part_of(cases(200, 20)));
 }
+
+INSTANTIATE_TEST_SUITE_P(Any, Kills, ::testing::ValuesIn(kRecorded),
+                         [](const auto& one) { return std::string(one.param.name); });
 
 }  // namespace
 }  // namespace throng

@@ -23,7 +23,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-constexpr int kFrames = 4;
+constexpr int kFrames = 4;  // or more, of all that there may be
 
 /// A file that throng wrote, what it holds, and where it is worth changing.
 struct Sample {
@@ -40,7 +40,9 @@ Bytes bytes_of(const std::string& path) {
 
 Sample sample_of(const std::string& path) {
   Sample sample{bytes_of(path), {}, {}, {}};
-  for (int i = 0; i < kFrames; ++i) sample.frames.push_back(Recording(path).frame(i));
+  const Recording recording(path);
+  for (std::size_t i = 0; i < recording.frames(); ++i) sample.frames.push_back(recording.frame(i));
+  expect(sample.frames.size() >= kFrames, "the sample has frames");
   sample.blocks = checksummed_blocks(path, sample.bytes);
   expect(sample.blocks.size() > 120, "the sample shows its checksums");
   for (const ChecksummedBlock& block : sample.blocks)
@@ -60,6 +62,14 @@ Sample finished(bool single) {
   return sample_of(folder / "a.h5");
 }
 
+Sample full(bool region) {
+  const testing_recordings::Folder folder;
+  Scene all = testing_recordings::mixed_scene(6);
+  all.record = testing_recordings::full_record(region);
+  testing_recordings::record_run(folder / "a.h5", all, 6);
+  return sample_of(folder / "a.h5");
+}
+
 /// As a run leaves it that is killed.
 Sample unfinished() {
   const testing_recordings::Folder folder;
@@ -73,8 +83,8 @@ Sample unfinished() {
 }
 
 const Sample& sample(int which) {
-  static const Sample samples[] = {finished(false), finished(true), unfinished()};
-  return samples[which % 3];
+  static const Sample samples[] = {finished(false), finished(true), unfinished(), full(false), full(true)};
+  return samples[which % 5];
 }
 
 /// Changes of four bytes each: where, as a place of the sample or as one of the file, and to what.
@@ -86,13 +96,22 @@ void change(const Sample& from, std::span<const std::uint8_t> changes, Bytes& by
   }
 }
 
+/// Bit for bit: who is not in a region has NaN.
+template <class T>
+bool same(const std::vector<T>& a, const std::vector<T>& b) {
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
 bool same(const Frame& a, const Frame& b) {
-  return a.step == b.step && a.time == b.time && a.state_hash == b.state_hash && a.position == b.position &&
-         a.angle == b.angle && a.velocity == b.velocity && a.spin == b.spin;
+  return a.step == b.step && a.time == b.time && a.state_hash == b.state_hash &&
+         same(a.position, b.position) && same(a.angle, b.angle) && same(a.velocity, b.velocity) &&
+         same(a.spin, b.spin) && a.is_present == b.is_present && a.contacts == b.contacts &&
+         a.observables == b.observables;
 }
 
 /// What commands do with the frames of any recording.
 void look_at(const Scene& scene, const Frame& frame) {
+  if (!frame.is_present.empty()) return;  // what is away has no place
   State state = initial_state(scene);
   if (!frame.position.empty()) state.position = frame.position;
   if (!frame.angle.empty()) state.angle = frame.angle;

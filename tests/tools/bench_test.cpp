@@ -113,14 +113,21 @@ TEST_F(BenchCommand, RecordsRunsAndRawFrames) {
   const Result result = throng("bench recording --quick --blocks 1 --json " + path("rows.json"));
   ASSERT_EQ(result.exit_code, 0) << result.err;
   std::set<std::string> seen;
-  for (const auto& row : nlohmann::json::parse(read(path("rows.json"))))
+  for (const auto& row : nlohmann::json::parse(read(path("rows.json")))) {
     seen.insert(std::string(row["case"]) + ", " + std::string(row["engine"]));
+    if (row["engine"] != "quantized" || row["case"] != "crowd n=1000 quantize=0.001") continue;
+    EXPECT_LE(row.at("error").at("bytes_a_body").get<double>(), 2.5);
+    const double farthest_off = row.at("error").at("farthest_off");
+    EXPECT_LE(farthest_off, 0.5e-3 * (1 + 1e-9)) << "m, half a quantum";
+    EXPECT_GT(farthest_off, 0.4e-3) << "m: the sample is of many numbers";
+  }
   EXPECT_EQ(seen, (std::set<std::string>{
                       "pile n=10000 every step, position and angle, unrecorded",
                       "pile n=10000 every step, position and angle, recorded", "write n=10000, plain",
                       "write n=10000, throng", "read n=10000, plain", "read n=10000, throng",
                       "crowd n=1000 quantize=0.001, float32", "crowd n=1000 quantize=0.001, quantized",
-                      "crowd n=1000 quantize=0.001, read quantized"}));
+                      "crowd n=1000 quantize=0.001, read quantized", "seek n=1000, throng",
+                      "seek n=1000, quantized"}));
 }
 
 TEST_F(BenchCommand, FindsTheSameInEveryHierarchyAndWithout) {

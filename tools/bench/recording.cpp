@@ -163,7 +163,7 @@ double farthest_off(const std::string& file, const std::vector<State>& states) {
 
 /// Positions of a crowd as float32 and quantized: bytes a body and frame, MB/s of float32, error (m).
 std::vector<Row> bench_quantized(const std::string& name, const Options& options, const std::string& file) {
-  const std::size_t people = options.quick ? 1000 : 20'000, frames = options.quick ? 20 : 250;
+  const std::size_t people = options.quick ? 1000 : 20'000, frames = options.quick ? 200 : 250;
   Scene scene = crowd_scene(people);
   const std::vector<State> states = crowd_motion(scene, frames);
   Record& record = scene.record;
@@ -185,6 +185,35 @@ std::vector<Row> bench_quantized(const std::string& name, const Options& options
   return rows;
 }
 
+/// Frames in an order in which none follows its neighbour, each read on its own and held against its hash.
+std::vector<Row> bench_seek(const std::string& name, const Options& options, const std::string& file) {
+  const std::size_t bodies = options.quick ? 1000 : 50'000, frames = options.quick ? 20 : 400, seeks = 50;
+  Scene scene = crowd_scene(bodies);
+  scene.record.velocity = false;
+  Scene quantized = scene;
+  quantized.record.quantum = 1e-3;
+  const std::vector<State> states = crowd_motion(scene, options.quick ? 20 : 40);
+  const auto write = [&](const std::string& to, const Scene& of) {
+    Recorder recorder(to, of, {}, true);
+    for (std::size_t i = 0; i < frames; ++i) {
+      State state = states[i % states.size()];
+      state.step = static_cast<std::int64_t>(i);
+      recorder.record(state);
+    }
+    recorder.finish();
+  };
+  write(file, scene), write(file + ".quantized", quantized);
+  const Recording plain(file), packed(file + ".quantized");
+  const auto seek = [&](const Recording& recording) {
+    Frame frame;
+    for (std::size_t k = 0; k < seeks; ++k) recording.read((k + 1) * 7919 % frames, frame);
+  };
+  std::vector<Contestant> contestants = {{"throng", [&] { seek(plain); }},
+                                         {"quantized", [&] { seek(packed); }}};
+  interleave(contestants, options.blocks, static_cast<double>(seeks));
+  return rows_of(name, contestants, static_cast<double>(seeks), 0.0);
+}
+
 }  // namespace
 
 std::vector<Row> bench_recording(const Options& options) {
@@ -200,6 +229,8 @@ std::vector<Row> bench_recording(const Options& options) {
   add("write " + size, [&](const std::string& name) { return bench_frames(name, options, file, false); });
   add(options.quick ? "crowd n=1000 quantize=0.001" : "crowd n=20000 quantize=0.001",
       [&](const std::string& name) { return bench_quantized(name, options, file); });
+  add(options.quick ? "seek n=1000" : "seek n=50000",
+      [&](const std::string& name) { return bench_seek(name, options, file); });
   add("read " + size, [&](const std::string& name) { return bench_frames(name, options, file, true); });
   return rows;
 }
