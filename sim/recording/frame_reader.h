@@ -44,13 +44,21 @@ class FrameReader {
     std::vector<std::uint64_t> offset;
     h5::Dataset a, b, impulse, point;
   };
+  /// Rows of steps and times, as objects of the file, that are those of a rate.
+  struct CheckedTimes {
+    std::uint64_t step, time;
+    int every;
+    friend bool operator==(const CheckedTimes&, const CheckedTimes&) = default;
+  };
   struct StoredObservables {
     Schedule when;
     std::vector<std::vector<double>> values;  // of all frames, by observable
   };
 
   Schedule open_schedule(hid_t element, std::span<const std::int64_t> steps);
-  void expect_times(hid_t element, const Schedule& when, std::span<const std::int64_t> steps) const;
+  void expect_times(std::span<const std::int64_t> found_steps, std::span<const double> found_times,
+                    const Schedule& when, std::span<const std::int64_t> steps) const;
+  void expect_times(hid_t element, const Schedule& when, std::span<const std::int64_t> steps);
   void open_ids(hid_t throng, hid_t trajectory, std::span<const std::int64_t> steps, Record& record);
   void open_region(hid_t element, Record& record) const;
   void open_field(hid_t trajectory, RecordField field, std::span<const std::int64_t> steps);
@@ -73,6 +81,7 @@ class FrameReader {
   double dt_ = 0.0;         // s
   int minor_ = 0, every_ = 1;
   bool single_ = false, changes_ = false;
+  std::vector<CheckedTimes> checked_;
   std::vector<std::uint32_t> ids_;
   Schedule present_when_;  // where frames hold some bodies only
   h5::Dataset present_;    // u32 [sample, body]

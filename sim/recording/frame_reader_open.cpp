@@ -51,19 +51,27 @@ Schedule FrameReader::open_schedule(hid_t element, std::span<const std::int64_t>
   return minor_ >= 2 ? Schedule(read_every(element), steps) : Schedule(1, steps);
 }
 
-/// What other readers take for the steps and times of an element's samples.
-void FrameReader::expect_times(hid_t element, const Schedule& when,
-                               std::span<const std::int64_t> steps) const {
-  const h5::Dataset step = h5::open_dataset<std::int64_t>(*file_, element, "step", {kAny}),
-                    time = h5::open_dataset<double>(*file_, element, "time", {kAny});
-  const auto found_steps = h5::read_all<std::int64_t>(step, when.samples());
-  const auto found_times = h5::read_all<double>(time, when.samples());
+/// What other readers take for the steps and times of samples.
+void FrameReader::expect_times(std::span<const std::int64_t> found_steps, std::span<const double> found_times,
+                               const Schedule& when, std::span<const std::int64_t> steps) const {
   expect_samples(found_steps.size(), when.samples(), "step");
   expect_samples(found_times.size(), when.samples(), "time");
   for (std::size_t i = 0; i < steps.size(); ++i)
     if (const auto k = when.sample(i);
         k && (found_steps[*k] != steps[i] || found_times[*k] != static_cast<double>(steps[i]) * dt_))
       throw h5::Error("the steps and times of samples are not those of their frames");
+}
+
+/// Those of an element that has a rate: links to rows that all elements of that rate share, which are read
+/// once.
+void FrameReader::expect_times(hid_t element, const Schedule& when, std::span<const std::int64_t> steps) {
+  const h5::Dataset step = h5::open_dataset<std::int64_t>(*file_, element, "step", {kAny}),
+                    time = h5::open_dataset<double>(*file_, element, "time", {kAny});
+  const CheckedTimes these{h5::address(step), h5::address(time), when.every()};
+  if (std::ranges::find(checked_, these) != checked_.end()) return;
+  expect_times(h5::read_all<std::int64_t>(step, when.samples()), h5::read_all<double>(time, when.samples()),
+               when, steps);
+  checked_.push_back(these);
 }
 
 void FrameReader::open_ids(hid_t throng, hid_t trajectory, std::span<const std::int64_t> steps,
@@ -81,8 +89,9 @@ void FrameReader::open_ids(hid_t throng, hid_t trajectory, std::span<const std::
   if (!changes_) return;
   const h5::Handle element = h5::open_group(trajectory, "id");
   if (h5::has_attribute(element, "min")) open_region(element, record);
-  present_when_ = Schedule(h5::read_array<std::int64_t>(*file_, element, "step"), steps);
-  expect_times(element, present_when_, steps);
+  const auto listed = h5::read_array<std::int64_t>(*file_, element, "step");
+  present_when_ = Schedule(listed, steps);
+  expect_times(listed, h5::read_array<double>(*file_, element, "time"), present_when_, steps);
   present_ =
       h5::open_dataset<std::uint32_t>(*file_, element, "value", {kAny, ids_.size()}, h5::Storage::sparse);
   expect_samples(present_.dims[0], present_when_.samples(), "id");

@@ -186,6 +186,12 @@ Dataset open_dataset(const File& file, hid_t at, const char* name,
   return result;
 }
 
+std::uint64_t address(const Dataset& dataset) {
+  H5O_info_t info;
+  check(H5Oget_info2(dataset.set, &info, H5O_INFO_BASIC), "cannot read");
+  return info.addr;
+}
+
 template <class T>
 std::vector<T> read_all(const Dataset& dataset, std::optional<hsize_t> rows) {
   std::vector<hsize_t> dims = dataset.dims;

@@ -48,6 +48,9 @@ template <class T>
 Dataset open_dataset(const File& file, hid_t at, const char* name,
                      const std::vector<std::optional<hsize_t>>& dims, Storage storage = Storage::whole);
 
+/// Which object of its file it is, by whatever links it was reached.
+std::uint64_t address(const Dataset& dataset);
+
 /// Reads row `row` of a packed dataset [rows, bodies, 2], a row a chunk or several, to `out`, which has its
 /// size. HDF5's own inflate would take what memory a crafted chunk asks for. Throws where a chunk is not what
 /// throng makes.

@@ -229,6 +229,16 @@ class Forged(Program):
             "particles/trajectory/velocity", "throng/contacts", "particles/trajectory/id", "observables/momentum")))
         self.refuses(self.recorded("b.h5", "every=2", "quantize=0.01"), "throng/quantized/step", "throng/quantized/time")
 
+    def test_rows_that_are_right_for_one_rate_are_refused_for_another(self):
+        """Rows to which several elements link are looked at once for each rate."""
+        path = self.recorded("a.h5", "also=[{ every = 3, fields = ['angle'] }]", "fields=['position', 'velocity']")
+        with h5py.File(path, "r+", libver="latest") as file:
+            for name in ("step", "time"):
+                del file["particles/trajectory/angle"][name]
+                file["particles/trajectory/angle"][name] = file["particles/trajectory/position"][name]
+        code, error = self.throng("info", path)
+        self.assertEqual((code, error), (2, f"throng: {path} is damaged: the steps and times of samples are not those of their frames\n"))
+
     def refuses(self, path, *datasets):
         sound = pathlib.Path(path).read_bytes()
         self.assertEqual(self.throng("info", path)[0], 0)
