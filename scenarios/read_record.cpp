@@ -48,17 +48,11 @@ void read_region(const toml::table& table, Record& record, Report& report) {
                  "must have its least x and y first, [[min x, min y], [max x, max y]]");
 }
 
-void read_quantum(const toml::table& root, const toml::table& table, Record& record, Report& report) {
+void read_quantum(const toml::table& table, Record& record, Report& report) {
   const toml::node* node = table.get("quantize");
   if (!node) return;
   record.quantum = number(*node);
   if (!record.position) report.error(*node, "record.quantize", "rounds positions, which are not in fields");
-  if (record.within)
-    report.error(*node, "record.quantize",
-                 "stores how the same bodies move on from frame to frame; must not stand beside within");
-  if (root.contains("agents"))
-    report.error(*node, "record.quantize",
-                 "stores how the same bodies move on from frame to frame; agents leave");
 }
 
 /// Whether `value` is what `key` says, or one of its list; true without the key.
@@ -114,7 +108,7 @@ void read_record(const toml::table& root, Scene& scene, Report& report) {
   read_fields(table, record);
   read_also(table, record, report);
   read_region(table, record, report);
-  read_quantum(root, table, record, report);
+  read_quantum(table, record, report);
 }
 
 void read_recorded_bodies(const toml::table& root, Scene& scene, Report& report) {

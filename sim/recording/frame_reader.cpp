@@ -94,12 +94,21 @@ void FrameReader::read_numbers(RecordField field, std::size_t sample, std::size_
   if constexpr (!std::is_same_v<T, double>) numbers_.assign(stored->begin(), stored->end());
 }
 
+/// Of the bodies in the frame: those that are away have places, too.
+void FrameReader::read_quantized(std::size_t sample, FrameHash& hash) const {
+  quantized_.read(sample, numbers_, hash);
+  if (!changes_) return;
+  for (std::size_t k = 0; k < rows_.size(); ++k)
+    for (std::size_t c = 0; c < 2; ++c) numbers_[2 * k + c] = numbers_[2 * rows_[k] + c];
+  numbers_.resize(2 * rows_.size());
+}
+
 void FrameReader::read_field(RecordField field, std::size_t i, std::size_t present, Frame& frame,
                              FrameHash& hash) const {
   const std::optional<std::size_t> sample = schedule(field).sample(i);
   if (!sample) return;
   if (field == RecordField::position && quantized_.quantum() > 0.0)
-    quantized_.read(*sample, numbers_, hash);
+    read_quantized(*sample, hash);
   else if (single_)
     read_numbers<float>(field, *sample, present, hash);
   else

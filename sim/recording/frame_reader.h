@@ -71,6 +71,7 @@ class FrameReader {
   std::size_t read_present(std::size_t i, Frame& frame, FrameHash& hash) const;
   template <class T>
   void read_numbers(RecordField field, std::size_t sample, std::size_t present, FrameHash& hash) const;
+  void read_quantized(std::size_t sample, FrameHash& hash) const;
   void read_field(RecordField field, std::size_t i, std::size_t present, Frame& frame, FrameHash& hash) const;
   void hand_out(RecordField field, Frame& frame) const;
   void read_contacts(std::size_t i, Frame& frame, FrameHash& hash) const;

@@ -120,7 +120,7 @@ void FrameReader::open_field(hid_t trajectory, RecordField field, std::span<cons
 
 void FrameReader::open_quantized(hid_t throng, std::span<const std::int64_t> steps, Record& record) {
   Schedule& when = fields_[index(RecordField::position)].when;
-  if (when.every() > 0 || changes_) throw h5::Error("positions are stored in two ways");
+  if (when.every() > 0) throw h5::Error("positions are stored in two ways");
   const h5::Handle group = h5::open_group(throng, "quantized");
   quantized_ = QuantizedReader(*file_, group, ids_.size());
   record.quantum = quantized_.quantum();

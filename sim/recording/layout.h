@@ -13,7 +13,7 @@
 ///
 /// F frames, N recorded bodies; all types little-endian and of fixed size; texts of fixed length, UTF-8. Created
 /// whole before the first frame with `libver=latest`, then only appended to, in SWMR mode: readers may follow a
-/// run. Since 1.2 is marked with (1.2), since 1.3 with (1.3).
+/// run. Since 1.2 is marked with (1.2), and so on.
 /// ```
 /// /h5md                   attribute version int32[2] = {1, 1}; author and creator as H5MD wants them
 /// /parameters             attributes dt, until, checkpoint (f64), substeps, every, threads (i64), seed (u64),
@@ -35,7 +35,8 @@
 ///   rates/R               (1.2) step and time of the frames whose step is a multiple of R, where not all are. Every
 ///                         other `step` and `time`, but those of `id`, is a hard link to these or to those of `frames`
 ///   quantized             (1.2) with record.quantize, instead of the positions of H5MD: position u32[F,N,2] through
-///                         shuffle and deflate, step, time; attributes every, quantum f64 (m), key_every i64, how
+///                         shuffle and deflate, step, time; attributes every, quantum f64 (m), key_every i64, how;
+///                         of bodies that come and go, too (1.4): each keeps its row, with 0 while it is away
 ///   contacts              (1.2) attribute every; a u32, b u32, impulse f64, point f64[,2], rows as ContactRow has
 ///                         them; those of sample s are offset[s] to offset[s + 1], u64; step, time
 ///   domain                attributes kind, min f64[2], max f64[2]
@@ -75,8 +76,9 @@ inline constexpr int kMajor = 1;  ///< a reader refuses a newer one
 /// it computes. Since 2 fields have rates, and there are quantized positions, contacts, observables and
 /// regions: readers of 1.1 take frames that have them for damaged. Since 3 there are agents. The first
 /// regions of 2 had a row of `id` for every frame, even without bodies, its step and time links to those of
-/// `frames`; the last ones have what 3 has. Readers find rows of `id` by its step, and so take both.
-inline constexpr int kMinor = 3;
+/// `frames`; the last ones have what 3 has. Readers find rows of `id` by its step, and so take both. Since 4
+/// positions of bodies that come and go may be quantized: readers of 3 refuse these.
+inline constexpr int kMinor = 4;
 
 inline constexpr std::size_t kMaxChunk = std::size_t{1} << 20;  ///< bytes
 inline constexpr std::size_t kRegionChunk = 256;                ///< bodies, where frames hold few of them

@@ -35,6 +35,13 @@ std::span<const double> compact(const std::vector<std::uint8_t>& is_present, std
   return std::span(to).first(count);
 }
 
+/// The same numbers in the same places, 0 in the rows that are not present. `to` may be `from`.
+std::span<const double> cleared(const std::vector<std::uint8_t>& is_present, std::size_t components,
+                                std::span<const double> from, std::vector<double>& to) {
+  for (std::size_t i = 0; i < from.size(); ++i) to[i] = is_present[i / components] ? from[i] : 0.0;
+  return to;
+}
+
 }  // namespace
 
 bool TrajectoryWriter::holds(RecordField field, std::int64_t step) const {
@@ -116,15 +123,16 @@ void TrajectoryWriter::gather(const Frame& frame) {
   keep_present(frame.step);
 }
 
-/// Leaves of what was gathered those who are within the region.
+/// Leaves of what was gathered those who are present. Quantized numbers keep their places, from
+/// which the next frame goes on.
 void TrajectoryWriter::keep_present(std::int64_t step) {
   present_.clear();
   for (std::size_t row = 0; row < is_present_.size(); ++row)
     if (is_present_[row]) present_.push_back(selection_.ids()[row]);
   for (RecordField field : kBodyFields)
     if (holds(field, step))
-      due_[index(field)] =
-          compact(is_present_, components(field), due_[index(field)], fields_[index(field)].values());
+      due_[index(field)] = (is_quantized(record_, field) ? cleared : compact)(
+          is_present_, components(field), due_[index(field)], fields_[index(field)].values());
 }
 
 /// Returns the bytes that they took.

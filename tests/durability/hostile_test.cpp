@@ -149,10 +149,12 @@ struct Hostile : testing::Test {
   }
 
   /// Of all that there may be in a file, the hash of each frame must hold what carries no checksum.
-  Sample full(bool region) const {
+  Sample full(bool region) const { return full(full_record(region)); }
+  Sample full(const Record& record) const {
     Scene scene = mixed_scene(kBodies);
-    scene.record = full_record(region);
-    const std::string file = folder / (region ? "region.h5" : "packed.h5");
+    scene.record = record;
+    const std::string file = folder / "full.h5";
+    std::filesystem::remove(file);
     record_run(file, scene, 12);
     return {bytes_of(file), everything(file)};
   }
@@ -209,7 +211,7 @@ struct Hostile : testing::Test {
   Sample good;
 };
 
-const int kMutations = cases(10'000 / 5, 300);
+const int kMutations = cases(10'000 / 6 + 1, 300);
 
 TEST_F(Hostile, X1MutatedFilesAreRefusedOrUnharmed) {
   expect_mutations_seen(good, kMutations);
@@ -225,6 +227,12 @@ TEST_F(Hostile, X1MutatedFilesOfPackedPositionsAreRefusedOrUnharmed) {
 
 TEST_F(Hostile, X1MutatedFilesOfRegionsAreRefusedOrUnharmed) {
   expect_mutations_seen(full(true), kMutations);
+}
+
+TEST_F(Hostile, X1MutatedFilesOfPackedRegionsAreRefusedOrUnharmed) {
+  Record record = full_record(true);
+  record.quantum = 1e-3;
+  expect_mutations_seen(full(record), kMutations);
 }
 
 TEST_F(Hostile, X2TruncatedFilesOfEveryKindAreRefused) {

@@ -89,6 +89,20 @@ class Selected(Program):
                 for row, some in zip(ids[:], inside):
                     np.testing.assert_array_equal(row[row != ids.fillvalue], np.flatnonzero(some) + 1)
 
+    def test_quantized_positions_of_a_region_are_within_half_a_quantum(self):
+        with self.whole() as whole, self.selected("within=[[0.75, 0], [1.8, 3]]", "quantize=0.01") as recording:
+            every = whole.position[:]
+            inside = (every[..., 0] >= 0.75) & (every[..., 0] <= 1.8)
+            self.assertTrue(0 < inside.sum() < inside.size and (inside[0] != inside[-1]).any(), "some come or go")
+            for i in (20, 0, 17, *range(21)):
+                np.testing.assert_array_equal(np.isnan(recording.position[i]), np.repeat(~inside[i][:, None], 2, axis=1))
+                np.testing.assert_allclose(recording.position[i][inside[i]], every[i][inside[i]], atol=0.00501)
+            np.testing.assert_array_equal(recording.velocity[:], np.where(inside[..., None], whole.velocity[:], np.nan))
+            with h5py.File(self.path("selected.h5")) as file:  # a key frame has the numbers themselves
+                np.testing.assert_array_equal(file["throng/quantized/position"][16].any(axis=1), inside[16])
+        self.assertEqual(self.throng("resume", "selected.h5", "--until", "0.4", "--progress", "none")[0], 0)
+        self.assertEqual(self.throng("replay", "selected.h5", "--verify"), (0, ""))
+
     def test_frames_without_bodies_hold_no_ids(self):
         with self.whole() as whole, self.selected(
                 "every=4", "observables=6", "within=[[0.75, 0], [1.8, 3]]") as recording:

@@ -56,8 +56,6 @@ const Case kCases[] = {
      "s.toml:2:23: error: record.quantize: must be a number from 1e-09 to 1000 m"},
     {"record = { fields = ['angle'], quantize = 1e-3 }",
      "s.toml:2:43: error: record.quantize: rounds positions, which are not in fields"},
-    {"record = { within = [[0, 0], [1, 1]], quantize = 1e-3 }",
-     "s.toml:2:50: error: record.quantize: stores how the same bodies move on"},
     {"record = { within = [[0, 0], [0, 1]] }",
      "s.toml:2:21: error: record.within: must have its least x and y first"},
     {"record = { also = [{ every = 5, fields = ['velocity'] }] }",

@@ -144,11 +144,6 @@ TEST(Crowd, IsRefusedWhereDistributionsMakeNoSense) {
   expect_fault(group + "desired_speed = -1\n", "agents[0].desired_speed: must be a number from 0");
 }
 
-TEST(Crowd, IsNotRecordedInMovesOfTheSameBodies) {
-  expect_fault(kFloor + "[record]\nquantize = 0.01\n" + kGroup + "at = [1, 1]\n",
-               "record.quantize: stores how the same bodies move on from frame to frame; agents leave");
-}
-
 TEST(Crowd, IsAloneInItsPlane) {
   expect_fault(
       kFloor + kGroup + "at = [1, 1]\n[shapes]\nb.disc.radius = 1\n[[bodies]]\nshape = 'b'\nat = [2, 2]\n",

@@ -206,6 +206,16 @@ describe("of bodies that come and go", () => {
     });
 });
 
+test("quantized positions of a region are of who is in it", () => {
+  record("packedregion", MIXED, ["--set", "record.within=[[0, 0], [4, 4]]", "--set", "record.quantize=0.01"]);
+  const packed = open(library, "packedregion.h5"), region = open(library, "region.h5");
+  for (const i of [50, 0, 17, 18, 33, 3]) {
+    const { position, angle } = packed.frame(i, FIELDS), truth = region.frame(i, FIELDS);
+    assert.deepEqual(angle, truth.angle);
+    truth.position.forEach((x, k) => assert.ok(Number.isNaN(x) ? Number.isNaN(position[k]) : Math.abs(position[k] - x) <= 0.005 * (1 + 1e-9), `frame ${i}`));
+  }
+});
+
 describe("of agents", () => {
   const scenario = name => readFileSync(new URL(`../../scenarios/${name}.toml`, import.meta.url), "utf8");
   let summary, agents;

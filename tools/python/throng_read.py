@@ -139,6 +139,7 @@ class Region:
 
     def __init__(self, values, present, samples, frames, ids):
         self._values, self._present, self._samples, self._frames, self._ids = values, present, samples, frames, ids
+        self._keeps_rows = isinstance(values, Quantized)
         self.shape, self.dtype = values.shape, values.dtype
 
     def __getitem__(self, sample):
@@ -148,7 +149,8 @@ class Region:
         if behind.any() or not np.isin(found, self._ids).all() or not (np.diff(found.astype("i8")) > 0).all():
             raise OSError(f"frame {self._frames[sample]} has ids that are not in order")
         result = np.full(self.shape[1:], np.nan, self.dtype)
-        result[np.searchsorted(self._ids, found)] = self._values[sample][:len(found)]
+        rows, values = np.searchsorted(self._ids, found), self._values[sample]
+        result[rows] = values[rows] if self._keeps_rows else values[:len(found)]
         return result
 
     def read_direct(self, result, sample, row):
@@ -281,7 +283,10 @@ class Recording:
         rows, bodies, columns = stored.chunks or (0, 0, 0)
         if rows != 1 or not 0 < bodies <= max(1, len(self.ids)) or columns != 2:
             raise ValueError(f"{path} has chunks of another form")
-        return Field("position", Quantized(self._file[path]), frames, self.time)
+        values = Quantized(self._file[path])
+        if self._present is not None:
+            values = Region(values, self._present, self._samples_of_ids(frames), frames, self.ids)
+        return Field("position", values, frames, self.time)
 
     def contacts(self, i):
         """Where bodies pressed on each other or on obstacles in frame i; None where it holds no contacts."""

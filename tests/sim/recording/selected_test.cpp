@@ -232,6 +232,69 @@ TEST(Selected, QuantizedPositionsComeBackWithinHalfAQuantumFromAnywhere) {
   }
 }
 
+/// Who leaves comes back after no frame, one, two or more, across key frames, too.
+TEST(Selected, QuantizedPositionsAreOfWhoIsInTheRegion) {
+  const Folder folder;
+  Scene scene = mixed_scene(300);
+  scene.record.within = Eigen::AlignedBox2d(Vec(3, -30), Vec(12.5, 20));
+  scene.record.quantum = 1e-3;
+  const auto state_at_step = [&](std::int64_t step) {
+    State state = state_at(scene, step);
+    for (std::size_t row = 0; row < state.id.size(); ++row)
+      if ((step * (static_cast<std::int64_t>(row) % 7) / 5) % 3 == 1) state.position[row].x() += 20.0;
+    return state;
+  };
+  {
+    Recorder recorder(folder / "a.h5", scene, provenance());
+    for (std::int64_t step = 0; step < 40; ++step) recorder.record(state_at_step(step));
+    recorder.finish();
+  }
+  const Recording recording(folder / "a.h5");
+  std::size_t here = 0, came = 0;
+  std::vector<std::uint8_t> before;
+  for (std::size_t i : {39, 0, 1, 2, 3, 4, 16, 15, 17, 18, 31, 32, 33, 34, 35, 36, 37, 38}) {
+    const Frame frame = recording.frame(i);
+    const State state = state_at_step(static_cast<std::int64_t>(i));
+    for (std::size_t row = 0; row < 300; ++row) {
+      ASSERT_EQ(frame.has(row), scene.record.within->contains(state.position[row])) << i;
+      if (frame.has(row)) {
+        ASSERT_LE((frame.position[row] - state.position[row]).cwiseAbs().maxCoeff(), 0.5e-3 * (1 + 1e-9))
+            << i;
+        EXPECT_EQ(frame.velocity[row], state.velocity[row]);
+      } else {
+        EXPECT_TRUE(frame.position[row].hasNaN());
+      }
+      here += frame.has(row);
+      came += !before.empty() && frame.has(row) && !before[row];
+    }
+    before = frame.is_present;
+  }
+  EXPECT_GT(came, 200u);
+  EXPECT_GT(here, 1000u);
+  EXPECT_LT(here, 4500u);
+}
+
+TEST(Selected, QuantizedPositionsAreOfAgentsUntilTheyLeave) {
+  const Folder folder;
+  Scene scene = crowd_scene(300);
+  scene.record.quantum = 0.5;
+  {
+    Recorder recorder(folder / "a.h5", scene, provenance());
+    for (std::int64_t step = 0; step <= 4; ++step) recorder.record(crowd_at(scene, step));
+    recorder.finish();
+  }
+  const Recording recording(folder / "a.h5");
+  for (std::size_t i = recording.frames(); i-- > 0;) {
+    const Frame frame = recording.frame(i);
+    const State state = crowd_at(scene, static_cast<std::int64_t>(i));
+    ASSERT_EQ(frame.bodies(), state.id.size());
+    for (std::size_t row = 0; row < state.id.size(); ++row) {
+      const Vec whole = (state.position[row] / 0.5 + Vec(0.5, 0.5)).array().floor() * 0.5;
+      EXPECT_EQ(frame.position[state.id[row] - std::size_t{1}], whole);
+    }
+  }
+}
+
 TEST(Selected, PositionsTooFarForTheirQuantumEndTheRecordingWithASentence) {
   const Folder folder;
   Scene scene = mixed_scene(3);
@@ -328,10 +391,10 @@ TEST(Selected, GoesOnFromAnyFrameAsIfNeverStopped) {
   scene.record.contacts = true;
   scene.record.observables = 3;
   own_every(scene, RecordField::velocity) = 5;
-  for (bool region : {false, true}) {
-    scene.record.quantum = region ? 0.0 : 1e-3;
+  for (const auto& [region, quantum] : {std::pair(false, 1e-3), {true, 0.0}, {true, 1e-3}}) {
+    scene.record.quantum = quantum;
     if (region) scene.record.within = Eigen::AlignedBox2d(Vec(0, 0), Vec(9.2, 3));
-    const std::string name = folder / (region ? "region.h5" : "quantized.h5");
+    const std::string name = folder / (std::to_string(region) + std::to_string(quantum > 0.0) + ".h5");
     record_run(name, scene, 40);
     const Recording whole(name);
     for (std::size_t kept : {0u, 1u, 9u, 20u}) {

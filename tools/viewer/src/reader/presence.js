@@ -46,6 +46,16 @@ export class Presence {
 }
 
 /**
+ * The values of the bodies `rows`, in their order, of those that have each body's in its row.
+ * @param {Float64Array} all @param {Int32Array} rows @param {number} width  numbers a body
+ */
+export function gather(all, rows, width) {
+  const values = new Float64Array(width * rows.length);
+  for (let k = 0; k < rows.length; ++k) for (let c = 0; c < width; ++c) values[width * k + c] = all[width * rows[k] + c];
+  return values;
+}
+
+/**
  * Each body's values in its row, NaN of those that are not there.
  * @template {Float32Array | Float64Array} T
  * @param {T} values  of the bodies `rows`, in their order @param {Int32Array} rows @param {number} bodies @param {number} width  numbers a body

@@ -2,14 +2,14 @@
 // A recording: its scene, and its frames one by one, that of a run still going or killed included.
 import { attribute, BadFile, damaged, dataset, numbers, OpenFile } from "./h5.js";
 import { everyOf, Quantized } from "./quantized.js";
-import { Presence, scatter } from "./presence.js";
+import { gather, Presence, scatter } from "./presence.js";
 import { readScene } from "./scene.js";
 
 /**
  * @typedef {"position" | "angle" | "velocity" | "spin"} Field
  * @typedef {{[field in Field]?: Float32Array | Float64Array}} Frame  a row a body; x, y, x, y of position and velocity; NaN of bodies
  *   that are not there
- * @typedef {{frame: (sample: number, bodies: number) => Float32Array | Float64Array, extent: number, every: number}} Stored
+ * @typedef {{frame: (sample: number, bodies: number, rows?: Int32Array) => Float32Array | Float64Array, extent: number, every: number}} Stored
  *   frame: of the first so many bodies of a sample
  * @typedef {import("./scene.js").Scene & {fields: Field[], rates: {[field in Field]?: number}, times: Float64Array,
  *   steps: Float64Array, complete: boolean}} Description  rates: steps from one sample of a field to the next
@@ -89,9 +89,8 @@ export class Recording {
   #readQuantized() {
     const group = this.file.get("throng/quantized"), { bodies } = this.description;
     if (!group) return;
-    if (bodies.changes) throw new BadFile("holds quantized positions of bodies that come and go, which this page can't show");
     const quantized = new Quantized(this.file, bodies.count);
-    this.#add("position", { frame: sample => quantized.frame(sample), extent: quantized.extent, every: everyOf(group) });
+    this.#add("position", { frame: (sample, _, rows) => rows ? gather(quantized.frame(sample), rows, 2) : quantized.frame(sample), extent: quantized.extent, every: everyOf(group) });
   }
 
   /** @param {Field} field @param {Stored} data */
@@ -178,7 +177,7 @@ export class Recording {
     const { sample, frame } = this.#sample(i, data.every), rows = this.#presence?.rows(frame);
     let values;
     try {
-      values = data.frame(sample, rows?.length ?? count);
+      values = data.frame(sample, rows?.length ?? count, rows);
     } catch {
       throw damaged(`${field} of frame ${frame} can't be read`);
     }
