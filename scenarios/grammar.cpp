@@ -187,6 +187,16 @@ Table agent_table() {
   return result;
 }
 
+Table measure_table() {
+  return {{required({"name", text(64), "What the summary calls it."}),
+           {"line", tuple({point(), point()}, "two points [[x, y], [x, y]]"),
+            "A line, m: crossings from its left to its right, seen from its first point, and back."},
+           {"area", name_in("areas"), "Name of an area: density and speed of those in it."},
+           {"from", number(0, 1e12, "s"), "Measured from then on, s.", "0.0"},
+           {"until", number(0, 1e12, "s"), "Measured up to then, s; absent: to the end."}},
+          {"line", "area"}};
+}
+
 Table root_table() {
   return {
       {required({"throng", version(), "Version of this grammar."}),
@@ -213,7 +223,7 @@ Table root_table() {
        {"agents", tables(agent_table()),
         "Agents, who walk to a goal and leave there; they need walkable or domain.box."},
        later("sensors", "Who senses whom."),
-       later("measure", "Counts and densities.")}};
+       {"measure", tables(measure_table()), "What is counted while agents walk; `throng run` sums it up."}}};
 }
 
 std::string range(const Type& type) {

@@ -46,6 +46,7 @@ void read_scene(const toml::table& root, Scene& scene, Report& report) {
   read_areas(root, scene, report);
   const std::vector<Entry> entries = read_entries(root, scene, report);
   const std::vector<AgentEntry> agents = read_agents(root, scene, report);
+  read_measures(root, scene, report);
   if (report.errors() > 0) return;
   warn_of_idle_borders(root, scene, report);
   place_bodies(entries, draws, scene, report);

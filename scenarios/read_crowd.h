@@ -27,6 +27,9 @@ void read_areas(const toml::table& root, Scene& scene, Report& report);
 /// The entries, and their groups in scene.crowd. Call it after `read_areas`.
 std::vector<AgentEntry> read_agents(const toml::table& root, Scene& scene, Report& report);
 
+/// What is measured of them. Call it after `read_agents`.
+void read_measures(const toml::table& root, Scene& scene, Report& report);
+
 /// Makes the agents the last of the bodies: radii, speeds and places, none of which overlaps another agent or
 /// a wall where it is random. Reports entries for which there is no room, agents that don't stand on the
 /// walkable area, and steps that are too long for a model.

@@ -41,8 +41,17 @@ State initial_state(const Scene& scene) {
   if (scene.crowd.size() > 0) {
     state.crowd.stand = state.position;
     state.crowd.stand_step.assign(bodies.size(), 0);
+    state.crowd.measured.resize(scene.crowd.measures.size());
   }
   return state;
+}
+
+bool fits(const State& state, const Scene& scene) {
+  const bool crowd = scene.crowd.size() > 0;
+  const std::size_t rows = state.id.size(), arrived = static_cast<std::size_t>(state.crowd.arrived);
+  return rows + arrived == scene.bodies.size() && (crowd || arrived == 0) &&
+         state.crowd.stand.size() == (crowd ? rows : 0) &&
+         state.crowd.measured.size() == (crowd ? scene.crowd.measures.size() : 0);
 }
 
 std::uint64_t hash(const State& state) {

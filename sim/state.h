@@ -23,6 +23,7 @@ struct CrowdState {
   std::int64_t arrived = 0;              ///< agents that got to their goals and left
   std::int64_t last_arrival = 0;         ///< step in which the last of them did
   std::int64_t wall_corrections = 0;     ///< agent-steps in which a barrier was in the way
+  std::vector<Measured> measured;        ///< as Crowd::measures
 };
 
 struct State {
@@ -39,6 +40,9 @@ struct State {
 
 /// The state at time 0.
 State initial_state(const Scene& scene);
+
+/// Whether it has the rows that a state of the scene has: of bodies, and of what is remembered of a crowd.
+bool fits(const State& state, const Scene& scene);
 
 /// 64 bits over step, ids and all motion: equal states on every machine, and only they, agree. A body's id
 /// and motion are mixed one after the other, and the bodies' mixes added up: bodies don't wait for one

@@ -46,9 +46,11 @@ void say(const char* what, std::int64_t step) {
   std::fprintf(stderr, "throng: %s step %" PRId64 "\n", what, step);
 }
 
-/// Brings the simulation to the checkpoint. Returns false where a signal came first.
-bool go_to(const Checkpoint& checkpoint, Simulation& simulation) {
+/// Brings the simulation of the scene to the checkpoint. Returns false where a signal came first.
+bool go_to(const Checkpoint& checkpoint, const Scene& scene, Simulation& simulation) {
   const State& goal = checkpoint.state;
+  if (!fits(goal, scene))
+    throw InputError("the checkpoint's crowd is not that of the scenario: remove it to go on from the start");
   if (simulation.restore(goal)) {
     say("going on from the checkpoint at", goal.step);
     return true;
@@ -102,7 +104,7 @@ int resume(const Options& options) {
   stop_on_signals();
   if (!checkpoint)
     std::fprintf(stderr, "throng: no checkpoint: computing again, and checking, from the start\n");
-  else if (!go_to(*checkpoint, *simulation))
+  else if (!go_to(*checkpoint, scene, *simulation))
     return 130;
   const Provenance now = provenance(kept, loaded, options);
   Recorder recorder(kept.output, scene, now, kept.recording, kept.frames);

@@ -26,6 +26,26 @@ std::string hex(std::uint64_t hash) {
   return text;
 }
 
+template <class T>
+Json or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json measure_summary(const Scene& scene, const CrowdState& crowd) {
+  Json result = Json::object();
+  for (std::size_t i = 0; i < crowd.measured.size(); ++i) {
+    const Measure& measure = scene.crowd.measures[i];
+    const Measured& measured = crowd.measured[i];
+    const Reading read = reading(measure, measured, scene.time.dt);
+    Json& one = result[measure.name] = {{"count", read.count}};
+    if (measure.area.empty()) one.update({{"forward", measured.count}, {"back", measured.back}});
+    one["flow"] = or_null(read.flow);
+    if (!measure.area.empty()) one["density"] = or_null(read.density);
+    one["speed"] = or_null(read.speed);
+  }
+  return result;
+}
+
 /// What only scenes with agents have.
 Json crowd_summary(const Scene& scene, const State& state) {
   Json stuck = Json::array();
@@ -33,10 +53,12 @@ Json crowd_summary(const Scene& scene, const State& state) {
     stuck.push_back({{"id", agent.id}, {"position", {agent.position.x(), agent.position.y()}}});
   const CrowdState& crowd = state.crowd;
   const double last = static_cast<double>(crowd.last_arrival) * scene.time.dt;
-  return {{"arrived", crowd.arrived},
-          {"last_arrival", crowd.arrived > 0 ? Json(last) : Json(nullptr)},
-          {"wall_corrections", crowd.wall_corrections},
-          {"stuck_agents", stuck}};
+  Json result = {{"arrived", crowd.arrived},
+                 {"last_arrival", crowd.arrived > 0 ? Json(last) : Json(nullptr)},
+                 {"wall_corrections", crowd.wall_corrections},
+                 {"stuck_agents", stuck}};
+  if (!crowd.measured.empty()) result["measure"] = measure_summary(scene, crowd);
+  return result;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/crowd/measure.h"
 #include "sim/crowd/region.h"
 
 /// The agents of a scene: discs that choose their velocity.
@@ -32,6 +33,7 @@ struct Crowd {
   std::vector<AgentGroup> groups;
   std::vector<std::uint32_t> group;   ///< row of `groups`
   std::vector<double> desired_speed;  ///< m/s
+  std::vector<Measure> measures;
 
   std::size_t size() const { return group.size(); }
 };

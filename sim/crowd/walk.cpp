@@ -153,6 +153,17 @@ void Walk::walk(State& state, Workers& workers) {
     state.crowd.stand[row] = state.position[row];
     state.crowd.stand_step[row] = state.step;
   }
+  if (!scene_.crowd.measures.empty()) measure_all(state);
+}
+
+void Walk::measure_all(State& state) {
+  strides_.resize(state.id.size());
+  for (std::size_t place = 0; place < strides_.size(); ++place) {
+    const std::size_t row = cells_.row()[place];
+    strides_[place] = {{ranks_.x[place], ranks_.y[place]}, state.position[row], state.velocity[row].norm()};
+  }
+  for (std::size_t i = 0; i < scene_.crowd.measures.size(); ++i)
+    measure(scene_.crowd.measures[i], strides_, state.step, scene_.time.dt, state.crowd.measured[i]);
 }
 
 void Walk::leave(State& state) {

@@ -32,8 +32,8 @@ class Walk {
   /// Asks the models for the agents' velocities, all from the state as it is.
   void steer(const State& state, Workers& workers);
 
-  /// Walks for dt with these velocities, without getting into barriers, and counts whom one was in the way
-  /// of.
+  /// Walks for dt with these velocities, without getting into barriers; counts whom one was in the way of,
+  /// and what the scene measures.
   void walk(State& state, Workers& workers);
 
   /// Takes those who are in their goal out of the state.
@@ -56,6 +56,7 @@ class Walk {
   void build_goals();
   void expect_ways() const;
   void rank(const State& state, std::size_t place);
+  void measure_all(State& state);
   std::size_t agent(const State& state, std::size_t row) const { return state.id[row] - std::size_t{1}; }
   const AgentGroup& group(std::size_t agent) const { return scene_.crowd.groups[scene_.crowd.group[agent]]; }
 
@@ -69,6 +70,7 @@ class Walk {
   std::vector<std::uint32_t> places_;  // those of each model together
   std::vector<Vec> velocity_;          // by place
   std::vector<std::uint8_t> corrected_;
+  std::vector<Stride> strides_;  // by place; where anything is measured
 };
 
 /// An agent that wanted to walk and hasn't got anywhere for kStuckTime.

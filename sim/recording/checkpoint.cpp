@@ -28,7 +28,7 @@ namespace {
 using Bytes = std::span<const std::byte>;
 
 constexpr std::array<char, 8> kMagic{'t', 'h', 'r', 'o', 'n', 'g', 'C', 'K'};
-constexpr std::uint64_t kLayout = 2;  // grows with every change of State
+constexpr std::uint64_t kLayout = 3;  // grows with every change of State
 
 struct Header {
   std::array<char, 8> magic = kMagic;
@@ -37,6 +37,7 @@ struct Header {
   std::int64_t step = 0;
   std::uint64_t scenario_bytes = 0, bodies = 0, disc_contacts = 0, point_contacts = 0;
   std::uint64_t agents = 0;  // rows of CrowdState: as many as bodies, or none
+  std::uint64_t measures = 0;
   std::int64_t arrived = 0, last_arrival = 0, wall_corrections = 0;
   std::uint64_t frames = 0, frames_hash = 0;
   std::uint64_t content_hash = 0;
@@ -47,6 +48,8 @@ static_assert(std::has_unique_object_representations_v<Header>);
 std::uint64_t hash_of(const Header& header) {
   return hash_bytes(std::as_bytes(std::span(&header, 1)).first(offsetof(Header, hash)));
 }
+
+static_assert(sizeof(Measured) == 6 * sizeof(std::int64_t) + sizeof(double), "every byte of it is written");
 
 /// Contacts, an array a quantity: the struct's own padding has no defined bytes.
 struct Columns {
@@ -80,7 +83,7 @@ void for_each_array(S& state, F visit) {
 
 template <class C, class F>
 void for_each_crowd_array(C& crowd, F visit) {
-  auto& [stand, stand_step, arrived, last_arrival, wall_corrections] = crowd;  // all of CrowdState
+  auto& [stand, stand_step, arrived, last_arrival, wall_corrections, measured] = crowd;  // all of CrowdState
   visit(stand), visit(stand_step);
 }
 
@@ -96,6 +99,7 @@ std::vector<Bytes> content(const std::string& scenario, const State& state, cons
   const auto add = [&](const auto& array) { all.push_back(std::as_bytes(std::span(array))); };
   for_each_array(state, add);
   for_each_crowd_array(state.crowd, add);
+  add(state.crowd.measured);
   for_each_column(discs, add);
   for_each_column(points, add);
   return all;
@@ -146,6 +150,7 @@ Header header_for(const CheckpointOrigin& origin, const State& state) {
   header.disc_contacts = state.disc_contacts.size();
   header.point_contacts = state.point_contacts.size();
   header.agents = state.crowd.stand.size();
+  header.measures = state.crowd.measured.size();
   header.arrived = state.crowd.arrived;
   header.last_arrival = state.crowd.last_arrival;
   header.wall_corrections = state.crowd.wall_corrections;
@@ -191,12 +196,13 @@ void expect_size(const std::string& path, const Header& header, std::uint64_t si
   constexpr std::uint64_t body = sizeof(std::uint32_t) + 6 * sizeof(double);
   constexpr std::uint64_t agent = 2 * sizeof(double) + sizeof(std::int64_t);
   constexpr std::uint64_t contact = sizeof(std::uint64_t) + sizeof(std::uint32_t) + 2 * sizeof(double);
-  const std::uint64_t counts[] = {header.scenario_bytes, header.bodies, header.agents, header.disc_contacts,
-                                  header.point_contacts};
+  const std::uint64_t counts[] = {header.scenario_bytes, header.bodies,        header.agents,
+                                  header.measures,       header.disc_contacts, header.point_contacts};
   const bool bounded = std::all_of(std::begin(counts), std::end(counts), [&](auto n) { return n <= size; });
   const bool crowd = header.agents == 0 || header.agents == header.bodies;
   if (!bounded || !crowd ||
       size != sizeof header + header.scenario_bytes + body * header.bodies + agent * header.agents +
+                  sizeof(Measured) * header.measures +
                   contact * (header.disc_contacts + header.point_contacts))
     refuse_damaged(path, "its size is not what its header says");
 }
@@ -213,11 +219,25 @@ bool are_names(std::vector<std::uint32_t> id, std::int64_t arrived) {
          (id.empty() || (id.front() > 0 && id.back() <= id.size() + static_cast<std::uint64_t>(arrived)));
 }
 
+/// What no run counts up to.
+bool is_count(std::int64_t n) {
+  return 0 <= n && n < std::int64_t{1} << 62;
+}
+
+bool is_sound(const Measured& measured, std::int64_t step) {
+  return 0 <= measured.first && measured.first <= measured.last && measured.last <= step &&
+         0 <= measured.steps && measured.steps <= step && is_count(measured.count) &&
+         is_count(measured.back) && is_count(measured.samples) && measured.speed >= 0.0 &&
+         std::isfinite(measured.speed);
+}
+
 bool is_sound(const CrowdState& crowd, std::int64_t step) {
   const auto past = [step](std::int64_t s) { return s >= 0 && s <= step; };
   return std::all_of(crowd.stand.begin(), crowd.stand.end(), is_near) &&
          std::all_of(crowd.stand_step.begin(), crowd.stand_step.end(), past) && past(crowd.last_arrival) &&
-         crowd.arrived >= 0 && crowd.wall_corrections >= 0;
+         crowd.arrived >= 0 && crowd.wall_corrections >= 0 &&
+         std::all_of(crowd.measured.begin(), crowd.measured.end(),
+                     [&](const Measured& measured) { return is_sound(measured, step); });
 }
 
 bool is_sound(const State& state) {
@@ -252,6 +272,8 @@ Checkpoint read_content(int fd, const std::string& path, const Header& header) {
     array.resize(header.agents);
     read_array(array);
   });
+  state.crowd.measured.resize(header.measures);
+  read_array(state.crowd.measured);
   state.crowd.arrived = header.arrived, state.crowd.last_arrival = header.last_arrival;
   state.crowd.wall_corrections = header.wall_corrections;
   for_each_column(discs, read_array);

@@ -48,7 +48,8 @@ const Case kCases[] = {
     {"domain.sphere = 1", "s.toml:2:8: error: domain.sphere: unknown key"},
     // not supported yet
     {"[[sensors]]\nradius = 1", "error: sensors: not supported yet: sensors"},
-    {"[[measure]]\nname = 'x'", "error: measure: not supported yet: measure"},
+    {"[[measure]]\nname = 'x'\nline = [[0, 0], [1, 0]]",
+     "error: measure: counts agents, and there are none: it needs [[agents]]"},
     {"engine = 'event_driven'", "s.toml:2:10: error: engine: not supported yet: engine"},
     {"contact = { model = 'spring' }", "s.toml:2:21: error: contact.model: not supported yet: contact.model"},
     {"contact = { model = 'hertz' }", "s.toml:2:21: error: contact.model: not supported yet: contact.model"},

@@ -152,4 +152,38 @@ TEST(Crowd, IsAloneInItsPlane) {
                "engine: box2d: agents: ");
 }
 
+TEST(Crowd, IsMeasuredAtLinesAndInAreas) {
+  const Loaded sound = load_text(kFloor + "middle = [[3, 1], [6, 1], [6, 9], [3, 9]]\n" + kGroup + kRandom +
+                                 "[[measure]]\nname = 'door'\nline = [[9, 2], [9, 3]]\nfrom = 5\nuntil = 60\n"
+                                 "[[measure]]\nname = 'middle'\narea = 'middle'\n");
+  ASSERT_EQ(sound.errors(), 0) << faults(sound);
+  const std::vector<Measure>& measures = sound.scene.crowd.measures;
+  ASSERT_EQ(measures.size(), 2u);
+  EXPECT_EQ(measures[0].line[1], Vec(9, 3));
+  EXPECT_EQ(measures[0].from, 5.0);
+  EXPECT_EQ(measures[0].until, 60.0);
+  EXPECT_EQ(measures[1].from, 0.0);
+  EXPECT_FALSE(measures[1].area.empty());
+  EXPECT_DOUBLE_EQ(measures[1].size, 3 * 4 - 1)
+      << "what of it is floor: the pillar and what is outside are not";
+}
+
+TEST(Crowd, IsNotMeasuredWhereTheMeasureSaysNothing) {
+  const std::string crowd =
+      kFloor + "far = [[20, 0], [21, 0], [21, 1]]\n" + kGroup + "at = [1, 1]\n[[measure]]\n";
+  expect_fault(crowd + "name = 'x'\n", "measure[0]: needs exactly one of line, area");
+  expect_fault(crowd + "line = [[0, 0], [1, 0]]\n", "measure[0].name: is missing");
+  expect_fault(crowd + "name = 'x'\nline = [[1, 0], [1, 0]]\n",
+               "measure[0].line: must have two different ends");
+  expect_fault(crowd + "name = 'x'\nline = [[1, 0], [1, 2], [1, 3]]\n",
+               "measure[0].line: must be two points");
+  expect_fault(crowd + "name = 'x'\narea = 'far'\n",
+               "measure[0].area: has nothing in common with the walkable area");
+  expect_fault(crowd + "name = 'x'\narea = 'nowhere'\n", "measure[0].area: ");
+  expect_fault(crowd + "name = 'x'\narea = 'start'\nfrom = 3\nuntil = 3\n",
+               "measure[0].until: must be after `from`");
+  expect_fault(crowd + "name = 'x'\narea = 'start'\n[[measure]]\nname = 'x'\narea = 'exit'\n",
+               "measure[1].name: is that of another measure too");
+}
+
 }  // namespace throng

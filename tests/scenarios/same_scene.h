@@ -69,6 +69,15 @@ inline void expect_same(const Scene& a, const Scene& b) {
     EXPECT_EQ(a.crowd.areas[i].name, b.crowd.areas[i].name);
     EXPECT_EQ(a.crowd.areas[i].region.rings, b.crowd.areas[i].region.rings);
   }
+  ASSERT_EQ(a.crowd.measures.size(), b.crowd.measures.size());
+  for (std::size_t i = 0; i < a.crowd.measures.size(); ++i) {
+    EXPECT_EQ(a.crowd.measures[i].name, b.crowd.measures[i].name);
+    EXPECT_EQ(a.crowd.measures[i].line, b.crowd.measures[i].line);
+    EXPECT_EQ(a.crowd.measures[i].area.rings, b.crowd.measures[i].area.rings);
+    EXPECT_EQ(a.crowd.measures[i].size, b.crowd.measures[i].size);
+    EXPECT_EQ(a.crowd.measures[i].from, b.crowd.measures[i].from);
+    EXPECT_EQ(a.crowd.measures[i].until, b.crowd.measures[i].until);
+  }
   ASSERT_EQ(a.crowd.groups.size(), b.crowd.groups.size());
   for (std::size_t i = 0; i < a.crowd.groups.size(); ++i) {
     EXPECT_EQ(a.crowd.groups[i].model, b.crowd.groups[i].model);

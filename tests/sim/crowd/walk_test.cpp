@@ -116,9 +116,10 @@ TEST(Walk, GoesOnFromAStateWithTheBitsOfTheRunItself) {
 }
 
 TEST(Walk, ACheckpointKeepsAllOfACrowd) {
-  Trial run(rooms("collision_free_speed"));
+  Trial run(rooms("collision_free_speed") + "[[measure]]\nname = 'door'\nline = [[6, 2.5], [6, 3.5]]\n");
   run.steps(500);
   ASSERT_GT(run.state.crowd.arrived, 0);
+  ASSERT_GT(run.state.crowd.measured.at(0).count, 0);
   const std::string file = ::testing::TempDir() + "crowd.ckpt";
   recording::write_checkpoint(file, {"1", "", 0, 0}, run.state);
   const State read = recording::read_checkpoint(file).state;
@@ -128,6 +129,8 @@ TEST(Walk, ACheckpointKeepsAllOfACrowd) {
   EXPECT_EQ(read.crowd.arrived, run.state.crowd.arrived);
   EXPECT_EQ(read.crowd.last_arrival, run.state.crowd.last_arrival);
   EXPECT_EQ(read.crowd.wall_corrections, run.state.crowd.wall_corrections);
+  EXPECT_EQ(read.crowd.measured, run.state.crowd.measured);
+  EXPECT_TRUE(fits(read, run.scene));
   std::remove(file.c_str());
 }
 

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "scenarios/path.h"
+#include "scenarios/polygon_check.h"
+#include "scenarios/read_crowd.h"
+
+namespace throng::scenarios {
+
+namespace {
+
+class MeasureReader {
+ public:
+  MeasureReader(const toml::table& table, const Path& path, Scene& scene, Report& report)
+      : table_(table), path_(path), scene_(scene), report_(report) {}
+
+  void read() {
+    measure_.name = text(table_, "name", "");
+    measure_.from = number(table_, "from", 0.0);
+    measure_.until = number(table_, "until", measure_.until);
+    if (!(measure_.from < measure_.until)) fail("until", "must be after `from`");
+    for (const Measure& other : scene_.crowd.measures)
+      if (other.name == measure_.name) fail("name", "is that of another measure too");
+    table_.contains("line") ? read_line() : read_area();
+    scene_.crowd.measures.push_back(std::move(measure_));
+  }
+
+ private:
+  void read_line() {
+    const std::vector<Vec> ends = points(*table_.get("line"));
+    measure_.line = {ends[0], ends[1]};
+    measure_.size = (ends[1] - ends[0]).norm();
+    if (!(measure_.size > 0.0)) fail("line", "must have two different ends");
+  }
+
+  void read_area() {
+    const std::string name = text(table_, "area", "");
+    for (const Area& area : scene_.crowd.areas)
+      if (area.name == name) measure_.area = area.region;
+    if (measure_.area.empty()) return;  // its fault was reported where it stands
+    measure_.size = common_area(measure_.area, scene_.crowd.walkable);
+    if (!(measure_.size > 0.0)) fail("area", "has nothing in common with the walkable area");
+  }
+
+  void fail(std::string_view key, std::string message) {
+    const toml::node* node = table_.get(key);
+    report_.error(node ? *node : table_, path_.text() + "." + std::string(key), std::move(message));
+  }
+
+  const toml::table& table_;
+  const Path& path_;
+  Scene& scene_;
+  Report& report_;
+  Measure measure_;
+};
+
+}  // namespace
+
+void read_measures(const toml::table& root, Scene& scene, Report& report) {
+  const toml::node* node = root.get("measure");
+  if (!node || !node->is_array()) return;
+  if (!root.contains("agents"))
+    return report.error(*node, "measure", "counts agents, and there are none: it needs [[agents]]");
+  const Path root_path, path(root_path, "measure");
+  const toml::array& list = *node->as_array();
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (const Path entry(path, i); !report.bad(*list.get(i)))
+      MeasureReader(*list.get(i)->as_table(), entry, scene, report).read();
+}
+
+}  // namespace throng::scenarios

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sim/crowd/region.h"
+
+/// What is counted while a crowd walks: who crosses a line, who is in an area.
+namespace throng {
+
+struct Measure {
+  std::string name;
+  std::array<Vec, 2> line;  ///< m, from and to; of areas unused
+  Region area;              ///< empty: a line
+  double size = 0.0;        ///< m, the line's length; m², the walkable part of the area
+  double from = 0.0, until = std::numeric_limits<double>::infinity();  ///< s: measured are the steps between
+};
+
+/// What was measured so far; all of it zero before the first step.
+struct Measured {
+  std::int64_t count = 0;          ///< of a line crossings from its left to its right, of an area entries
+  std::int64_t back = 0;           ///< of a line crossings from its right to its left
+  std::int64_t first = 0, last = 0;  ///< steps of the first and the last of them
+  std::int64_t steps = 0;          ///< that were measured
+  std::int64_t samples = 0;        ///< of a line crossings, of an area agents in it, over all steps
+  double speed = 0.0;              ///< m/s, the sum over the samples
+
+  friend bool operator==(const Measured&, const Measured&) = default;
+};
+
+/// An agent's step.
+struct Stride {
+  Vec from, to;        ///< m
+  double speed = 0.0;  ///< m/s
+};
+
+/// +1 where the step goes over the line from the left of it, as seen by who looks from its first point to its
+/// second, to the right, -1 where it goes back, else 0. On the line is to its right: who stops there and goes
+/// on crosses it once.
+int crossing(const std::array<Vec, 2>& line, const Vec& from, const Vec& to);
+
+/// Adds a step of all agents, which ends at `step`. O(strides), little where they aren't near.
+void measure(const Measure& measure, std::span<const Stride> strides, std::int64_t step, double dt,
+             Measured& measured);
+
+/// What the measured says, in the words of the field. Nothing where too little was measured.
+struct Reading {
+  std::int64_t count;             ///< crossings both ways; different entries
+  std::optional<double> flow;     ///< 1/s: of crossings, from the first to the last; 1/(m s) in an area
+  std::optional<double> density;  ///< 1/m², mean over time, of an area
+  std::optional<double> speed;    ///< m/s, mean of those who cross, or of all in the area over time
+};
+
+Reading reading(const Measure& measure, const Measured& measured, double dt);
+
+}  // namespace throng

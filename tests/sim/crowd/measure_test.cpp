@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "sim/crowd/measure.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/sim/trial.h"
+
+namespace throng {
+namespace {
+
+const std::array<Vec, 2> kUp{Vec(2, 0), Vec(2, 1)};  // its left is where x < 2
+
+TEST(Crossing, CountsWaysOverTheLineByTheirSense) {
+  EXPECT_EQ(crossing(kUp, {1.9, 0.5}, {2.1, 0.5}), 1);
+  EXPECT_EQ(crossing(kUp, {2.1, 0.5}, {1.9, 0.5}), -1);
+  EXPECT_EQ(crossing({kUp[1], kUp[0]}, {1.9, 0.5}, {2.1, 0.5}), -1);
+  EXPECT_EQ(crossing(kUp, {1.9, 0.5}, {1.95, 0.7}), 0);
+  EXPECT_EQ(crossing(kUp, {1.9, 1.1}, {2.1, 1.1}), 0);   // past its end
+  EXPECT_EQ(crossing(kUp, {1.9, -0.1}, {2.1, -0.1}), 0);
+  EXPECT_EQ(crossing(kUp, {1, 0.9}, {3, 1.2}), 0);  // bends round the end: at x = 2 it is at y = 1.05
+  EXPECT_EQ(crossing(kUp, {1, 0.7}, {3, 1.2}), 1);  // at y = 0.95
+}
+
+TEST(Crossing, CountsWhoStopsOnTheLineOnce) {
+  EXPECT_EQ(crossing(kUp, {1.9, 0.5}, {2.0, 0.5}) + crossing(kUp, {2.0, 0.5}, {2.1, 0.5}), 1);
+  EXPECT_EQ(crossing(kUp, {1.9, 0.5}, {2.0, 0.5}) + crossing(kUp, {2.0, 0.5}, {1.9, 0.5}), 0);
+  EXPECT_EQ(crossing(kUp, {2.0, 0.2}, {2.0, 0.7}), 0);
+}
+
+Measure door() {
+  return {"door", kUp, {}, 1.0};
+}
+
+TEST(Measure, GivesTheFlowOverALineFromItsFirstCrossingToItsLast) {
+  Measured measured;
+  const Stride over{{1.9, 0.5}, {2.1, 0.5}, 1.5}, back{{2.1, 0.5}, {1.9, 0.5}, 0.5};
+  measure(door(), {}, 1, 0.1, measured);
+  EXPECT_FALSE(reading(door(), measured, 0.1).flow || reading(door(), measured, 0.1).speed);
+  measure(door(), std::array{over}, 10, 0.1, measured);
+  EXPECT_EQ(reading(door(), measured, 0.1).count, 1);
+  EXPECT_FALSE(reading(door(), measured, 0.1).flow);
+  measure(door(), std::array{over, back}, 20, 0.1, measured);
+  measure(door(), std::array{over}, 50, 0.1, measured);
+  const Reading all = reading(door(), measured, 0.1);
+  EXPECT_EQ(measured.count, 3);
+  EXPECT_EQ(measured.back, 1);
+  EXPECT_EQ(all.count, 4);
+  EXPECT_DOUBLE_EQ(*all.flow, 3 / 4.0);
+  EXPECT_DOUBLE_EQ(*all.speed, (3 * 1.5 + 0.5) / 4);
+  EXPECT_FALSE(all.density);
+}
+
+TEST(Measure, LooksBetweenItsTimesAlone) {
+  Measure late = door();
+  late.from = 1, late.until = 2;
+  Measured measured;
+  const Stride over{{1.9, 0.5}, {2.1, 0.5}, 1.5};
+  for (int step : {9, 10, 20, 21}) measure(late, std::array{over}, step, 0.1, measured);
+  EXPECT_EQ(measured.count, 2);
+  EXPECT_EQ(measured.steps, 2);
+}
+
+TEST(Measure, GivesDensityAndSpeedInAnArea) {
+  const Measure hall{"hall", {}, {{{{0, 0}, {4, 0}, {4, 5}, {0, 5}}}}, 20.0};
+  Measured measured;
+  const Stride in{{1, 1}, {1.1, 1}, 1.0}, enters{{-0.1, 1}, {0.1, 1}, 2.0}, leaves{{3.9, 1}, {4.1, 1}, 9.0};
+  measure(hall, std::array{in, leaves}, 1, 0.1, measured);
+  measure(hall, std::array{in, enters}, 2, 0.1, measured);
+  const Reading read = reading(hall, measured, 0.1);
+  EXPECT_EQ(read.count, 2);
+  EXPECT_DOUBLE_EQ(*read.density, 1.5 / 20);
+  EXPECT_DOUBLE_EQ(*read.speed, 4.0 / 3);
+  EXPECT_DOUBLE_EQ(*read.flow, 1.5 / 20 * 4 / 3);
+}
+
+/// Three walk one after the other through the middle of a hall.
+std::string column(const std::string& measures) {
+  return "time = { dt = 0.02, until = 10 }\nwalkable = 'POLYGON ((0 0, 12 0, 12 2, 0 2, 0 0))'\n"
+         "areas.exit = [[11, 0], [12, 0], [12, 2], [11, 2]]\nareas.hall = [[4, 0], [8, 0], [8, 9], [4, 9]]\n"
+         "[[agents]]\ngoal = 'exit'\nmodel = 'constant_velocity'\ndesired_speed = 1\nat = [1, 1]\n"
+         "[[agents]]\ngoal = 'exit'\nmodel = 'constant_velocity'\ndesired_speed = 1\nat = [2, 1]\n"
+         "[[agents]]\ngoal = 'exit'\nmodel = 'constant_velocity'\ndesired_speed = 1\nat = [3, 1]\n" +
+         measures;
+}
+
+TEST(Measure, CountsAWalkingColumn) {
+  Trial run(column("[[measure]]\nname = 'door'\nline = [[6, 0], [6, 2]]\n"
+                   "[[measure]]\nname = 'hall'\narea = 'hall'\nfrom = 3\nuntil = 5\n"));
+  run.steps(500);
+  const auto& [door, hall] = std::tie(run.state.crowd.measured[0], run.state.crowd.measured[1]);
+  EXPECT_EQ(door.count, 3);
+  EXPECT_EQ(door.back, 0);
+  const Reading line = reading(run.scene.crowd.measures[0], door, 0.02);
+  EXPECT_NEAR(*line.flow, 1.0, 0.01);
+  EXPECT_NEAR(*line.speed, 1.0, 1e-9);
+  // From 3 to 5 s they are at 4 to 6, 5 to 7, 6 to 8 m.
+  EXPECT_DOUBLE_EQ(run.scene.crowd.measures[1].size, 8.0);  // of 4 m by 9 m, 2 m are floor
+  const Reading area = reading(run.scene.crowd.measures[1], hall, 0.02);
+  EXPECT_NEAR(*area.density, 3.0 / 8, 0.01);
+  EXPECT_NEAR(*area.speed, 1.0, 1e-9);
+  EXPECT_EQ(hall.steps, 101);
+}
+
+TEST(Measure, IsTheSameAfterACheckpointAndWithAnyThreads) {
+  const Scene scene = scene_from(column("[[measure]]\nname = 'door'\nline = [[6, 0], [6, 2]]\n"));
+  Trial one(scene), three(scene, 3);
+  one.steps(300), three.steps(300);
+  EXPECT_EQ(one.state.crowd.measured, three.state.crowd.measured);
+  EXPECT_GT(one.state.crowd.measured[0].count, 0);
+}
+
+}  // namespace
+}  // namespace throng
