@@ -163,6 +163,26 @@ Field model_parameters(const ModelKind& kind) {
   return {kind.name, table(std::move(parameters)), kind.doc};
 }
 
+Type goal() {
+  const Type nearest = list(name_in("areas"), 1, "a list of names of areas");
+  const Type one =
+      table({{required({"nearest", nearest, "To the nearest of these areas, by the way there."})}});
+  const Type any = table({{{"nearest", nearest, "To the nearest of these areas, by the way there."},
+                           {"weights", named(number(0, 1e6)),
+                            "Each agent to one of these areas, by chance in proportion to its weight."}},
+                          {"nearest", "weights"}});
+  return either({name_in("areas"), list(either({name_in("areas"), one}), 1, "a list of goals"), any});
+}
+
+Type appear_table() {
+  return table({{{"rate", number(1e-9, 1e6, "1/s"), "How many agents a second."},
+                 {"times", list(number(0, 1e12, "s"), 1, "a list of times, ascending"),
+                  "When agents appear, s; ascending."},
+                 {"from", number(0, 1e12, "s"), "When the first of a rate appear, s.", "0.0"},
+                 {"together", integer(1, kMostBodies), "So many appear at once.", "1"}},
+                {"rate", "times"}});
+}
+
 Table agent_table() {
   const Type random =
       table({{required({"within", either({name_in("areas"), box()}),
@@ -172,15 +192,23 @@ Table agent_table() {
   for (const ModelKind& kind : walking_models()) names.push_back(kind.name);
   Table result{
       {required({"model", choice(names), "How agents decide how to walk."}),
-       required({"goal", name_in("areas"),
-                 "Name of the area that they walk to, by the shortest way, and leave at."}),
+       required({"goal", goal(),
+                 "Where they walk to, by the shortest way, and leave: the name of an area, or a list of them "
+                 "to be "
+                 "walked to one after the other."}),
        {"at", point(), "Where the agent stands, m."},
        {"place", table({{required({"random", random, "Anywhere that is free, uniformly at random."})}}),
         "How to place more than one agent."},
        {"count", integer(0, kMostBodies), "How many agents.", "1"},
        {"radius", distribution(length(), "radius, m,"), "Radius, m.", "0.2"},
        {"desired_speed", distribution(number(0, kFastest, "m/s"), "speed, m/s,"),
-        "Speed when nothing is in the way, m/s.", "1.34"}},
+        "Speed when nothing is in the way, m/s.", "1.34"},
+       {"premovement", distribution(number(0, 1e9, "s"), "time, s,"),
+        "How long they stand before they set out, s, from the start or from when they are due.", "0.0"},
+       {"appear", appear_table(),
+        "They appear in the course of time, at places of `place`, as soon as there is room; absent: all are "
+        "there "
+        "at the start."}},
       {"at", "place"}};
   for (const ModelKind& kind : walking_models())
     if (!kind.parameters.empty()) result.fields.push_back(model_parameters(kind));

@@ -21,7 +21,15 @@ std::uint32_t disc_shape(Scene& scene) {
   return static_cast<std::uint32_t>(scene.shapes.size() - 1);
 }
 
-void add_agent(const AgentEntry& entry, std::uint32_t group, std::uint32_t shape, Scene& scene) {
+/// One of the entry's journeys, by chance in proportion to their weights.
+std::uint32_t draw_journey(const AgentEntry& entry, Random random) {
+  const double drawn = random.uniform() * entry.weights.back();
+  const auto row = std::upper_bound(entry.weights.begin(), entry.weights.end() - 1, drawn);
+  return entry.journeys[static_cast<std::size_t>(row - entry.weights.begin())];
+}
+
+void add_agent(const AgentEntry& entry, std::uint32_t group, std::uint32_t i, std::uint32_t shape,
+               Scene& scene) {
   Bodies& bodies = scene.bodies;
   const auto id = static_cast<std::uint32_t>(bodies.size() + 1);
   Random radius(scene.seed, 0, id, Purpose::radius), speed(scene.seed, 0, id, Purpose::desired_speed);
@@ -33,8 +41,13 @@ void add_agent(const AgentEntry& entry, std::uint32_t group, std::uint32_t shape
   bodies.angle.push_back(0.0);
   bodies.velocity.push_back(Vec(0.0, 0.0));
   bodies.spin.push_back(0.0);
-  scene.crowd.group.push_back(group);
-  scene.crowd.desired_speed.push_back(draw(entry.desired_speed, speed));
+  Crowd& crowd = scene.crowd;
+  crowd.group.push_back(group);
+  crowd.journey.push_back(draw_journey(entry, Random(scene.seed, 0, id, Purpose::journey)));
+  crowd.desired_speed.push_back(draw(entry.desired_speed, speed));
+  crowd.due.push_back(entry.appears ? entry.appears->due(i) : 0.0);
+  Random premovement(scene.seed, 0, id, Purpose::premovement);
+  crowd.start.push_back(crowd.due.back() + draw(entry.premovement, premovement));
 }
 
 /// Random sequential addition, in the order of the ids.
@@ -74,7 +87,7 @@ class AgentPlacer {
       const double y = random.uniform(box.min().y(), box.max().y());
       if (!is_free({x, y}, radius, entry)) continue;
       scene_.bodies.position[row] = {x, y};
-      agents_.add(row, {x, y}, radius);
+      if (!entry.appears) agents_.add(row, {x, y}, radius);
       return;
     }
     report_.mark_bad(*entry.node);
@@ -85,8 +98,8 @@ class AgentPlacer {
 
   bool is_free(const Vec& p, double radius, const AgentEntry& entry) const {
     return contains(entry.within, p) && (nearest_on_border(entry.within, p) - p).norm() >= radius &&
-           !agents_.visit_near(p, radius + entry.gap,
-                               [](std::uint32_t, const Vec&, double) { return true; }) &&
+           (entry.appears || !agents_.visit_near(p, radius + entry.gap,
+                                                 [](std::uint32_t, const Vec&, double) { return true; })) &&
            stands(p, radius + entry.gap);
   }
 
@@ -119,7 +132,9 @@ void place_agents(std::span<const AgentEntry> entries, Scene& scene, Report& rep
   double farthest = 0.0;
   for (std::uint32_t group = 0; group < entries.size(); ++group) {
     first.push_back(static_cast<std::uint32_t>(scene.bodies.size()));
-    for (std::uint32_t i = 0; i < entries[group].count; ++i) add_agent(entries[group], group, shape, scene);
+    for (std::uint32_t i = 0; i < entries[group].count; ++i)
+      add_agent(entries[group], group, i, shape, scene);
+    scene.crowd.groups[group].first = first[group], scene.crowd.groups[group].count = entries[group].count;
     for (std::uint32_t row = first[group]; row < scene.bodies.size(); ++row)
       farthest = std::max(farthest, scene.bodies.radius[row] + entries[group].gap);
     check_step(entries[group], scene.crowd.groups[group], first[group], scene, report);

@@ -12,9 +12,6 @@ namespace throng::scenarios {
 /// a text that `read_wkt` takes.
 std::string polygon_fault(const std::string& wkt);
 
-/// m², of what two regions have in common. Expects rings that `polygon_fault` finds sound.
-double common_area(const Region& a, const Region& b);
-
 /// The ring as a well-known text, exact to the last bit.
 std::string polygon_wkt(const std::vector<Vec>& ring);
 

@@ -6,6 +6,7 @@
 #include "scenarios/limits.h"
 #include "scenarios/path.h"
 #include "scenarios/polygon_check.h"
+#include "scenarios/region_sets.h"
 #include "sim/crowd/model.h"
 
 namespace throng::scenarios {
@@ -38,7 +39,7 @@ Region region_of(const Eigen::AlignedBox2d& box) {
   return {{{low, {high.x(), low.y()}, high, {low.x(), high.y()}}}};
 }
 
-/// Row of the area of this name, which the check found.
+/// Row of the area of this name; behind the last one where there is none.
 std::uint32_t area_row(const std::string& name, const Scene& scene) {
   const std::vector<Area>& areas = scene.crowd.areas;
   const auto found =
@@ -57,8 +58,11 @@ class AgentReader {
     entry_.count = static_cast<std::uint32_t>(number(table_, "count", 1.0));
     entry_.radius = distribution("radius", 0.2, kShortest, kFarthest);
     entry_.desired_speed = distribution("desired_speed", 1.34, 0.0, kFastest);
+    entry_.premovement = distribution("premovement", 0.0, 0.0, 1e9);
     read_group(index);
+    read_goal();
     read_place();
+    read_appearance();
     return entry_;
   }
 
@@ -77,7 +81,6 @@ class AgentReader {
     const auto kinds = walking_models();
     AgentGroup group;
     group.index = index;
-    group.goal = area_row(text(table_, "goal", ""), scene_);
     for (std::uint32_t row = 0; row < kinds.size(); ++row) {
       const toml::node* node = table_.get(kinds[row].name);
       if (name == kinds[row].name) {
@@ -91,6 +94,85 @@ class AgentReader {
       }
     }
     scene_.crowd.groups.push_back(std::move(group));
+  }
+
+  /// The row of the goal, which is made where it is new.
+  std::uint32_t goal_row(const toml::node& node) {
+    std::vector<std::string> names;
+    if (node.is_string())
+      names.push_back(node.as_string()->get());
+    else
+      for (const toml::node& name : *node.as_table()->get("nearest")->as_array())
+        names.push_back(name.as_string()->get());
+    std::vector<Region> regions;
+    Area goal;
+    for (const std::string& name : names) {
+      goal.name += (goal.name.empty() ? "" : " or ") + in_quotes(name);
+      regions.push_back(scene_.crowd.areas[area_row(name, scene_)].region);
+    }
+    std::vector<Area>& goals = scene_.crowd.goals;
+    const auto found =
+        std::find_if(goals.begin(), goals.end(), [&](const Area& other) { return other.name == goal.name; });
+    const auto row = static_cast<std::uint32_t>(found - goals.begin());
+    if (found != goals.end()) return row;
+    if (report_.errors() == 0) goal.region = united(regions);
+    goals.push_back(std::move(goal));
+    return row;
+  }
+
+  void add_journey(Journey journey, double weight) {
+    const double before = entry_.weights.empty() ? 0.0 : entry_.weights.back();
+    entry_.journeys.push_back(static_cast<std::uint32_t>(scene_.crowd.journeys.size()));
+    entry_.weights.push_back(before + weight);
+    scene_.crowd.journeys.push_back(std::move(journey));
+  }
+
+  void read_goal() {
+    const toml::node& node = *table_.get("goal");
+    const toml::node* weights = node.is_table() ? node.as_table()->get("weights") : nullptr;
+    Journey journey;
+    if (weights) return read_weights(*weights->as_table());
+    if (node.is_array())
+      for (const toml::node& goal : *node.as_array()) journey.push_back(goal_row(goal));
+    else
+      journey.push_back(goal_row(node));
+    add_journey(std::move(journey), 1.0);
+  }
+
+  void read_weights(const toml::table& weights) {
+    for (const auto& [name, weight] : weights) {
+      const toml::value<std::string> goal{std::string(name.str())};
+      if (area_row(goal.get(), scene_) == scene_.crowd.areas.size())
+        return fail(weight, "goal.weights." + goal.get(), "is not the name of an entry of [areas]");
+      if (number(weight) > 0.0) add_journey({goal_row(goal)}, number(weight));
+    }
+    if (entry_.journeys.empty()) fail(weights, "goal.weights", "must hold a weight above 0");
+  }
+
+  void read_appearance() {
+    const toml::node* node = table_.get("appear");
+    if (!node) return;
+    const toml::table& table = *node->as_table();
+    Appearance appears{number(table, "rate", 0.0),
+                       number(table, "from", 0.0),
+                       {},
+                       static_cast<std::uint32_t>(number(table, "together", 1.0))};
+    if (const toml::node* times = table.get("times")) {
+      for (const toml::node& time : *times->as_array()) appears.times.push_back(number(time));
+      if (!std::is_sorted(appears.times.begin(), appears.times.end()))
+        fail(*times, "appear.times", "must be ascending");
+      if (table.contains("from")) fail(*table.get("from"), "appear.from", "belongs to a rate");
+      const std::size_t all = appears.times.size() * appears.together;
+      if (!table_.contains("count"))
+        entry_.count = static_cast<std::uint32_t>(std::min<std::size_t>(all, kMostBodies));
+      if (entry_.count > all)
+        fail(*times, "appear.times",
+             "make " + std::to_string(all) + " agents appear, and count is " + std::to_string(entry_.count));
+    }
+    if (!entry_.random)
+      fail(*node, "appear", "needs place.random: where there is room is found when they appear");
+    scene_.crowd.groups.back().entrance = Entrance{entry_.within, entry_.gap};
+    entry_.appears = std::move(appears);
   }
 
   void read_place() {
@@ -113,9 +195,9 @@ class AgentReader {
            "must have its least x and y first, [[min x, min y], [max x, max y]]");
   }
 
-  void fail(const toml::node& node, std::string_view key, std::string message) {
+  void fail(const toml::node& node, const std::string& key, const std::string& message) {
     report_.mark_bad(table_);
-    report_.error(node, path_.text() + "." + std::string(key), std::move(message));
+    report_.error(node, path_.text() + "." + key, message);
   }
 
   const toml::table& table_;
@@ -136,6 +218,11 @@ void check_ground(const toml::table& root, const toml::node& agents, const Scene
 }
 
 }  // namespace
+
+double Appearance::due(std::uint32_t agent) const {
+  const std::uint32_t batch = agent / together;
+  return times.empty() ? from + static_cast<double>(batch) * together / rate : times[batch];
+}
 
 void read_areas(const toml::table& root, Scene& scene, Report& report) {
   const Path root_path;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,10 +10,22 @@
 
 namespace throng::scenarios {
 
+/// When agents appear: `together` of them each 1 / `rate` * `together` s from `from` on, or at these times.
+struct Appearance {
+  double rate = 0.0, from = 0.0;  ///< 1/s, s
+  std::vector<double> times;      ///< s, ascending; empty: at that rate
+  std::uint32_t together = 1;
+
+  double due(std::uint32_t agent) const;  ///< s, of the entry's agents counted from 0
+};
+
 /// One [[agents]] entry.
 struct AgentEntry {
   std::uint32_t count = 0;
-  Distribution radius, desired_speed;  ///< m, m/s
+  Distribution radius, desired_speed, premovement;  ///< m, m/s, s
+  std::vector<std::uint32_t> journeys;              ///< rows of Crowd::journeys, of which each agent has one
+  std::vector<double> weights;                      ///< of each, added up
+  std::optional<Appearance> appears;
   bool random = false;
   Vec at{0.0, 0.0};  ///< m
   Region within;     ///< of random places

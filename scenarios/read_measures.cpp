@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "scenarios/path.h"
-#include "scenarios/polygon_check.h"
 #include "scenarios/read_crowd.h"
+#include "scenarios/region_sets.h"
 
 namespace throng::scenarios {
 

@@ -69,6 +69,8 @@ std::vector<Stage> stages(const Scene& scene, const Plan& plan) {
        plan.crowd ? counted(scene.crowd.size(), "agent") + " look, steer, walk and leave at " +
                         (scene.crowd.groups.size() > 1 ? "their goals" : "their goal")
                   : "no agents"},
+      {"appear", plan.entrances,
+       plan.entrances ? "some agents appear when they are due" : "nobody appears in the course of time"},
       {"wrap", plan.periodic, plan.periodic ? "the domain is periodic" : "the domain is not periodic"},
   };
 }
@@ -89,6 +91,9 @@ Plan plan_for(const Scene& scene, ContactModel contact) {
   plan.obstacles = touching && (!scene.walls.empty() || count(scene, BodyKind::fixed) > 0);
   plan.box = touching && scene.domain.kind == DomainKind::box;
   plan.crowd = scene.crowd.size() > 0;
+  plan.entrances = plan.crowd && std::ranges::any_of(scene.crowd.groups, [](const AgentGroup& group) {
+                     return group.entrance.has_value();
+                   });
   plan.periodic = scene.domain.kind == DomainKind::periodic;
   plan.polygons = any_moving(scene, [&](std::size_t row) { return !is_disc(scene, row); });
   plan.composites = any_moving(

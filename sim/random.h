@@ -10,7 +10,16 @@ namespace throng {
 
 /// What a number is drawn for; purposes never share numbers. The values are part of what a seed means: never
 /// reuse one.
-enum class Purpose : std::uint8_t { radius = 1, angle, velocity, place, desired_speed, doubt };
+enum class Purpose : std::uint8_t {
+  radius = 1,
+  angle,
+  velocity,
+  place,
+  desired_speed,
+  doubt,
+  journey,
+  premovement
+};
 
 /// The block cipher Philox4x32-10 of Salmon et al., "Parallel random numbers: as easy as 1, 2, 3" (SC 2011).
 std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter, std::array<std::uint32_t, 2> key);

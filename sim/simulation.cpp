@@ -27,8 +27,7 @@ class Native : public Simulation {
 
   std::vector<std::pair<std::string, double>> stage_times() const override {
     const StageTimes& times = work_.times;
-    if (plan_.crowd)
-      return {{"look", times.look}, {"steer", times.steer}, {"walk", times.walk}, {"leave", times.leave}};
+    if (plan_.crowd) return crowd_times(times);
     if (!plan_.contacts()) return {{"integrate", times.solve}, {"store", times.store}};
     return {{"find_pairs", times.find_pairs},
             {"find_contacts", times.find_contacts},
@@ -37,6 +36,13 @@ class Native : public Simulation {
   }
 
  private:
+  std::vector<std::pair<std::string, double>> crowd_times(const StageTimes& times) const {
+    std::vector<std::pair<std::string, double>> all{
+        {"look", times.look}, {"steer", times.steer}, {"walk", times.walk}, {"leave", times.leave}};
+    if (plan_.entrances) all.push_back({"appear", times.appear});
+    return all;
+  }
+
   const Scene& scene_;
   Plan plan_;
   State state_;

@@ -32,26 +32,44 @@ std::uint64_t bits(double x) {
 State initial_state(const Scene& scene) {
   const Bodies& bodies = scene.bodies;
   State state;
-  state.id.resize(bodies.size());
-  std::iota(state.id.begin(), state.id.end(), 1u);
-  state.position = bodies.position;
-  state.angle = bodies.angle;
-  state.velocity = bodies.velocity;
-  state.spin = bodies.spin;
-  if (scene.crowd.size() > 0) {
-    state.crowd.stand = state.position;
-    state.crowd.stand_step.assign(bodies.size(), 0);
-    state.crowd.measured.resize(scene.crowd.measures.size());
-  }
+  const auto add = [&](std::size_t row) {
+    state.id.push_back(static_cast<std::uint32_t>(row + 1));
+    state.position.push_back(bodies.position[row]);
+    state.angle.push_back(bodies.angle[row]);
+    state.velocity.push_back(bodies.velocity[row]);
+    state.spin.push_back(bodies.spin[row]);
+  };
+  const Crowd& crowd = scene.crowd;
+  for (std::size_t row = 0; row < bodies.size(); ++row)
+    if (crowd.size() == 0 || !crowd.groups[crowd.group[row]].entrance) add(row);
+  if (crowd.size() == 0) return state;
+  state.crowd.stand = state.position;
+  state.crowd.stand_step.resize(state.id.size());
+  state.crowd.stage.resize(state.id.size());
+  state.crowd.measured.resize(crowd.measures.size());
+  for (const AgentGroup& group : crowd.groups)
+    state.crowd.waiting.push_back(group.entrance ? group.count : 0);
   return state;
 }
 
+std::uint64_t waiting(const CrowdState& crowd) {
+  return std::accumulate(crowd.waiting.begin(), crowd.waiting.end(), std::uint64_t{0});
+}
+
 bool fits(const State& state, const Scene& scene) {
-  const bool crowd = scene.crowd.size() > 0;
-  const std::size_t rows = state.id.size(), arrived = static_cast<std::size_t>(state.crowd.arrived);
-  return rows + arrived == scene.bodies.size() && (crowd || arrived == 0) &&
-         state.crowd.stand.size() == (crowd ? rows : 0) &&
-         state.crowd.measured.size() == (crowd ? scene.crowd.measures.size() : 0);
+  const CrowdState& crowd = state.crowd;
+  const Crowd& of = scene.crowd;
+  const bool agents = of.size() > 0;
+  const std::size_t rows = state.id.size(), arrived = static_cast<std::size_t>(crowd.arrived);
+  if (rows + arrived + waiting(crowd) != scene.bodies.size() || crowd.stand.size() != (agents ? rows : 0) ||
+      crowd.waiting.size() != (agents ? of.groups.size() : 0) ||
+      crowd.measured.size() != (agents ? of.measures.size() : 0) || (arrived > 0 && !agents))
+    return false;
+  for (std::size_t group = 0; group < crowd.waiting.size(); ++group)
+    if (crowd.waiting[group] > (of.groups[group].entrance ? of.groups[group].count : 0)) return false;
+  for (std::size_t row = 0; row < crowd.stage.size(); ++row)
+    if (crowd.stage[row] >= of.journeys[of.journey[state.id[row] - 1]].size()) return false;
+  return true;
 }
 
 std::uint64_t hash(const State& state) {

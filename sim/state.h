@@ -20,6 +20,8 @@ struct ContactImpulse {
 struct CrowdState {
   std::vector<Vec> stand;                ///< m, a row per agent: a place that it hasn't gone far from since
   std::vector<std::int64_t> stand_step;  ///< this step
+  std::vector<std::uint32_t> stage;      ///< of its journey
+  std::vector<std::uint32_t> waiting;    ///< as Crowd::groups: the last so many haven't appeared yet
   std::int64_t arrived = 0;              ///< agents that got to their goals and left
   std::int64_t last_arrival = 0;         ///< step in which the last of them did
   std::int64_t wall_corrections = 0;     ///< agent-steps in which a barrier was in the way
@@ -40,6 +42,9 @@ struct State {
 
 /// The state at time 0.
 State initial_state(const Scene& scene);
+
+/// How many agents haven't appeared yet.
+std::uint64_t waiting(const CrowdState& crowd);
 
 /// Whether it has the rows that a state of the scene has: of bodies, and of what is remembered of a crowd.
 bool fits(const State& state, const Scene& scene);

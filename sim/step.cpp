@@ -142,7 +142,7 @@ Workspace::Workspace(const Scene& scene, const Plan& plan, int threads)
 }
 
 /// Agents choose their velocity and walk.
-void step_crowd(State& state, Workspace& work) {
+void step_crowd(const Plan& plan, State& state, Workspace& work) {
   StageClock clock;
   work.crowd.look(state, work.workers);
   clock.lap(work.times.look);
@@ -153,6 +153,9 @@ void step_crowd(State& state, Workspace& work) {
   clock.lap(work.times.walk);
   work.crowd.leave(state);
   clock.lap(work.times.leave);
+  if (!plan.entrances) return;
+  work.crowd.appear(state);
+  clock.lap(work.times.appear);
 }
 
 /// Bodies fall, meet and push each other.
@@ -178,7 +181,7 @@ void step_bodies(const Scene& scene, const Plan& plan, State& state, Workspace& 
 }
 
 void step(const Scene& scene, const Plan& plan, State& state, Workspace& work) {
-  if (plan.crowd) return step_crowd(state, work);
+  if (plan.crowd) return step_crowd(plan, state, work);
   step_bodies(scene, plan, state, work);
 }
 

@@ -21,7 +21,7 @@ namespace throng {
 /// How long the stages took so far.
 struct StageTimes {
   double find_pairs = 0.0, find_contacts = 0.0, solve = 0.0, store = 0.0;  ///< s
-  double look = 0.0, steer = 0.0, walk = 0.0, leave = 0.0;                 ///< s, of crowds
+  double look = 0.0, steer = 0.0, walk = 0.0, leave = 0.0, appear = 0.0;   ///< s, of crowds
 };
 
 /// What a step needs besides the state and may forget: buffers, and indexes of what never moves.

@@ -34,10 +34,10 @@ Crowd crowd_of_scenario(const std::string& source, std::optional<double> at, Sce
         source + " -o FILE.h5' and ask the recording");
   scene = load_or_throw(source).scene;
   Crowd crowd;
-  for (std::uint32_t row = 0; row < scene.bodies.size(); ++row) crowd.id.push_back(row + 1);
-  crowd.position = scene.bodies.position;
-  crowd.velocity = scene.bodies.velocity;
-  crowd.angle = scene.bodies.angle;
+  State state = initial_state(scene);
+  crowd.id = std::move(state.id);
+  crowd.position = std::move(state.position), crowd.velocity = std::move(state.velocity);
+  crowd.angle = std::move(state.angle);
   return crowd;
 }
 

@@ -68,8 +68,9 @@ bool belongs(const Checkpoint& checkpoint, const std::string& file, const Kept& 
   if (const std::string difference = recording::scenario_difference(origin.scenario, scenario);
       !difference.empty())
     throw InputError(file + " is of another scenario than " + kept.source + ": " + difference);
-  const std::size_t bodies =
-      checkpoint.state.id.size() + static_cast<std::size_t>(checkpoint.state.crowd.arrived);
+  const std::size_t bodies = checkpoint.state.id.size() +
+                             static_cast<std::size_t>(checkpoint.state.crowd.arrived) +
+                             waiting(checkpoint.state.crowd);
   if (checkpoint.state.crowd.arrived > 0 && !are_agents(kept.recording.geometry()))
     throw InputError(file + " remembers " + std::to_string(checkpoint.state.crowd.arrived) +
                      " arrived, but no agents are recorded in " + kept.source);

@@ -24,12 +24,12 @@ struct Measure {
 
 /// What was measured so far; all of it zero before the first step.
 struct Measured {
-  std::int64_t count = 0;          ///< of a line crossings from its left to its right, of an area entries
-  std::int64_t back = 0;           ///< of a line crossings from its right to its left
+  std::int64_t count = 0;            ///< of a line crossings from its left to its right, of an area entries
+  std::int64_t back = 0;             ///< of a line crossings from its right to its left
   std::int64_t first = 0, last = 0;  ///< steps of the first and the last of them
-  std::int64_t steps = 0;          ///< that were measured
-  std::int64_t samples = 0;        ///< of a line crossings, of an area agents in it, over all steps
-  double speed = 0.0;              ///< m/s, the sum over the samples
+  std::int64_t steps = 0;            ///< that were measured
+  std::int64_t samples = 0;          ///< of a line crossings, of an area agents in it, over all steps
+  double speed = 0.0;                ///< m/s, the sum over the samples
 
   friend bool operator==(const Measured&, const Measured&) = default;
 };

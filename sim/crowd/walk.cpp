@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "sim/crowd/entrance.h"
 #include "sim/crowd/slide.h"
 #include "sim/input_error.h"
 #include "sim/simulation_error.h"
@@ -55,34 +56,34 @@ Walk::Walk(const Scene& scene)
 
 void Walk::build_goals() {
   const Crowd& crowd = scene_.crowd;
-  goals_.resize(crowd.areas.size());
-  for (std::uint32_t goal = 0; goal < goals_.size(); ++goal) {
-    double least = 0.0, largest = 0.0;
-    for (std::size_t agent = 0; agent < crowd.size(); ++agent) {
-      if (group(agent).goal != goal) continue;
+  std::vector<double> least(crowd.goals.size(), 0.0), largest(least);
+  for (std::size_t agent = 0; agent < crowd.size(); ++agent)
+    for (const std::uint32_t goal : journey(agent)) {
       const double radius = scene_.bodies.radius[agent];
-      least = largest > 0.0 ? std::min(least, radius) : radius;
-      largest = std::max(largest, radius);
+      least[goal] = largest[goal] > 0.0 ? std::min(least[goal], radius) : radius;
+      largest[goal] = std::max(largest[goal], radius);
     }
-    if (largest == 0.0) continue;
-    const Resolution resolution = resolution_for(crowd.walkable, barriers_, least, largest);
+  goals_.resize(crowd.goals.size());
+  for (std::uint32_t goal = 0; goal < goals_.size(); ++goal) {
+    if (largest[goal] == 0.0) continue;
+    const Resolution resolution = resolution_for(crowd.walkable, barriers_, least[goal], largest[goal]);
     goals_[goal].plan =
-        std::make_unique<FloorPlan>(floor_plan(crowd.walkable, barriers_, resolution, 2.0 * least));
+        std::make_unique<FloorPlan>(floor_plan(crowd.walkable, barriers_, resolution, 2.0 * least[goal]));
     goals_[goal].field =
-        std::make_unique<DistanceField>(*goals_[goal].plan, barriers_, crowd.areas[goal].region);
-    goals_[goal].bounds = bounds(crowd.areas[goal].region);
+        std::make_unique<DistanceField>(*goals_[goal].plan, barriers_, crowd.goals[goal].region);
+    goals_[goal].bounds = bounds(crowd.goals[goal].region);
   }
 }
 
 void Walk::expect_ways() const {
-  for (std::size_t agent = 0; agent < scene_.crowd.size(); ++agent) {
-    const AgentGroup& its = group(agent);
-    const Vec& place = scene_.bodies.position[agent];
-    if (goals_[its.goal].field->distance(place) < std::numeric_limits<double>::infinity()) continue;
-    throw InputError("agents[" + std::to_string(its.index) + "]: no way wide enough leads from " +
-                     text(place) + ", where agent " + std::to_string(agent + 1) + " stands, to its goal \"" +
-                     scene_.crowd.areas[its.goal].name + "\"");
-  }
+  for (std::size_t agent = 0; agent < scene_.crowd.size(); ++agent)
+    for (const std::uint32_t goal : journey(agent)) {
+      const Vec& place = scene_.bodies.position[agent];
+      if (goals_[goal].field->distance(place) < std::numeric_limits<double>::infinity()) continue;
+      throw InputError("agents[" + std::to_string(group(agent).index) + "]: no way wide enough leads from " +
+                       text(place) + ", where agent " + std::to_string(agent + 1) + " stands, to its goal " +
+                       scene_.crowd.goals[goal].name);
+    }
 }
 
 void Walk::Ranks::resize(std::size_t n) {
@@ -94,12 +95,13 @@ void Walk::Ranks::resize(std::size_t n) {
 void Walk::rank(const State& state, std::size_t place) {
   const std::size_t row = cells_.row()[place], its = agent(state, row);
   const Vec &p = state.position[row], &v = state.velocity[row];
-  const Vec towards = goals_[group(its).goal].field->direction(p);
+  const Vec towards = goals_[goal(state, row)].field->direction(p);
   ranks_.x[place] = p.x(), ranks_.y[place] = p.y();
   ranks_.velocity_x[place] = v.x(), ranks_.velocity_y[place] = v.y();
   ranks_.towards_x[place] = towards.x(), ranks_.towards_y[place] = towards.y();
   ranks_.radius[place] = scene_.bodies.radius[its];
-  ranks_.desired_speed[place] = scene_.crowd.desired_speed[its];
+  const bool stands = static_cast<double>(state.step) * scene_.time.dt < scene_.crowd.start[its];
+  ranks_.desired_speed[place] = stands ? 0.0 : scene_.crowd.desired_speed[its];
   ranks_.id[place] = state.id[row];
 }
 
@@ -167,34 +169,54 @@ void Walk::measure_all(State& state) {
 }
 
 void Walk::leave(State& state) {
+  CrowdState& crowd = state.crowd;
   std::size_t kept = 0;
   for (std::size_t row = 0; row < state.id.size(); ++row) {
-    const std::size_t its = agent(state, row);
     const Vec& p = state.position[row];
-    const std::uint32_t goal = group(its).goal;
-    if (goals_[goal].bounds.contains(p) && contains(scene_.crowd.areas[goal].region, p)) continue;
+    const std::uint32_t its = goal(state, row);
+    const bool there = goals_[its].bounds.contains(p) && contains(scene_.crowd.goals[its].region, p);
+    if (there && ++crowd.stage[row] == journey(agent(state, row)).size()) continue;
     if (kept != row) {
       state.id[kept] = state.id[row];
       state.position[kept] = state.position[row], state.velocity[kept] = state.velocity[row];
       state.angle[kept] = state.angle[row], state.spin[kept] = state.spin[row];
-      state.crowd.stand[kept] = state.crowd.stand[row];
-      state.crowd.stand_step[kept] = state.crowd.stand_step[row];
+      crowd.stand[kept] = crowd.stand[row], crowd.stand_step[kept] = crowd.stand_step[row];
+      crowd.stage[kept] = crowd.stage[row];
     }
     ++kept;
   }
   if (kept == state.id.size()) return;
-  state.crowd.arrived += static_cast<std::int64_t>(state.id.size() - kept);
-  state.crowd.last_arrival = state.step;
+  crowd.arrived += static_cast<std::int64_t>(state.id.size() - kept);
+  crowd.last_arrival = state.step;
   state.id.resize(kept), state.angle.resize(kept), state.spin.resize(kept);
   state.position.resize(kept), state.velocity.resize(kept);
-  state.crowd.stand.resize(kept), state.crowd.stand_step.resize(kept);
+  crowd.stand.resize(kept), crowd.stand_step.resize(kept), crowd.stage.resize(kept);
+}
+
+void Walk::appear(State& state) {
+  const Crowd& crowd = scene_.crowd;
+  const double now = static_cast<double>(state.step) * scene_.time.dt;
+  for (std::size_t i = 0; i < crowd.groups.size(); ++i) {
+    const AgentGroup& its = crowd.groups[i];
+    std::uint32_t& waiting = state.crowd.waiting[i];
+    for (; waiting > 0; --waiting) {
+      const std::uint32_t agent = its.first + its.count - waiting;
+      if (crowd.due[agent] > now) break;
+      const std::optional<Vec> place = free_place(scene_, barriers_, state, *its.entrance, agent);
+      if (!place) break;
+      add_agent(state, agent, *place);
+    }
+  }
 }
 
 std::vector<StuckAgent> stuck_agents(const Scene& scene, const State& state) {
   std::vector<StuckAgent> stuck;
   for (std::size_t row = 0; row < state.crowd.stand.size(); ++row) {
-    const double since = static_cast<double>(state.step - state.crowd.stand_step[row]) * scene.time.dt;
-    if (since >= kStuckTime && scene.crowd.desired_speed[state.id[row] - 1] > 0.0)
+    const std::size_t agent = state.id[row] - std::size_t{1};
+    const double dt = scene.time.dt, now = static_cast<double>(state.step) * dt;
+    const double stood = static_cast<double>(state.crowd.stand_step[row]) * dt;
+    if (now - std::max(stood, scene.crowd.start[agent]) >= kStuckTime &&
+        scene.crowd.desired_speed[agent] > 0.0)
       stuck.push_back({state.id[row], state.position[row]});
   }
   return stuck;

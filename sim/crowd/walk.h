@@ -36,8 +36,12 @@ class Walk {
   /// and what the scene measures.
   void walk(State& state, Workers& workers);
 
-  /// Takes those who are in their goal out of the state.
+  /// Sends those who are in their goal on to the next one of their journey; who is in the last one leaves the
+  /// state.
   void leave(State& state);
+
+  /// Brings in those who are due, where there is room: others of their group wait behind who finds none.
+  void appear(State& state);
 
  private:
   struct Goal {
@@ -58,11 +62,17 @@ class Walk {
   void rank(const State& state, std::size_t place);
   void measure_all(State& state);
   std::size_t agent(const State& state, std::size_t row) const { return state.id[row] - std::size_t{1}; }
+  const Journey& journey(std::size_t agent) const {
+    return scene_.crowd.journeys[scene_.crowd.journey[agent]];
+  }
+  std::uint32_t goal(const State& state, std::size_t row) const {
+    return journey(agent(state, row))[state.crowd.stage[row]];
+  }
   const AgentGroup& group(std::size_t agent) const { return scene_.crowd.groups[scene_.crowd.group[agent]]; }
 
   const Scene& scene_;
   Barriers barriers_;
-  std::vector<Goal> goals_;                            // as Crowd::areas; empty where no agent goes
+  std::vector<Goal> goals_;                            // as Crowd::goals; empty where no agent goes
   std::vector<std::unique_ptr<WalkingModel>> models_;  // as Crowd::groups
   double largest_radius_ = 0.0, reach_ = 0.0;          // m
   CrowdCells cells_;

@@ -37,7 +37,7 @@ struct Header {
   std::int64_t step = 0;
   std::uint64_t scenario_bytes = 0, bodies = 0, disc_contacts = 0, point_contacts = 0;
   std::uint64_t agents = 0;  // rows of CrowdState: as many as bodies, or none
-  std::uint64_t measures = 0;
+  std::uint64_t groups = 0, measures = 0;
   std::int64_t arrived = 0, last_arrival = 0, wall_corrections = 0;
   std::uint64_t frames = 0, frames_hash = 0;
   std::uint64_t content_hash = 0;
@@ -83,8 +83,9 @@ void for_each_array(S& state, F visit) {
 
 template <class C, class F>
 void for_each_crowd_array(C& crowd, F visit) {
-  auto& [stand, stand_step, arrived, last_arrival, wall_corrections, measured] = crowd;  // all of CrowdState
-  visit(stand), visit(stand_step);
+  auto& [stand, stand_step, stage, waiting, arrived, last_arrival, wall_corrections, measured] =
+      crowd;  // all
+  visit(stand), visit(stand_step), visit(stage);
 }
 
 template <class C, class F>
@@ -99,7 +100,7 @@ std::vector<Bytes> content(const std::string& scenario, const State& state, cons
   const auto add = [&](const auto& array) { all.push_back(std::as_bytes(std::span(array))); };
   for_each_array(state, add);
   for_each_crowd_array(state.crowd, add);
-  add(state.crowd.measured);
+  add(state.crowd.waiting), add(state.crowd.measured);
   for_each_column(discs, add);
   for_each_column(points, add);
   return all;
@@ -150,6 +151,7 @@ Header header_for(const CheckpointOrigin& origin, const State& state) {
   header.disc_contacts = state.disc_contacts.size();
   header.point_contacts = state.point_contacts.size();
   header.agents = state.crowd.stand.size();
+  header.groups = state.crowd.waiting.size();
   header.measures = state.crowd.measured.size();
   header.arrived = state.crowd.arrived;
   header.last_arrival = state.crowd.last_arrival;
@@ -194,15 +196,16 @@ Header read_header(int fd, const std::string& path, std::uint64_t size) {
 /// against.
 void expect_size(const std::string& path, const Header& header, std::uint64_t size) {
   constexpr std::uint64_t body = sizeof(std::uint32_t) + 6 * sizeof(double);
-  constexpr std::uint64_t agent = 2 * sizeof(double) + sizeof(std::int64_t);
+  constexpr std::uint64_t agent = 2 * sizeof(double) + sizeof(std::int64_t) + sizeof(std::uint32_t);
   constexpr std::uint64_t contact = sizeof(std::uint64_t) + sizeof(std::uint32_t) + 2 * sizeof(double);
-  const std::uint64_t counts[] = {header.scenario_bytes, header.bodies,        header.agents,
-                                  header.measures,       header.disc_contacts, header.point_contacts};
+  const std::uint64_t counts[] = {header.scenario_bytes, header.bodies,   header.agents,
+                                  header.groups,         header.measures, header.disc_contacts,
+                                  header.point_contacts};
   const bool bounded = std::all_of(std::begin(counts), std::end(counts), [&](auto n) { return n <= size; });
   const bool crowd = header.agents == 0 || header.agents == header.bodies;
   if (!bounded || !crowd ||
       size != sizeof header + header.scenario_bytes + body * header.bodies + agent * header.agents +
-                  sizeof(Measured) * header.measures +
+                  sizeof(std::uint32_t) * header.groups + sizeof(Measured) * header.measures +
                   contact * (header.disc_contacts + header.point_contacts))
     refuse_damaged(path, "its size is not what its header says");
 }
@@ -212,11 +215,12 @@ bool is_ascending(const std::vector<ContactImpulse>& contacts) {
                         [](const ContactImpulse& a, const ContactImpulse& b) { return a.key < b.key; });
 }
 
-/// All different, and from 1 to as many as there were before agents arrived.
-bool are_names(std::vector<std::uint32_t> id, std::int64_t arrived) {
+/// All different, and from 1 to as many as there are with the agents who have left or are to come.
+bool are_names(std::vector<std::uint32_t> id, const CrowdState& crowd) {
+  const std::uint64_t others = static_cast<std::uint64_t>(crowd.arrived) + waiting(crowd);
   std::sort(id.begin(), id.end());
   return std::adjacent_find(id.begin(), id.end()) == id.end() &&
-         (id.empty() || (id.front() > 0 && id.back() <= id.size() + static_cast<std::uint64_t>(arrived)));
+         (id.empty() || (id.front() > 0 && id.back() <= id.size() + others));
 }
 
 /// What no run counts up to.
@@ -235,7 +239,7 @@ bool is_sound(const CrowdState& crowd, std::int64_t step) {
   const auto past = [step](std::int64_t s) { return s >= 0 && s <= step; };
   return std::all_of(crowd.stand.begin(), crowd.stand.end(), is_near) &&
          std::all_of(crowd.stand_step.begin(), crowd.stand_step.end(), past) && past(crowd.last_arrival) &&
-         crowd.arrived >= 0 && crowd.wall_corrections >= 0 &&
+         is_count(crowd.arrived) && crowd.wall_corrections >= 0 &&
          std::all_of(crowd.measured.begin(), crowd.measured.end(),
                      [&](const Measured& measured) { return is_sound(measured, step); });
 }
@@ -246,7 +250,7 @@ bool is_sound(const State& state) {
   };
   for (std::size_t row = 0; row < state.id.size(); ++row)
     if (!can_go_on(state, row)) return false;
-  return state.step >= 0 && is_sound(state.crowd, state.step) && are_names(state.id, state.crowd.arrived) &&
+  return state.step >= 0 && is_sound(state.crowd, state.step) && are_names(state.id, state.crowd) &&
          is_ascending(state.disc_contacts) && is_ascending(state.point_contacts) &&
          std::all_of(state.disc_contacts.begin(), state.disc_contacts.end(), finite) &&
          std::all_of(state.point_contacts.begin(), state.point_contacts.end(), finite);
@@ -272,8 +276,8 @@ Checkpoint read_content(int fd, const std::string& path, const Header& header) {
     array.resize(header.agents);
     read_array(array);
   });
-  state.crowd.measured.resize(header.measures);
-  read_array(state.crowd.measured);
+  state.crowd.waiting.resize(header.groups), state.crowd.measured.resize(header.measures);
+  read_array(state.crowd.waiting), read_array(state.crowd.measured);
   state.crowd.arrived = header.arrived, state.crowd.last_arrival = header.last_arrival;
   state.crowd.wall_corrections = header.wall_corrections;
   for_each_column(discs, read_array);

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <memory>
 
+#include "scenarios/load.h"
 #include "sim/input_error.h"
 #include "sim/recording/checkpoint.h"
 #include "sim/recording/frame_hash.h"
@@ -21,7 +22,7 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 
 // Where things stand in the header: see sim/recording/checkpoint.cpp.
-constexpr std::size_t kHeader = 152, kCounts = 56, kContentHash = 136, kHash = 144;  // bytes
+constexpr std::size_t kHeader = 168, kCounts = 56, kContentHash = 152, kHash = 160;  // bytes
 
 std::uint64_t number_at(const Bytes& bytes, std::size_t at) {
   std::uint64_t number;
@@ -39,7 +40,9 @@ std::uint64_t content_hash(const Bytes& bytes) {
   constexpr std::array<std::uint64_t, 4> contact{8, 4, 8, 8};
   std::vector<std::uint64_t> sizes{number_at(bytes, kCounts)};
   for (const std::uint64_t one : body) sizes.push_back(one * number_at(bytes, kCounts + 8));
-  for (const std::uint64_t one : {16, 8}) sizes.push_back(one * number_at(bytes, kCounts + 32));  // agents
+  for (const std::uint64_t one : {16, 8, 4}) sizes.push_back(one * number_at(bytes, kCounts + 32));  // agents
+  sizes.push_back(4 * number_at(bytes, kCounts + 40));                                               // groups
+  sizes.push_back(sizeof(Measured) * number_at(bytes, kCounts + 48));
   for (const std::size_t kind : {16, 24})
     for (const std::uint64_t one : contact) sizes.push_back(one * number_at(bytes, kCounts + kind));
   std::uint64_t chain = recording::kEmptyChain;
@@ -61,10 +64,12 @@ void mend(Bytes& bytes) {
 
 void expect_sound(const State& state) {
   const std::size_t n = state.id.size(), agents = state.crowd.stand.size();
-  const std::size_t names = n + static_cast<std::size_t>(state.crowd.arrived);
+  const std::uint64_t names = n + static_cast<std::uint64_t>(state.crowd.arrived) + waiting(state.crowd);
   expect(state.step >= 0, "the step is not before the start");
   expect(state.crowd.arrived >= 0 && state.crowd.wall_corrections >= 0, "crowds count upwards");
-  expect((agents == 0 || agents == n) && state.crowd.stand_step.size() == agents, "a row an agent, or none");
+  expect((agents == 0 || agents == n) && state.crowd.stand_step.size() == agents &&
+             state.crowd.stage.size() == agents,
+         "a row an agent, or none");
   expect(state.position.size() == n && state.angle.size() == n && state.velocity.size() == n &&
              state.spin.size() == n,
          "a row a body");
@@ -74,17 +79,34 @@ void expect_sound(const State& state) {
            "bodies are numbered, their motion is finite");
 }
 
+/// Bodies, and agents with all that is remembered of them.
+const std::array<Scene, 2>& scenes() {
+  static const std::array<Scene, 2> both{
+      testing_recordings::mixed_scene(5),
+      load_scenario_text(
+          "throng = 1\ndomain.box = [[-50, -50], [50, 50]]\n"
+          "areas.a = [[-50, -50], [-45, -50], [-45, 50], [-50, 50]]\n"
+          "areas.b = [[45, -50], [50, -50], [50, 50], [45, 50]]\n"
+          "[[agents]]\ncount = 3\nmodel = 'orca'\ngoal = ['b', 'a']\nplace.random.within = 'a'\n"
+          "[[agents]]\ncount = 2\nmodel = 'social_force'\ngoal = 'a'\n"
+          "place.random.within = 'b'\nappear.rate = 1\n"
+          "[[measure]]\nname = 'x'\nline = [[0, -50], [0, 50]]\n",
+          "crowd.toml")
+          .scene};
+  return both;
+}
+
 /// Contacts of the file may be of bodies that do not touch, or do not exist.
 void go_on(const State& state) {
-  static const Scene scene = testing_recordings::mixed_scene(5);
-  if (state.id.size() != scene.bodies.size() || state.crowd.arrived > 0 || state.step > scene.time.steps())
-    return;  // as `throng resume`
-  const std::unique_ptr<Simulation> run = simulation(scene);
-  if (!run->restore(state)) return;
-  try {
-    run->step();
-    run->step();
-  } catch (const SimulationError&) {  // a body that runs away
+  for (const Scene& scene : scenes()) {
+    if (!fits(state, scene) || state.step > scene.time.steps()) continue;  // as `throng resume`
+    const std::unique_ptr<Simulation> run = simulation(scene);
+    if (!run->restore(state)) continue;
+    try {
+      run->step();
+      run->step();
+    } catch (const SimulationError&) {  // a body that runs away
+    }
   }
 }
 

@@ -43,7 +43,7 @@ TEST(Crowd, IsReadWithItsFloorItsAreasAndItsAgents) {
   ASSERT_EQ(scene.bodies.size(), 20u);
   const AgentGroup& group = scene.crowd.groups.at(0);
   EXPECT_STREQ(walking_models()[group.model].name, "social_force");
-  EXPECT_EQ(scene.crowd.areas[group.goal].name, "exit");
+  EXPECT_EQ(scene.crowd.goals[scene.crowd.journeys[scene.crowd.journey[0]].back()].name, "\"exit\"");
   EXPECT_EQ(group.parameters[0], 70.0);
   EXPECT_EQ(group.parameters[1], 0.5) << "what is absent has its default";
   for (std::size_t i = 0; i < 20; ++i) {
@@ -184,6 +184,55 @@ TEST(Crowd, IsNotMeasuredWhereTheMeasureSaysNothing) {
                "measure[0].until: must be after `from`");
   expect_fault(crowd + "name = 'x'\narea = 'start'\n[[measure]]\nname = 'x'\narea = 'exit'\n",
                "measure[1].name: is that of another measure too");
+}
+
+TEST(Crowd, MayAppearInTimeSetOutLateAndGoFromGoalToGoal) {
+  const Loaded loaded = load_text(
+      kFloor + "middle = [[3, 1], [6, 1], [6, 9], [3, 9]]\n" +
+      "[[agents]]\nmodel = 'social_force'\ncount = 7\ngoal = ['middle', { nearest = ['start', 'exit'] }]\n" +
+      "appear = { rate = 2, from = 10, together = 3 }\npremovement = 4\n" + kRandom +
+      "[[agents]]\nmodel = 'social_force'\ngoal = 'middle'\nappear.times = [1, 5]\n" + kRandom);
+  ASSERT_EQ(loaded.errors(), 0) << faults(loaded);
+  const Crowd& crowd = loaded.scene.crowd;
+  ASSERT_EQ(crowd.size(), 9u);
+  EXPECT_EQ(crowd.due, (std::vector<double>{10, 10, 10, 11.5, 11.5, 11.5, 13, 1, 5}));
+  EXPECT_EQ(crowd.start[8], 5.0);
+  EXPECT_EQ(crowd.start[6], 17.0);
+  ASSERT_EQ(crowd.goals.size(), 2u) << "the second group shares the first one's";
+  EXPECT_EQ(crowd.journeys, (std::vector<Journey>{{0, 1}, {0}}));
+  EXPECT_EQ(crowd.journey, (std::vector<std::uint32_t>{0, 0, 0, 0, 0, 0, 0, 1, 1}));
+  EXPECT_EQ(crowd.groups[1].first, 7u);
+  EXPECT_EQ(crowd.groups[1].count, 2u);
+  EXPECT_TRUE(contains(crowd.goals[1].region, Vec(1, 1)) && contains(crowd.goals[1].region, Vec(9.5, 2.5)));
+  EXPECT_FALSE(contains(crowd.goals[1].region, Vec(5, 1)));
+}
+
+TEST(Crowd, TakesAreasThatOverlapAsOneGoal) {
+  const Loaded loaded =
+      load_text(kFloor + "more = [[2, 0], [3.5, 0], [3.5, 5], [2, 5]]\n" +
+                "[[agents]]\nmodel = 'social_force'\nat = [7, 1]\ngoal.nearest = ['start', 'more']\n");
+  ASSERT_EQ(loaded.errors(), 0) << faults(loaded);
+  for (const double x : {1.0, 2.5, 3.2}) EXPECT_TRUE(contains(loaded.scene.crowd.goals[0].region, Vec(x, 2)));
+}
+
+TEST(Crowd, IsRefusedWhereItsGoalsOrTimesMakeNoSense) {
+  const std::string agents = kFloor + "[[agents]]\nmodel = 'social_force'\n";
+  expect_fault(agents + kRandom + "goal = ['exit', 'nowhere']\n", "agents[0].goal[1]");
+  expect_fault(agents + kRandom + "goal = []\n", "agents[0].goal");
+  expect_fault(agents + kRandom + "goal.nearest = ['nowhere']\n", "agents[0].goal.nearest[0]");
+  expect_fault(agents + kRandom + "goal.weights = { exit = 1, nowhere = 2 }\n",
+               "agents[0].goal.weights.nowhere: is not the name of an entry of [areas]");
+  expect_fault(agents + kRandom + "goal.weights = { exit = 0 }\n",
+               "agents[0].goal.weights: must hold a weight above 0");
+  const std::string timed = agents + kRandom + "goal = 'exit'\n";
+  expect_fault(timed + "appear = { times = [5, 4] }\n", "agents[0].appear.times: must be ascending");
+  expect_fault(timed + "count = 5\nappear = { times = [4, 5], together = 2 }\n",
+               "agents[0].appear.times: make 4 agents appear, and count is 5");
+  expect_fault(timed + "appear = { times = [4, 5], from = 2 }\n", "agents[0].appear.from: belongs to a rate");
+  expect_fault(timed + "appear = { from = 2 }\n", "agents[0].appear: needs exactly one of rate, times");
+  expect_fault(kFloor + kGroup + "at = [1, 1]\nappear = { rate = 1 }\n",
+               "agents[0].appear: needs place.random");
+  expect_fault(kFloor + kGroup + "radius = 2\nappear = { rate = 1 }\n" + kRandom, "found no free place");
 }
 
 }  // namespace throng

@@ -64,6 +64,13 @@ inline void expect_same(const Scene& a, const Scene& b) {
   EXPECT_EQ(a.crowd.walkable.rings, b.crowd.walkable.rings);
   EXPECT_EQ(a.crowd.group, b.crowd.group);
   EXPECT_EQ(a.crowd.desired_speed, b.crowd.desired_speed);
+  EXPECT_EQ(a.crowd.journey, b.crowd.journey);
+  EXPECT_EQ(a.crowd.journeys, b.crowd.journeys);
+  EXPECT_EQ(a.crowd.due, b.crowd.due);
+  EXPECT_EQ(a.crowd.start, b.crowd.start);
+  ASSERT_EQ(a.crowd.goals.size(), b.crowd.goals.size());
+  for (std::size_t i = 0; i < a.crowd.goals.size(); ++i)
+    EXPECT_EQ(a.crowd.goals[i].region.rings, b.crowd.goals[i].region.rings);
   ASSERT_EQ(a.crowd.areas.size(), b.crowd.areas.size());
   for (std::size_t i = 0; i < a.crowd.areas.size(); ++i) {
     EXPECT_EQ(a.crowd.areas[i].name, b.crowd.areas[i].name);
@@ -82,7 +89,12 @@ inline void expect_same(const Scene& a, const Scene& b) {
   for (std::size_t i = 0; i < a.crowd.groups.size(); ++i) {
     EXPECT_EQ(a.crowd.groups[i].model, b.crowd.groups[i].model);
     EXPECT_EQ(a.crowd.groups[i].parameters, b.crowd.groups[i].parameters);
-    EXPECT_EQ(a.crowd.groups[i].goal, b.crowd.groups[i].goal);
+    EXPECT_EQ(a.crowd.groups[i].first, b.crowd.groups[i].first);
+    EXPECT_EQ(a.crowd.groups[i].count, b.crowd.groups[i].count);
+    ASSERT_EQ(a.crowd.groups[i].entrance.has_value(), b.crowd.groups[i].entrance.has_value());
+    if (!a.crowd.groups[i].entrance) continue;
+    EXPECT_EQ(a.crowd.groups[i].entrance->within.rings, b.crowd.groups[i].entrance->within.rings);
+    EXPECT_EQ(a.crowd.groups[i].entrance->gap, b.crowd.groups[i].entrance->gap);
   }
 }
 

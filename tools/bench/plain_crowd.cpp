@@ -59,7 +59,7 @@ PlainCrowd::PlainCrowd(const Scene& scene)
     : scene_(scene),
       model_(walking_models()[scene.crowd.groups[0].model].name),
       barriers_(barrier_lines(scene), 1.0),
-      goals_(scene.crowd.areas.size()),
+      goals_(scene.crowd.goals.size()),
       position_(scene.bodies.position),
       velocity_(scene.bodies.velocity) {
   double largest = 0.0;
@@ -69,7 +69,7 @@ PlainCrowd::PlainCrowd(const Scene& scene)
     goals_[goal].plan =
         std::make_unique<FloorPlan>(floor_plan(scene.crowd.walkable, barriers_, resolution, 2.0 * largest));
     goals_[goal].field =
-        std::make_unique<DistanceField>(*goals_[goal].plan, barriers_, scene.crowd.areas[goal].region);
+        std::make_unique<DistanceField>(*goals_[goal].plan, barriers_, scene.crowd.goals[goal].region);
   }
 }
 
@@ -80,7 +80,7 @@ const std::vector<double>& PlainCrowd::parameters(std::uint32_t agent) const {
 }
 
 Vec PlainCrowd::towards(std::uint32_t agent) const {
-  const std::uint32_t goal = scene_.crowd.groups[scene_.crowd.group[agent]].goal;
+  const std::uint32_t goal = scene_.crowd.journeys[scene_.crowd.journey[agent]].front();
   return goals_[goal].field->direction(position_[agent]);
 }
 

@@ -17,7 +17,7 @@ TEST(Crossing, CountsWaysOverTheLineByTheirSense) {
   EXPECT_EQ(crossing(kUp, {2.1, 0.5}, {1.9, 0.5}), -1);
   EXPECT_EQ(crossing({kUp[1], kUp[0]}, {1.9, 0.5}, {2.1, 0.5}), -1);
   EXPECT_EQ(crossing(kUp, {1.9, 0.5}, {1.95, 0.7}), 0);
-  EXPECT_EQ(crossing(kUp, {1.9, 1.1}, {2.1, 1.1}), 0);   // past its end
+  EXPECT_EQ(crossing(kUp, {1.9, 1.1}, {2.1, 1.1}), 0);  // past its end
   EXPECT_EQ(crossing(kUp, {1.9, -0.1}, {2.1, -0.1}), 0);
   EXPECT_EQ(crossing(kUp, {1, 0.9}, {3, 1.2}), 0);  // bends round the end: at x = 2 it is at y = 1.05
   EXPECT_EQ(crossing(kUp, {1, 0.7}, {3, 1.2}), 1);  // at y = 0.95
@@ -86,8 +86,9 @@ std::string column(const std::string& measures) {
 }
 
 TEST(Measure, CountsAWalkingColumn) {
-  Trial run(column("[[measure]]\nname = 'door'\nline = [[6, 0], [6, 2]]\n"
-                   "[[measure]]\nname = 'hall'\narea = 'hall'\nfrom = 3\nuntil = 5\n"));
+  Trial run(
+      column("[[measure]]\nname = 'door'\nline = [[6, 0], [6, 2]]\n"
+             "[[measure]]\nname = 'hall'\narea = 'hall'\nfrom = 3\nuntil = 5\n"));
   run.steps(500);
   const auto& [door, hall] = std::tie(run.state.crowd.measured[0], run.state.crowd.measured[1]);
   EXPECT_EQ(door.count, 3);

@@ -200,7 +200,8 @@ TEST(Checkpoint, RefusesCrowdsThatNoRunHas) {
   const auto refused = [](auto change) {
     State state = state_at(mixed_scene(7), 5);
     state.crowd.stand = state.position;
-    state.crowd.stand_step.assign(7, 5);
+    state.crowd.stand_step.assign(7, 5), state.crowd.stage.assign(7, 0);
+    state.crowd.waiting = {2, 0};
     change(state.crowd);
     return is_refused(state);
   };

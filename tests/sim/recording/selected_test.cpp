@@ -127,6 +127,7 @@ Scene crowd_scene(std::size_t n) {
   scene.bodies.kind.assign(n, BodyKind::agent);
   scene.crowd.walkable.rings = {{{0, 0}, {9, 0}, {9, 9}}, {{5, 1}, {6, 1}, {6, 2}, {5, 2}}};
   scene.crowd.group.assign(n, 0);
+  scene.crowd.groups.resize(1);
   return scene;
 }
 

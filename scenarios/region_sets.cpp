@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "scenarios/region_sets.h"
+
+#include "scenarios/geos.h"
+#include "scenarios/polygon_check.h"
+
+namespace throng::scenarios {
+
+namespace {
+
+/// What an odd number of rings encloses.
+Geometry solid(const Geos& geos, const Region& region) {
+  Geometry all = read(geos, "POLYGON EMPTY");
+  for (const std::vector<Vec>& ring : region.rings) {
+    const Geometry one = read(geos, polygon_wkt(ring));
+    all = geos.keep(GEOSSymDifference_r(geos.handle, all.get(), one.get()));
+  }
+  return all;
+}
+
+std::vector<Vec> points_of(const Geos& geos, const GEOSGeometry* ring) {
+  const GEOSCoordSequence* sequence = GEOSGeom_getCoordSeq_r(geos.handle, ring);
+  unsigned size = 0;
+  GEOSCoordSeq_getSize_r(geos.handle, sequence, &size);
+  std::vector<Vec> points(size);
+  for (unsigned i = 0; i < size; ++i)
+    GEOSCoordSeq_getXY_r(geos.handle, sequence, i, &points[i].x(), &points[i].y());
+  if (!points.empty()) points.pop_back();  // that repeats the first
+  return points;
+}
+
+/// Of a polygon, or of polygons.
+Region region_of(const Geos& geos, const GEOSGeometry* geometry) {
+  Region region;
+  for (int i = 0; i < GEOSGetNumGeometries_r(geos.handle, geometry); ++i) {
+    const GEOSGeometry* polygon = GEOSGetGeometryN_r(geos.handle, geometry, i);
+    region.rings.push_back(points_of(geos, GEOSGetExteriorRing_r(geos.handle, polygon)));
+    for (int hole = 0; hole < GEOSGetNumInteriorRings_r(geos.handle, polygon); ++hole)
+      region.rings.push_back(points_of(geos, GEOSGetInteriorRingN_r(geos.handle, polygon, hole)));
+  }
+  return region;
+}
+
+}  // namespace
+
+double common_area(const Region& a, const Region& b) {
+  const Geos geos;
+  const Geometry one = solid(geos, a), other = solid(geos, b);
+  const Geometry common = geos.keep(GEOSIntersection_r(geos.handle, one.get(), other.get()));
+  double area = 0.0;
+  GEOSArea_r(geos.handle, common.get(), &area);
+  return area;
+}
+
+Region united(std::span<const Region> regions) {
+  if (regions.size() == 1) return regions.front();
+  const Geos geos;
+  Geometry all = read(geos, "POLYGON EMPTY");
+  for (const Region& region : regions) {
+    const Geometry one = solid(geos, region);
+    all = geos.keep(GEOSUnion_r(geos.handle, all.get(), one.get()));
+  }
+  return region_of(geos, all.get());
+}
+
+}  // namespace throng::scenarios

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+
+#include "sim/crowd/region.h"
+
+/// Regions as sets of points. Expects rings that `polygon_fault` finds sound.
+namespace throng::scenarios {
+
+/// m², of what two regions have in common.
+double common_area(const Region& a, const Region& b);
+
+/// What is in any of them.
+Region united(std::span<const Region> regions);
+
+}  // namespace throng::scenarios
