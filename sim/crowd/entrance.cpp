@@ -41,8 +41,9 @@ std::optional<Vec> free_place(const Scene& scene, const Barriers& barriers, cons
       const double reach = clear + other.radius;
       return (p - other.centre).squaredNorm() < reach * reach;
     });
-    if (!meets && contains(entrance.within, p) && (nearest_on_border(entrance.within, p) - p).norm() >= radius &&
-        contains(scene.crowd.walkable, p) && !(barriers.distance(p, clear) < clear))
+    if (!meets && contains(entrance.within, p) &&
+        (nearest_on_border(entrance.within, p) - p).norm() >= radius && contains(scene.crowd.walkable, p) &&
+        !(barriers.distance(p, clear) < clear))
       return p;
   }
   return std::nullopt;

@@ -7,13 +7,15 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <queue>
 
 namespace throng {
 
 namespace {
 
-constexpr double kSlowness = 1.5;  // of the ground next to barriers: nobody takes it for a short cut
+constexpr double kDetour = 1.5;     // from the ground next to barriers, for each step back to free ground
+constexpr double kDeepest = 250.0;  // steps
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
 /// One axis of the equation |grad u| = 1: weight * (u - value)^2, in cells.
@@ -28,8 +30,7 @@ class March {
         barriers_(barriers),
         steps_{1, -1, plan.columns, -plan.columns},
         distance_(plan.size(), kFar),
-        known_(plan.size(), false),
-        depth_(plan.size(), 0) {}
+        known_(plan.size(), false) {}
 
   void run(std::span<const Seed> seeds) {
     for (const Seed& seed : seeds) {
@@ -38,11 +39,7 @@ class March {
     }
     for (const Seed& seed : seeds) offer_neighbours(seed.node);
     empty_queue();
-    crossing_free_ = false;
-    slowness_ = kSlowness;
-    for (std::size_t i = 0; i < plan_.size(); ++i)
-      if (known_[i]) offer_neighbours(i);
-    empty_queue();
+    spread_to_barriers();
   }
 
   std::vector<float> distances() const {
@@ -77,23 +74,36 @@ class March {
     }
   }
 
+  /// Who is next to a barrier goes back to free ground first, to what of it is nearest. Were he to go on
+  /// along the barrier, the end of a wall would be a short cut, which those who come from free ground would
+  /// try.
+  void spread_to_barriers() {
+    std::vector<std::size_t> ring(plan_.size()), next;
+    std::iota(ring.begin(), ring.end(), std::size_t{0});
+    std::erase_if(ring, [&](std::size_t node) { return !known_[node]; });
+    for (int depth = 1; !ring.empty() && depth <= deepest(); ++depth, ring.swap(next)) {
+      next.clear();
+      for (const std::size_t from : ring)
+        for (const std::ptrdiff_t step : steps_) {
+          const std::size_t to = from + static_cast<std::size_t>(step);
+          if (known_[to] || plan_.footing[to] == Footing::none || !joined(from, to)) continue;
+          if (distance_[to] == kFar) next.push_back(to);
+          distance_[to] = std::min(distance_[to], distance_[from] + kDetour);
+        }
+      for (const std::size_t node : next) known_[node] = true;
+    }
+  }
+
+  int deepest() const {
+    return static_cast<int>(std::min(2.0 * plan_.clearance / plan_.cell + 1.0, kDeepest));
+  }
+
   /// The plan's border is never walkable, so every walkable node has four neighbours.
   void offer_neighbours(std::size_t from) {
     for (const std::ptrdiff_t step : steps_) {
       const std::size_t to = from + static_cast<std::size_t>(step);
-      if (known_[to] || !may_enter(from, to)) continue;
-      offer(to, solve(to));
+      if (!known_[to] && plan_.footing[to] == Footing::free) offer(to, solve(to));
     }
-  }
-
-  bool may_enter(std::size_t from, std::size_t to) {
-    if (crossing_free_) return plan_.footing[to] == Footing::free;
-    if (plan_.footing[to] == Footing::none || plan_.footing[to] == Footing::free || !joined(from, to))
-      return false;
-    const int depth = depth_[from] + 1;
-    if (depth * plan_.cell > 2.0 * plan_.clearance + plan_.cell || depth > 250) return false;
-    depth_[to] = static_cast<std::uint8_t>(depth);
-    return true;
   }
 
   /// Free nodes are farther from every barrier than half a step: none stands between two of them.
@@ -102,19 +112,15 @@ class March {
     return !barriers_.block(plan_.node(a), plan_.node(b));
   }
 
-  bool reaches(std::size_t from, std::size_t to) const {
-    return known_[from] && (crossing_free_ || joined(from, to));
-  }
-
   /// The distance that follows from one axis alone.
-  double from(const Upwind& upwind) const { return upwind.value + slowness_ / std::sqrt(upwind.weight); }
+  double from(const Upwind& upwind) const { return upwind.value + 1.0 / std::sqrt(upwind.weight); }
 
   void look(std::size_t node, std::ptrdiff_t step, Upwind& upwind) const {
     const std::size_t first = node + static_cast<std::size_t>(step);
-    if (!reaches(first, node)) return;
+    if (!known_[first]) return;
     const double a = distance_[first];
     const std::size_t second = first + static_cast<std::size_t>(step);
-    const bool two = second < plan_.size() && reaches(second, first) && distance_[second] <= a;
+    const bool two = second < plan_.size() && known_[second] && distance_[second] <= a;
     const Upwind found = two ? Upwind{(4.0 * a - distance_[second]) / 3.0, 2.25} : Upwind{a, 1.0};
     if (from(found) < from(upwind)) upwind = found;
   }
@@ -126,7 +132,7 @@ class March {
     const double alone = std::min(from(x), from(y));
     if (!(x.value < kFar && y.value < kFar)) return alone;
     const double a = x.weight + y.weight, b = x.weight * x.value + y.weight * y.value;
-    const double c = x.weight * x.value * x.value + y.weight * y.value * y.value - slowness_ * slowness_;
+    const double c = x.weight * x.value * x.value + y.weight * y.value * y.value - 1.0;
     const double discriminant = b * b - a * c;
     if (!(discriminant >= 0.0)) return alone;
     const double both = (b + std::sqrt(discriminant)) / a;
@@ -138,10 +144,7 @@ class March {
   std::array<std::ptrdiff_t, 4> steps_;
   std::vector<double> distance_;  // in cells
   std::vector<std::uint8_t> known_;
-  std::vector<std::uint8_t> depth_;  // nodes since the last free one
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
-  bool crossing_free_ = true;
-  double slowness_ = 1.0;
 };
 
 }  // namespace

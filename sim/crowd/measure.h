@@ -16,9 +16,9 @@ namespace throng {
 
 struct Measure {
   std::string name;
-  std::array<Vec, 2> line;  ///< m, from and to; of areas unused
-  Region area;              ///< empty: a line
-  double size = 0.0;        ///< m, the line's length; m², the walkable part of the area
+  std::array<Vec, 2> line{Vec(0.0, 0.0), Vec(0.0, 0.0)};  ///< m, from and to; of areas unused
+  Region area;                                            ///< empty: a line
+  double size = 0.0;  ///< m, the line's length; m², the walkable part of the area
   double from = 0.0, until = std::numeric_limits<double>::infinity();  ///< s: measured are the steps between
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "sim/crowd/slide.h"
 #include "tests/sim/crowd/geodesic.h"
 
 namespace throng {
@@ -122,6 +123,24 @@ TEST(DistanceField, WaysEndInTheGoalFromEverywhere) {
       p = next;
     }
     EXPECT_LE(way, 1.1 * f.field.distance(start) + 1.0) << start.transpose();
+  }
+}
+
+// Ways that led from free ground into the ground next to a wall's end, which looked shorter, sent agents to
+// and fro before the door for ever.
+TEST(DistanceField, TheEndsOfWallsAreNoShortCuts) {
+  const std::vector<BarrierLine> door{{{{0, 5}, {4.5, 5}}, false}, {{{5.5, 5}, {10, 5}}, false}};
+  for (const double radius : {0.18, 0.2, 0.22}) {
+    const Field f(box(0, 0, 10, 10), box(0, 5.5, 1, 10), 0.1, radius, door);
+    for (std::size_t i = 0; i < f.plan.size(); ++i) {
+      if (f.plan.footing[i] != Footing::free) continue;
+      Vec p = f.plan.node(i);
+      const double way = f.field.distance(p), stride = 0.03;
+      int steps = 0;
+      while (f.field.distance(p) > 0.05 && steps * stride < 1.1 * way + 0.1)
+        p = slide(f.barriers, p, stride * f.field.direction(p), radius).to, ++steps;
+      ASSERT_LE(f.field.distance(p), 0.05) << "from " << f.plan.node(i).transpose() << ", " << way << " m";
+    }
   }
 }
 

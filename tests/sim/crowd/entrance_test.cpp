@@ -75,12 +75,14 @@ TEST(Entrance, LetsAgentsWaitUntilThereIsRoom) {
 }
 
 TEST(Entrance, PlacesAgentsWhollyWithinAndApart) {
-  const Scene scene = scene_from(hall("goal = 'low'\ncount = 400\nradius = 0.2\nplace.random.gap = 0.1\nappear = { rate = 1 }\n"));
+  const Scene scene = scene_from(
+      hall("goal = 'low'\ncount = 400\nradius = 0.2\nplace.random.gap = 0.1\nappear = { rate = 1 }\n"));
   State state = initial_state(scene);
   const Barriers barriers(barrier_lines(scene), 1.0);
   const Entrance& entrance = *scene.crowd.groups[0].entrance;
   std::uint32_t agent = 0;
-  for (std::optional<Vec> p; agent < 400 && (p = free_place(scene, barriers, state, entrance, agent)); ++agent) {
+  for (std::optional<Vec> p; agent < 400 && (p = free_place(scene, barriers, state, entrance, agent));
+       ++agent) {
     EXPECT_TRUE(p->x() >= 0.3 && p->x() <= 1.8 && p->y() >= 2.2 && p->y() <= 3.8) << p->transpose();
     for (const Vec& q : state.position) EXPECT_GE((*p - q).norm(), 0.5);
     add_agent(state, agent, *p);
@@ -124,7 +126,8 @@ TEST(Entrance, FitsOnlyTheCrowdThatItIsOf) {
   EXPECT_TRUE(refused([](State& s) { s.crowd.waiting.push_back(0); }));
   EXPECT_TRUE(refused([](State& s) { s.crowd.measured.resize(1); }));
   EXPECT_TRUE(refused([](State& s) { ++s.crowd.arrived; }));
-  EXPECT_TRUE(refused([](State& s) { s.crowd.stand.clear(), s.crowd.stand_step.clear(), s.crowd.stage.clear(); }));
+  EXPECT_TRUE(
+      refused([](State& s) { s.crowd.stand.clear(), s.crowd.stand_step.clear(), s.crowd.stage.clear(); }));
 }
 
 TEST(Journey, GoesFromGoalToGoalAndLeavesAtTheLast) {
@@ -154,7 +157,8 @@ TEST(Journey, LeadsToTheNearestOfSeveralAreas) {
 }
 
 TEST(Journey, IsDrawnByWeight) {
-  const Scene scene = scene_from(hall("goal.weights = { low = 3, high = 1, middle = 0 }\ncount = 4000\nappear = { rate = 1 }\n"));
+  const Scene scene = scene_from(
+      hall("goal.weights = { low = 3, high = 1, middle = 0 }\ncount = 4000\nappear = { rate = 1 }\n"));
   ASSERT_EQ(scene.crowd.journeys.size(), 2u);
   std::size_t low = 0;
   for (const std::uint32_t journey : scene.crowd.journey)
@@ -191,7 +195,8 @@ TEST(Journey, ExpectsAWayToEachOfItsGoals) {
   const std::string cut = "[[walls]]\nsegment = [[15, 0], [15, 6]]\n";
   EXPECT_NO_THROW(simulation(scene_from(hall("goal = 'middle'\n" + cut))));
   EXPECT_THROW(simulation(scene_from(hall("goal = ['middle', 'low']\n" + cut))), InputError);
-  EXPECT_THROW(simulation(scene_from(hall("goal = 'low'\ncount = 3\nappear = { rate = 1 }\n" + cut))), InputError);
+  EXPECT_THROW(simulation(scene_from(hall("goal = 'low'\ncount = 3\nappear = { rate = 1 }\n" + cut))),
+               InputError);
   EXPECT_NO_THROW(simulation(scene_from(hall("goal = { nearest = ['middle', 'low'] }\n" + cut))));
 }
 
