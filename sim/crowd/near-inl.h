@@ -69,7 +69,8 @@ struct Others {
     for (std::vector<double>* all : {&dx, &dy, &place, &width}) all->resize(2 * count + 64);
   }
 
-  /// All whose middles are at most `reach` (m) away. Two who stand in one place part along x, by their ids.
+  /// All whose middles are at most `reach` (m) away and behind no barrier. Two who stand in one place part
+  /// along x, by their ids.
   HWY_INLINE void gather(const CrowdView& crowd, std::uint32_t own, double reach) {
     const D d;
     const Vec p = crowd.position(own);
@@ -98,6 +99,10 @@ struct Others {
       }
     });
     make_room(size + 2 * kFour);
+    const Vec far(reach, reach);
+    crowd.barriers.for_each_near({Vec(p - far), Vec(p + far)},
+                                 [&](const Barriers::Segment& segment)
+                                     HWY_ATTR { hide_behind(segment.a - p, segment.b - p); });
     fill_up();
   }
 
@@ -119,6 +124,29 @@ struct Others {
   }
 
  private:
+  /// Takes out those who stand behind the segment from `a` to `b` (m), seen from the agent.
+  HWY_INLINE void hide_behind(const Vec& a, const Vec& b) {
+    const D d;
+    const Reals ax = hn::Set(d, a.x()), ay = hn::Set(d, a.y()), bx = hn::Set(d, b.x()),
+                by = hn::Set(d, b.y());
+    const Reals along_x = hn::Sub(bx, ax), along_y = hn::Sub(by, ay);
+    const Reals own_side = hn::Sub(hn::Mul(ax, by), hn::Mul(ay, bx));
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < size; k += kLanes) {
+      const Reals x = hn::LoadU(d, dx.data() + k), y = hn::LoadU(d, dy.data() + k);
+      const Reals side = hn::Sub(hn::Mul(along_x, hn::Sub(y, ay)), hn::Mul(along_y, hn::Sub(x, ax)));
+      const Mask a_left = hn::Lt(hn::Sub(hn::Mul(x, ay), hn::Mul(y, ax)), hn::Zero(d));
+      const Mask b_left = hn::Lt(hn::Sub(hn::Mul(x, by), hn::Mul(y, bx)), hn::Zero(d));
+      const Mask behind = hn::And(hn::Lt(hn::Mul(own_side, side), hn::Zero(d)), hn::Xor(a_left, b_left));
+      const Mask seen = hn::AndNot(behind, hn::FirstN(d, size - k));
+      std::size_t count = 0;
+      for (std::vector<double>* all : {&dx, &dy, &place, &width})
+        count = hn::CompressStore(hn::LoadU(d, all->data() + k), seen, d, all->data() + kept);
+      kept += count;
+    }
+    size = kept;
+  }
+
   void fill_up() {
     for (std::size_t k = size; k < size + kFour; ++k) dx[k] = kFar, dy[k] = place[k] = width[k] = 0.0;
   }

@@ -40,15 +40,17 @@ struct PlainCrowd::Near {
     tree.buildIndex();
   }
 
-  /// Calls f(row, vector there, distance) for the others within `reach`, the nearest `most`.
+  /// Calls f(row, vector there, distance) for the others within `reach` and behind no wall, the nearest
+  /// `most`.
   template <class F>
-  void for_each(std::uint32_t own, double reach, std::size_t most, F f) const {
+  void for_each(std::uint32_t own, double reach, std::size_t most, const Barriers& walls, F f) const {
     const Vec& p = cloud.points[own];
     std::vector<std::pair<std::uint32_t, double>> found;
     tree.radiusSearch(p.data(), reach * reach, found, nanoflann::SearchParams());
     std::size_t count = 0;
     for (const auto& [row, square] : found)
-      if (row != own && count++ < most) f(row, Vec(cloud.points[row] - p), std::sqrt(square));
+      if (row != own && !walls.block(p, cloud.points[row]) && count++ < most)
+        f(row, Vec(cloud.points[row] - p), std::sqrt(square));
   }
 
   Cloud cloud;
@@ -107,21 +109,23 @@ Vec PlainCrowd::free_speed(std::uint32_t agent) const {
   const double time_gap = v[0], strength = v[1], range = v[2], wall_strength = v[3], wall_range = v[4];
   const std::vector<double>& radius = scene_.bodies.radius;
   Vec heading = towards(agent);
-  near_->for_each(agent, v[5], position_.size(), [&](std::uint32_t other, const Vec& to, double distance) {
-    const double gap = distance - radius[agent] - radius[other];
-    if (gap <= 16.0 * range) heading -= strength * std::exp(-gap / range) * to / distance;
-  });
+  near_->for_each(agent, v[5], position_.size(), barriers_,
+                  [&](std::uint32_t other, const Vec& to, double distance) {
+                    const double gap = distance - radius[agent] - radius[other];
+                    if (gap <= 16.0 * range) heading -= strength * std::exp(-gap / range) * to / distance;
+                  });
   barriers_.for_each_nearest(position_[agent], radius[agent] + 16.0 * wall_range, [&](const Vec& q) {
     const Vec out = position_[agent] - q;
     heading += wall_strength * std::exp((radius[agent] - out.norm()) / wall_range) * out.normalized();
   });
   heading.normalize();
   double gap = std::numeric_limits<double>::infinity();
-  near_->for_each(agent, v[5], position_.size(), [&](std::uint32_t other, const Vec& to, double distance) {
-    const double width = radius[agent] + radius[other];
-    if (heading.dot(to) >= 0.0 && std::abs(heading.x() * to.y() - heading.y() * to.x()) <= width)
-      gap = std::min(gap, distance - width);
-  });
+  near_->for_each(
+      agent, v[5], position_.size(), barriers_, [&](std::uint32_t other, const Vec& to, double distance) {
+        const double width = radius[agent] + radius[other];
+        if (heading.dot(to) >= 0.0 && std::abs(heading.x() * to.y() - heading.y() * to.x()) <= width)
+          gap = std::min(gap, distance - width);
+      });
   return std::max(0.0, std::min(scene_.crowd.desired_speed[agent], gap / time_gap)) * heading;
 }
 
@@ -137,10 +141,12 @@ Vec PlainCrowd::social_force(std::uint32_t agent) const {
     const Vec along(-away.y(), away.x());
     force += stiffness * depth * away + std::min(friction * depth, mass * most) * slip.dot(along) * along;
   };
-  near_->for_each(agent, v[6], position_.size(), [&](std::uint32_t other, const Vec& to, double distance) {
-    const double depth = radius[agent] + radius[other] - distance;
-    if (depth >= -16.0 * range) act(depth, -to / distance, velocity_[other] - own, 0.5 / scene_.time.dt);
-  });
+  near_->for_each(agent, v[6], position_.size(), barriers_,
+                  [&](std::uint32_t other, const Vec& to, double distance) {
+                    const double depth = radius[agent] + radius[other] - distance;
+                    if (depth >= -16.0 * range)
+                      act(depth, -to / distance, velocity_[other] - own, 0.5 / scene_.time.dt);
+                  });
   barriers_.for_each_nearest(position_[agent], radius[agent] + 16.0 * range, [&](const Vec& q) {
     const Vec out = position_[agent] - q;
     act(radius[agent] - out.norm(), out.normalized(), -own, 1.0 / scene_.time.dt);
@@ -165,7 +171,8 @@ Vec PlainCrowd::orca(std::uint32_t agent) const {
   }
   const std::size_t walls = planes.size();
   near_->for_each(
-      agent, v[2], static_cast<std::size_t>(v[3]), [&](std::uint32_t other, const Vec& to, double distance) {
+      agent, v[2], static_cast<std::size_t>(v[3]), barriers_,
+      [&](std::uint32_t other, const Vec& to, double distance) {
         const double width = radius[agent] + radius[other];
         const Vec relative = velocity_[agent] - velocity_[other];
         Escape out;

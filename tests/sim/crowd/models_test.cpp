@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <random>
 
 #include "sim/crowd/model.h"
 
@@ -217,6 +218,32 @@ TEST(Orca, TwoInOnePlacePart) {
   group.desired_speed = {0.0, 0.0};
   EXPECT_LT(group.ask("orca", 0).x(), -0.5);
   EXPECT_GT(group.ask("orca", 1).x(), 0.5);
+}
+
+// Test 2 of Juelich's for models of this kind: who stands behind a wall isn't there.
+TEST(Models, LookAtNobodyBehindAWall) {
+  const std::vector<BarrierLine> walls{{{{-9, 0.4}, {0.3, 0.4}}, false},
+                                       {{{1.2, -2}, {1.2, 2}, {3, 2}}, false}};
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> far(-2.4, 2.4);
+  int hidden = 0, seen = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    const int others = 1 + trial % 12;
+    std::vector<Vec> all{{0, 0}}, visible{{0, 0}};
+    const Barriers barriers(walls, 1.0);
+    for (int i = 0; i < others; ++i) {
+      const Vec p(far(random), far(random));
+      all.push_back(p);
+      if (!barriers.block(all[0], p)) visible.push_back(p);
+    }
+    seen += static_cast<int>(visible.size()) - 1, hidden += static_cast<int>(all.size() - visible.size());
+    for (const char* model : {"social_force", "collision_free_speed", "orca"}) {
+      Group group(all, walls), alone(visible, walls);
+      ASSERT_NEAR((group.ask(model) - alone.ask(model)).norm(), 0.0, 1e-12) << model << " trial " << trial;
+    }
+  }
+  EXPECT_GT(hidden, 400);
+  EXPECT_GT(seen, 400);
 }
 
 TEST(Models, SayWhichStepsTheyBear) {
