@@ -23,7 +23,10 @@ struct Pose {
 
   Vec rotate(const Vec& v) const { return {cos * v.x() - sin * v.y(), sin * v.x() + cos * v.y()}; }
   Vec unrotate(const Vec& v) const { return {cos * v.x() + sin * v.y(), cos * v.y() - sin * v.x()}; }
-  Vec operator*(const Vec& v) const { return rotate(v) + position; }
+  /// By coordinate: a sum of vectors loads what `rotate` has just stored in halves, and waits for it.
+  Vec operator*(const Vec& v) const {
+    return {cos * v.x() - sin * v.y() + position.x(), sin * v.x() + cos * v.y() + position.y()};
+  }
 };
 
 /// The pose at `angle` (rad), by throng's own sine and cosine: the same bits on every machine.

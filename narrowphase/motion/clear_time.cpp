@@ -26,10 +26,12 @@ ClearTime clear_time(const Standing& stays, double spin, const Standing& moves, 
                      const Vec& normal, const Vec& velocity, const RelativeMotion& motion, double margin,
                      const ClearTime& wanted) {
   const Vec between = moves.pose.position - stays.pose.position, none{0.0, 0.0};
-  const Vec offset = spin_moving == 0.0 ? none : between, recentred = spin_moving == 0.0 ? between : none;
+  const bool turns = spin_moving != 0.0;
+  const Vec offset = turns ? between : none;
+  const Pose about{turns ? none : between, moves.pose.cos, moves.pose.sin};
   double floor = -std::numeric_limits<double>::infinity();
   for (const Vec& v : stays.vertices) floor = std::max(floor, dot(normal, stays.pose.rotate(v)));
-  const double distance = length(offset), far = length(recentred) + moves.far;
+  const double distance = length(offset), far = length(about.position) + moves.far;
   const double turn = std::abs(spin), turning = std::abs(spin_moving - spin);
   const auto bend = [&](double reach) {
     const double origins = motion.acceleration + bend_of_origins(spin, motion.speed, distance);
@@ -42,7 +44,7 @@ ClearTime clear_time(const Standing& stays, double spin, const Standing& moves, 
   const double slope = rate_of_origins(normal, spin, velocity, offset);
   ClearTime clear = wanted;
   for (const Vec& v : moves.vertices) {
-    const Vec u = recentred + moves.pose.rotate(v);
+    const Vec u = about * v;
     const double h = height + dot(normal, u), rising = slope + (spin - spin_moving) * cross(normal, u);
     if (!(h > 0.0)) return {0.0, 0.0};
     const bool near = 4.0 * dot(u, u) < far * far;
