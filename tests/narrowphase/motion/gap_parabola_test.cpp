@@ -98,5 +98,25 @@ TEST(GapParabola, ByVertexBendsAShapeThatStandsByHowFarItReaches) {
               (std::sqrt(1.0 + 2.0 * bends * 0.5) - 1.0) / bends, 1e-12);
 }
 
+/// A keel 2 m wide, as flat as a circle of 100 km, that rolls 5e-11 m above a wall: ever new corners come
+/// down, from root to root only half the way, and six steps leave them thousands of times as deep as they are
+/// high.
+TEST(GapParabola, HoldsNoLongerWhereRootsComeDownSlowly) {
+  constexpr double kRadius = 1e5, kHigh = 5e-11;
+  std::vector<Vec> keel{{0.0, 0.5}};
+  for (int k = 0; k <= 20; ++k) keel.emplace_back(-std::ldexp(1.0, -k), std::ldexp(0.5 / kRadius, -2 * k));
+  for (int k = 20; k >= 0; --k) keel.emplace_back(std::ldexp(1.0, -k), std::ldexp(0.5 / kRadius, -2 * k));
+  const Convex wall = segment({-9, 0}, {9, 0}), rolls = convex(std::move(keel));
+  const MovingConvexPair pair(wall, {}, rolls, {{0, kHigh}, 0, {0, 0}, -1.0}, 1.0);
+  const PlacedPair placed{pair.pose_a(0.0), pair.pose_b(0.0)};
+  const TurningAxis axis{{0, 1}, 0.0, bend(pair, 0.0, 0.0)}, origins{{0, 1}, 0.0, 0.0};
+  ASSERT_LT(gap_along(pair, axis, 0.0, 1e-7), -1e-12) << "the gap is closed long before the first root";
+  for (const GapParabola& gap : {gap_parabola(pair, placed, axis, 0.0, 1.0),
+                                 gap_parabola_by_vertex(pair, placed, origins, 0.0, 1.0)}) {
+    EXPECT_GT(gap.holds, 1e-10);
+    EXPECT_GE(gap_along(pair, axis, 0.0, gap.holds), 0.0) << gap.holds;
+  }
+}
+
 }  // namespace
 }  // namespace throng::narrowphase
