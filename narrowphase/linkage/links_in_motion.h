@@ -18,6 +18,7 @@ class LinksInMotion {
   std::size_t segments() const { return segments_.size(); }
   std::uint32_t segment(std::uint32_t k) const { return static_cast<std::uint32_t>(k / scene_.pairs.size()); }
   double duration(std::uint32_t) const { return 1.0; }
+  double likely(std::uint32_t) const { return 0.5; }
   double pace(std::uint32_t k) const {
     const auto [of_a, of_b] = far(k);
     return bounds_[k].rate.of(of_a, of_b);

@@ -70,17 +70,21 @@ class Bisection {
     return std::max({pairs_.resolution(pair), rounding, options_.epsilon});
   }
 
-  /// At the middle, and if that doesn't cover the whole path, at its ends.
+  /// Where contact is likely, and if that doesn't cover the whole path, at the ends that it leaves open.
   void begin(const Gap& path) {
-    const Neighbourhood in = compute(path.pair, 0.5 * path.to, path.from, path.to);
+    const Neighbourhood in = compute(path.pair, pairs_.likely(path.pair), path.from, path.to);
     if (in.hit || covers(in, path.from, path.to)) return;
     if (path.to == 0.0) return scratch_.left.push_back(path);
-    const Neighbourhood start = compute(path.pair, path.from, path.from, in.from);
-    if (start.hit) return;
-    const Neighbourhood end = compute(path.pair, path.to, in.to, path.to);
-    if (end.hit) return;
-    push(path.pair, start.to, in.from);
-    push(path.pair, in.to, end.from);
+    if (path.from < in.from) {
+      const Neighbourhood start = compute(path.pair, path.from, path.from, in.from);
+      if (start.hit) return;
+      push(path.pair, start.to, in.from);
+    }
+    if (in.to < path.to) {
+      const Neighbourhood end = compute(path.pair, path.to, in.to, path.to);
+      if (end.hit) return;
+      push(path.pair, in.to, end.from);
+    }
   }
 
   void divide(const Gap& gap) {

@@ -14,8 +14,9 @@
 /// hit soon, or proves that there is none; for the first contact see first_contact.h.
 ///
 /// Each pair is on its own, and has a covering of its own. At an instant t with distances d_ij between the
-/// parts, nothing touches from t - tau to t + tau, tau = min d_ij / mu_ij, or longer: see `safe_time`. What
-/// remains is gaps between neighbourhoods, and the next instant is in the middle of the largest gap. With the
+/// parts, nothing touches from t - tau to t + tau, tau = min d_ij / mu_ij, or longer: see `safe_time`. The
+/// first instant is where the pair is likely to meet, then come the ends; what remains is gaps between
+/// neighbourhoods, and the next instant is in the middle of the largest gap. With the
 /// minimum alone, that two neighbourhoods of instants a < c leave no gap, tau_a + tau_c >= c - a, implies the
 /// test of the paper, lambda_i + lambda_j <= eta_ij(a) + eta_ij(c) for every pair of parts: lambda_i +
 /// lambda_j = mu_ij (c - a) <= mu_ij tau_a + mu_ij tau_c <= d_ij(a) + d_ij(c). It says more, for mu_ij tau is
@@ -31,6 +32,7 @@ concept PairsInMotion = requires(Pairs pairs, std::uint32_t k, double time,
   { pairs.segments() } -> std::convertible_to<std::size_t>;
   { pairs.segment(k) } -> std::convertible_to<std::uint32_t>;
   { pairs.duration(k) } -> std::convertible_to<double>;    // s, finite, never negative
+  { pairs.likely(k) } -> std::convertible_to<double>;      // s, within the path, to be looked at first
   { pairs.pace(k) } -> std::convertible_to<double>;        // m/s, what no distance changes faster by
   { pairs.resolution(k) } -> std::convertible_to<double>;  // m, what clearance is not worth proving
   { pairs.safe_time(k, time, question) } -> std::same_as<SafeTime>;  // sets pose_error itself

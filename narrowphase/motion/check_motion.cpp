@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "narrowphase/relative.h"
+
 namespace throng::narrowphase {
 
 namespace {
@@ -12,6 +14,33 @@ namespace {
 template <class Shape>
 double far(const MovingSolid<Shape>& solid) {
   return solid.shape->tree.nodes[0].far;
+}
+
+/// What a solid turns about, or the middle of one that only goes straight.
+struct Centre {
+  Vec at;        ///< m, at time 0
+  double reach;  ///< m, from there
+};
+
+template <class Shape>
+Centre centre(const MovingSolid<Shape>& solid) {
+  if (solid.motion.spin != 0.0) return {solid.motion.position, far(solid)};
+  const auto& all = solid.shape->tree.nodes[0].volume;
+  return {pose_at(solid.motion, 0.0) * Vec(all.centre), radius(all)};
+}
+
+/// When the two centres come nearest to each other; in the middle, where that is always within their reach,
+/// as in a scene, or isn't known.
+template <class Shape>
+double nearest_pass(const SolidPair<Shape>& pair) {
+  const Centre a = centre(pair.a), b = centre(pair.b);
+  const Vec start = b.at - a.at, velocity = pair.b.motion.velocity - pair.a.motion.velocity;
+  const Vec end = start + pair.duration * velocity;
+  const Direction course = direction(velocity, {1.0, 0.0});
+  const double time = -dot(start, course.unit) / course.length;
+  if (!std::isfinite(time) || std::max(start.norm(), end.norm()) <= a.reach + b.reach)
+    return 0.5 * pair.duration;
+  return std::clamp(time, 0.0, pair.duration);
 }
 
 /// Pairs of rigid bodies for `bisect`.
@@ -25,6 +54,7 @@ class RigidPairs {
   std::size_t segments() const { return segments_; }
   std::uint32_t segment(std::uint32_t k) const { return pairs_[k].segment; }
   double duration(std::uint32_t k) const { return pairs_[k].duration; }
+  double likely(std::uint32_t k) const { return nearest_pass(pairs_[k]); }
   double pace(std::uint32_t k) const {
     return gap_rate(pairs_[k].a.motion, pairs_[k].b.motion).of(far(pairs_[k].a), far(pairs_[k].b));
   }

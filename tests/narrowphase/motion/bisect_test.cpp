@@ -16,6 +16,7 @@ struct Distances {
     std::function<double(double)> distance;
     double duration = 1.0;
     std::uint32_t segment = 0;
+    double likely = 0.5 * duration;
   };
   std::vector<Pair> pairs;
   std::size_t count = 1;
@@ -24,6 +25,7 @@ struct Distances {
   std::size_t segments() const { return count; }
   std::uint32_t segment(std::uint32_t k) const { return pairs[k].segment; }
   double duration(std::uint32_t k) const { return pairs[k].duration; }
+  double likely(std::uint32_t k) const { return pairs[k].likely; }
   double pace(std::uint32_t) const { return 1.0; }
   double resolution(std::uint32_t) const { return 1e-9; }
   SafeTime safe_time(std::uint32_t k, double time, const SafeTimeQuestion&) const {
@@ -46,6 +48,32 @@ TEST(Bisect, AsksOnceWhereTheMiddleCoversAll) {
   const PathAnswer answer = ask({{{[](double) { return 0.6; }}}});
   EXPECT_EQ(answer.verdict, Verdict::free);
   EXPECT_EQ(answer.evaluations, 1u);
+}
+
+/// A contact from 0.3 to 0.302, of which the middle, the ends and the quarters know nothing.
+TEST(Bisect, LooksFirstWhereAContactIsLikely) {
+  const auto distance = [](double t) { return std::abs(t - 0.301) - 0.001; };
+  const PathAnswer answer = ask({{{distance, 1.0, 0, 0.3015}}});
+  EXPECT_EQ(answer.verdict, Verdict::hit);
+  EXPECT_EQ(answer.from, 0.3015);
+  EXPECT_EQ(answer.evaluations, 1u);
+}
+
+/// A gap of 0.25 s all the way: 0.2 covers the start, the end covers from 0.75, and the middle what is left.
+TEST(Bisect, LeavesOutAnEndThatIsCovered) {
+  const auto quarter = [](double) { return 0.25; };
+  EXPECT_EQ(ask({{{quarter, 1.0, 0, 0.2}}}).evaluations, 3u);
+  EXPECT_EQ(ask({{{quarter, 1.0, 0, 0.8}}}).evaluations, 3u);
+}
+
+/// Of a contact that only the ends know, whichever is looked at first.
+TEST(Bisect, KnowsBothEndsWhereverItBegins) {
+  for (const double likely : {0.0, 0.4, 1.0})
+    for (const double at : {0.0, 1.0}) {
+      const PathAnswer answer = ask({{{[at](double t) { return std::abs(t - at); }, 1.0, 0, likely}}});
+      EXPECT_EQ(answer.verdict, Verdict::hit) << likely << ", " << at;
+      EXPECT_EQ(answer.from, at);
+    }
 }
 
 /// A gap of 1e-6 all the way takes half a million computations, of which it gets a thousand.

@@ -37,6 +37,28 @@ TEST(CheckMotion, ProvesThatDiscsPassEachOther) {
   EXPECT_EQ(past.verdict, Verdict::free);
 }
 
+/// They pass at 0.9, meet for a hundredth, and come from opposite sides; one stands 50 m from its origin.
+TEST(CheckMotion, LooksFirstWhereTheCentresPassEachOther) {
+  const Solid grain(disc(0.05)), far(disc(0.05, {50, 0}));
+  for (const double spin : {0.0, 2.0})
+    for (const double way : {-1.0, 1.0}) {
+      const Motion passes{{-18 * way, 0}, 0, {20 * way, 0}, spin}, stands = still({-50, 0});
+      const PathAnswer a = check_motion(far.shape, stands, grain.shape, passes, 1.0);
+      const PathAnswer b = check_motion(grain.shape, passes, far.shape, stands, 1.0);
+      EXPECT_EQ(a.verdict, Verdict::hit);
+      EXPECT_NEAR(a.from, 0.9, 1e-15);
+      EXPECT_EQ(a.evaluations, 1u);
+      EXPECT_EQ(b.from, a.from);
+    }
+}
+
+/// One above the other: nowhere on their ways do they come nearer.
+TEST(CheckMotion, AsksOnceAboutWhatStandsStill) {
+  const PathAnswer rest = check_motion(kBall.shape, still({0, 0}), kBall.shape, still({0, 5}), 1.0);
+  EXPECT_EQ(rest.verdict, Verdict::free);
+  EXPECT_EQ(rest.evaluations, 1u);
+}
+
 TEST(CheckMotion, AsksOnceAboutWhatIsFarAway) {
   const PathAnswer far = check_motion(kBar.shape, {{0, 0}, 0, {1, 0}, 3}, kPost.shape, still({9, 0}), 1.0);
   EXPECT_EQ(far.verdict, Verdict::free);
