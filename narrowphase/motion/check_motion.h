@@ -4,8 +4,8 @@
 #include "narrowphase/motion/bisect.h"
 
 /// "Is the path free?" for rigid bodies, each a solid: a union of convex parts, or an outline with any
-/// volume. A static environment is one solid over all obstacles' parts that doesn't move: the answer names
-/// the part.
+/// volume; the two of a pair are of one kind, of which `decompose` makes parts of an outline with its holes.
+/// A static environment is one solid over all obstacles' parts that doesn't move: the answer names the part.
 namespace throng::narrowphase {
 
 template <class Shape = PartsBvh>

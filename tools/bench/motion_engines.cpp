@@ -3,12 +3,12 @@
 
 #include <cstdio>
 
-#include "narrowphase/motion/advance_scalar.h"
-#include "narrowphase/motion/algebraic.h"
+#include "narrowphase/motion/baselines/advance_scalar.h"
+#include "narrowphase/motion/baselines/algebraic.h"
+#include "narrowphase/motion/baselines/sampled.h"
+#include "narrowphase/motion/baselines/swept_hull.h"
 #include "narrowphase/motion/check_motion.h"
 #include "narrowphase/motion/first_contact_parts.h"
-#include "narrowphase/motion/sampled.h"
-#include "narrowphase/motion/swept_hull.h"
 #include "tools/bench/motion_peers.h"
 
 namespace throng::bench {

@@ -8,8 +8,8 @@
 
 #include "moving_shapes.h"
 #include "moving_solids.h"
-#include "narrowphase/motion/advance_scalar.h"
-#include "narrowphase/motion/algebraic.h"
+#include "narrowphase/motion/baselines/advance_scalar.h"
+#include "narrowphase/motion/baselines/algebraic.h"
 #include "narrowphase/motion/check_motion.h"
 #include "narrowphase/motion/first_contact_parts.h"
 

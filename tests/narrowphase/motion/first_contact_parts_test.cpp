@@ -5,7 +5,7 @@
 
 #include "moving_shapes.h"
 #include "narrowphase/decompose.h"
-#include "narrowphase/motion/advance_scalar.h"
+#include "narrowphase/motion/baselines/advance_scalar.h"
 #include "tests/narrowphase/polygons.h"
 
 namespace throng::narrowphase {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "narrowphase/motion/swept_hull.h"
+#include "narrowphase/motion/baselines/swept_hull.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "narrowphase/motion/advance_scalar.h"
+#include "narrowphase/motion/baselines/advance_scalar.h"
 
 #include <algorithm>
 

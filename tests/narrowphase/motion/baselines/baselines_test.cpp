@@ -6,11 +6,11 @@
 #include <cstdio>
 #include <set>
 
-#include "moving_shapes.h"
-#include "narrowphase/motion/algebraic.h"
-#include "narrowphase/motion/interval_newton.h"
-#include "narrowphase/motion/sampled.h"
-#include "narrowphase/motion/swept_hull.h"
+#include "../moving_shapes.h"
+#include "narrowphase/motion/baselines/algebraic.h"
+#include "narrowphase/motion/baselines/interval_newton.h"
+#include "narrowphase/motion/baselines/sampled.h"
+#include "narrowphase/motion/baselines/swept_hull.h"
 
 namespace throng::narrowphase {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "narrowphase/motion/algebraic.h"
+#include "narrowphase/motion/baselines/algebraic.h"
 
 #include <cmath>
 
 #include "narrowphase/distance.h"
+#include "narrowphase/motion/baselines/interval_newton.h"
 #include "narrowphase/motion/gap_parabola.h"
-#include "narrowphase/motion/interval_newton.h"
 #include "narrowphase/motion/parabola.h"
 
 namespace throng::narrowphase {
