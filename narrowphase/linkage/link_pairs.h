@@ -14,8 +14,9 @@ struct LinkPair {
 /// The pairs of which a motion must be asked whether they meet: links against obstacles first, then links of
 /// one robot and of several, each ascending. Left out are
 ///   - links without shape, and the pairs in `may_touch` (in either order; with kWorld: the obstacles);
-///   - links of one robot that share a joint: at most one joint that moves lies between them. Of two robots
-///     none are: an arm may well meet a post that is a robot of its own;
+///   - links of one robot that share a joint, at which they touch, those that rigid joints unite being one
+///     body: at most one joint that moves lies between them, however far they reach. Of two robots none are:
+///     an arm may well meet a post that is a robot of its own;
 ///   - links that the joint limits keep apart, where that is proven in `effort` distances: boxes of joint
 ///     values are halved until the distance at each centre exceeds what the joints between the two can move
 ///     them within the box. A revolute joint without limits goes once round, prismatic ones prove nothing.

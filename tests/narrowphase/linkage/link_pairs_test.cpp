@@ -87,6 +87,40 @@ TEST(PairsToCheck, LinksOnARigidJointAreOne) {
   EXPECT_THAT(pairs_to_check(robot, false), IsEmpty());
 }
 
+/// By the definition: what rigid joints unite is one body, named by its first link. Limits prove nothing
+/// here.
+TEST(PairsToCheck, LeavesOutOneBodyAndTwoThatAJointJoins) {
+  constexpr std::uint64_t kSeed = 20261127;
+  Random random(kSeed);
+  int asked = 0, left_out = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    ShapeStore shapes;
+    Linkage forest = random_forest(random, shapes, 8);
+    std::vector<std::uint32_t> body(forest.size()), robot(forest.size());
+    for (std::uint32_t i = 0; i < forest.size(); ++i) {
+      const std::uint32_t parent = forest[i].parent;
+      const bool rigid = random() % 3 == 0;
+      if (rigid) forest[i].lower = forest[i].upper = 0.5;
+      body[i] = rigid && parent != kWorld ? body[parent] : i;
+      robot[i] = parent == kWorld ? i : robot[parent];
+    }
+    const auto hangs_on = [&](std::uint32_t x, std::uint32_t y) {
+      const std::uint32_t parent = forest[body[x]].parent;
+      return parent != kWorld && body[parent] == body[y];
+    };
+    std::vector<LinkPair> expected;
+    for (std::uint32_t a = 0; a < forest.size(); ++a)
+      for (std::uint32_t b = a + 1; b < forest.size(); ++b) {
+        const bool joined = body[a] == body[b] || hangs_on(a, b) || hangs_on(b, a);
+        if (robot[a] != robot[b] || !joined) expected.push_back({a, b});
+        ++(robot[a] == robot[b] && joined ? left_out : asked);
+      }
+    ASSERT_EQ(pairs_to_check(forest, false, {}, 0), expected) << "seed " << kSeed << ", trial " << trial;
+  }
+  EXPECT_GT(asked, 2000);
+  EXPECT_GT(left_out, 2000);
+}
+
 TEST(LimitsKeepApart, BarsThatCannotFoldBack) {
   ShapeStore shapes;
   Linkage robot = arm(shapes, 3, 1.0, 0.1);
