@@ -5,6 +5,7 @@
 #include <numbers>
 #include <optional>
 
+#include "tools/disc_brush.h"
 #include "tools/images.h"
 #include "tools/pen.h"
 
@@ -17,12 +18,32 @@ constexpr double kSmallest = 1.5;   // pixels of radius below which a body has n
 constexpr double kTurnShows = 4.0;  // pixels of radius from which a disc shows how it turned
 constexpr double kStands = 0.05;    // m/s up to which an agent walks nowhere
 
+/// What draws: discs are painted straight into the pixels, all else by cairo, each in its turn.
+class Painter {
+ public:
+  explicit Painter(cairo_t* cairo) : cairo_(cairo) {}
+
+  DiscBrush& discs() { return brush_ ? *brush_ : brush_.emplace(cairo_); }
+  cairo_t* cairo() {
+    brush_.reset();
+    return cairo_;
+  }
+
+ private:
+  cairo_t* cairo_;
+  std::optional<DiscBrush> brush_;
+};
+
+bool is_outlined(double radius, double pixel) {
+  return radius > kSmallest * pixel;
+}
+double outline_width(double radius, double pixel) {
+  return std::min(1.6 * pixel, 0.24 * radius);
+}
+
 /// Holes run against the outline, which leaves them unfilled.
-void add_shape(cairo_t* cairo, const Shape& shape, double radius) {
-  if (shape.kind == ShapeKind::disc) {
-    cairo_new_sub_path(cairo);
-    cairo_arc(cairo, 0, 0, radius, 0, 2 * std::numbers::pi);
-  } else if (!shape.outline.empty()) {
+void add_shape(cairo_t* cairo, const Shape& shape) {
+  if (!shape.outline.empty()) {
     add_ring(cairo, shape.outline);
     for (const std::vector<Vec>& hole : shape.holes) add_ring(cairo, hole);
   } else {
@@ -32,10 +53,9 @@ void add_shape(cairo_t* cairo, const Shape& shape, double radius) {
 
 /// The outline first and twice as wide, then the filling over it: right for shapes of several parts, too.
 void paint(cairo_t* cairo, const Shape& shape, double radius, const Colour& colour, double pixel) {
-  add_shape(cairo, shape, radius);
-  const bool outlined = radius > kSmallest * pixel;
-  if (outlined) {
-    cairo_set_line_width(cairo, std::min(1.6 * pixel, 0.24 * radius));
+  add_shape(cairo, shape);
+  if (is_outlined(radius, pixel)) {
+    cairo_set_line_width(cairo, outline_width(radius, pixel));
     set_colour(cairo, shade(colour));
     cairo_stroke_preserve(cairo);
   }
@@ -61,33 +81,36 @@ std::optional<double> facing(const Scene& scene, const Frame& frame, std::size_t
   return std::fmod(frame.angle[row], 2 * std::numbers::pi);
 }
 
-void draw_turn(cairo_t* cairo, double radius, const Colour& colour, double pixel) {
-  if (radius < kTurnShows * pixel) return;
-  cairo_move_to(cairo, 0, 0);
-  cairo_line_to(cairo, 0.92 * radius, 0);
-  cairo_set_line_width(cairo, std::min(1.6 * pixel, 0.16 * radius));
-  set_colour(cairo, shade(colour));
-  cairo_stroke(cairo);
+/// A disc, and how it turned.
+void draw_disc(DiscBrush& brush, const Vec& at, double radius, const std::optional<double>& turned,
+               const Colour& colour, double pixel) {
+  const double half = 0.5 * outline_width(radius, pixel);
+  if (is_outlined(radius, pixel)) brush.ring(at, radius - half, radius + half, shade(colour));
+  brush.disc(at, radius, colour);
+  if (turned && radius >= kTurnShows * pixel)
+    brush.spoke(at, 0.92 * radius, *turned, std::min(1.6 * pixel, 0.16 * radius), shade(colour));
 }
 
-void draw_at(cairo_t* cairo, const Scene& scene, const Frame& frame, std::size_t row, const Vec& at,
+void draw_at(Painter& painter, const Scene& scene, const Frame& frame, std::size_t row, const Vec& at,
              const Colour& colour, double pixel) {
+  const std::optional<double> turned = facing(scene, frame, row);
+  const Shape& shape = scene.shapes[scene.bodies.shape[row]];
+  const double radius = scene.bodies.radius[row];
+  if (shape.kind == ShapeKind::disc) return draw_disc(painter.discs(), at, radius, turned, colour, pixel);
+  cairo_t* const cairo = painter.cairo();
   cairo_save(cairo);
   cairo_translate(cairo, at.x(), at.y());
-  const std::optional<double> turned = facing(scene, frame, row);
   cairo_rotate(cairo, turned.value_or(0.0));
-  const Shape& shape = scene.shapes[scene.bodies.shape[row]];
-  paint(cairo, shape, scene.bodies.radius[row], colour, pixel);
-  if (shape.kind == ShapeKind::disc && turned) draw_turn(cairo, scene.bodies.radius[row], colour, pixel);
+  paint(cairo, shape, radius, colour, pixel);
   cairo_restore(cairo);
 }
 
 /// The body, and in a periodic domain its images that reach over a border.
-void draw_body(cairo_t* cairo, const Scene& scene, const Frame& frame, std::size_t row, double pixel,
+void draw_body(Painter& painter, const Scene& scene, const Frame& frame, std::size_t row, double pixel,
                double top) {
   const Colour colour = colour_of(scene, frame, row, top);
   at_images(scene.domain, frame.position[row], scene.bodies.radius[row],
-            [&](const Vec& at) { draw_at(cairo, scene, frame, row, at, colour, pixel); });
+            [&](const Vec& at) { draw_at(painter, scene, frame, row, at, colour, pixel); });
 }
 
 }  // namespace
@@ -101,9 +124,10 @@ void draw_bodies(cairo_t* cairo, const Scene& scene, const Frame& frame, double 
     cairo_rectangle(cairo, scene.domain.min.x(), scene.domain.min.y(), size.x(), size.y());
     cairo_clip(cairo);
   }
+  Painter painter(cairo);
   for (std::size_t row = 0; row < frame.position.size(); ++row)
-    if (frame.has(row)) draw_body(cairo, scene, frame, row, pixel, top);
-  cairo_restore(cairo);
+    if (frame.has(row)) draw_body(painter, scene, frame, row, pixel, top);
+  cairo_restore(painter.cairo());
 }
 
 void draw_walls(cairo_t* cairo, const Scene& scene, double thickness) {

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+// Discs against what cairo makes of the same arcs and lines, pixel by pixel.
+#include "tools/disc_brush.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <memory>
+#include <numbers>
+#include <random>
+#include <vector>
+
+namespace throng::tools {
+namespace {
+
+constexpr int kWide = 120, kHigh = 90;  // pixels
+constexpr double kScale = 10.0;         // pixels a metre
+constexpr Colour kBlue{0.1, 0.3, 0.8};
+
+/// A white picture in metres with y up, its origin in the lower left.
+struct Canvas {
+  std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)> surface{
+      cairo_image_surface_create(CAIRO_FORMAT_RGB24, kWide, kHigh), cairo_surface_destroy};
+  std::unique_ptr<cairo_t, void (*)(cairo_t*)> cairo{cairo_create(surface.get()), cairo_destroy};
+
+  Canvas() {
+    cairo_set_source_rgb(cairo.get(), 1, 1, 1);
+    cairo_paint(cairo.get());
+    cairo_translate(cairo.get(), 0, kHigh);
+    cairo_scale(cairo.get(), kScale, -kScale);
+    cairo_set_source_rgb(cairo.get(), kBlue.red, kBlue.green, kBlue.blue);
+    cairo_set_tolerance(cairo.get(), 0.01);
+  }
+
+  int red(int x, int y) const {
+    const unsigned char* data = cairo_image_surface_get_data(surface.get());
+    return data[y * cairo_image_surface_get_stride(surface.get()) + 4 * x + 2];
+  }
+};
+
+/// Of red, 0 to 255: the mean over the pixels in which either has painted, and the most; and of all that is
+/// painted, the share by which they differ.
+struct Difference {
+  double mean = 0.0, most = 0.0, area = 0.0;
+};
+
+Difference difference(const Canvas& a, const Canvas& b) {
+  Difference found;
+  double touched = 0.0, painted = 0.0;
+  for (int y = 0; y < kHigh; ++y)
+    for (int x = 0; x < kWide; ++x) {
+      const double d = a.red(x, y) - b.red(x, y);
+      found.mean += std::abs(d), found.most = std::max(found.most, std::abs(d)), found.area += d;
+      touched += a.red(x, y) < 255 || b.red(x, y) < 255;
+      painted += 255 - b.red(x, y);
+    }
+  return {found.mean / std::max(1.0, touched), found.most, std::abs(found.area) / std::max(1.0, painted)};
+}
+
+/// `brush` and `pen` draw the same thing, of a random place (m) and size, two hundred times.
+template <class Brush, class Pen>
+Difference worst(double least, double most, Brush brush, Pen pen) {
+  std::mt19937 random(11);
+  const auto within = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
+  };
+  Difference worst;
+  for (int i = 0; i < 200; ++i) {
+    const Vec at(within(3.0, 9.0), within(3.0, 6.0));
+    const double size = within(least, most), angle = within(-4.0, 4.0);
+    Canvas painted, drawn;
+    DiscBrush(painted.cairo.get()).disc({-50.0, 1e9}, 1.0, kBlue);  // out of the picture
+    {
+      DiscBrush tip(painted.cairo.get());
+      brush(tip, at, size, angle);
+    }
+    pen(drawn.cairo.get(), at, size, angle);
+    const Difference one = difference(painted, drawn);
+    worst = {std::max(worst.mean, one.mean), std::max(worst.most, one.most), std::max(worst.area, one.area)};
+  }
+  return worst;
+}
+
+void fill(cairo_t* cairo, const Vec& at, double radius, double) {
+  cairo_arc(cairo, at.x(), at.y(), radius, 0, 2 * std::numbers::pi);
+  cairo_fill(cairo);
+}
+
+void paint(DiscBrush& brush, const Vec& at, double radius, double) {
+  brush.disc(at, radius, kBlue);
+}
+
+TEST(DiscBrush, FillsDiscsAsCairoDoes) {
+  const Difference found = worst(0.2, 2.9, paint, fill);
+  EXPECT_LT(found.mean, 5.0);
+  EXPECT_LT(found.most, 40.0);
+  EXPECT_LT(found.area, 0.015);
+}
+
+TEST(DiscBrush, FillsTheSmallestDiscsAsDarkAsTheyAreLarge) {
+  const Difference found = worst(0.03, 0.2, paint, fill);
+  EXPECT_LT(found.area, 0.125);
+  EXPECT_LT(found.most, 100.0);
+}
+
+TEST(DiscBrush, DrawsRingsAsCairoDoes) {
+  const Difference found = worst(
+      0.4, 2.9,
+      [](DiscBrush& brush, const Vec& at, double radius, double) {
+        brush.ring(at, radius - 0.06, radius + 0.06, kBlue);
+      },
+      [](cairo_t* cairo, const Vec& at, double radius, double) {
+        cairo_set_line_width(cairo, 0.12);
+        cairo_arc(cairo, at.x(), at.y(), radius, 0, 2 * std::numbers::pi);
+        cairo_stroke(cairo);
+      });
+  EXPECT_LT(found.mean, 15.0);
+  EXPECT_LT(found.area, 0.03);
+}
+
+TEST(DiscBrush, DrawsLinesAsCairoDoes) {
+  const Difference found = worst(
+      0.4, 2.9,
+      [](DiscBrush& brush, const Vec& at, double length, double angle) {
+        brush.spoke(at, length, angle, 0.14, kBlue);
+      },
+      [](cairo_t* cairo, const Vec& at, double length, double angle) {
+        cairo_set_line_width(cairo, 0.14);
+        cairo_move_to(cairo, at.x(), at.y());
+        cairo_line_to(cairo, at.x() + length * std::cos(angle), at.y() + length * std::sin(angle));
+        cairo_stroke(cairo);
+      });
+  EXPECT_LT(found.mean, 25.0);
+  EXPECT_LT(found.area, 0.12);
+}
+
+/// Of a disc as large as the picture, whole pixels within the clip and none outside.
+TEST(DiscBrush, KeepsWithinTheClip) {
+  Canvas canvas;
+  cairo_rectangle(canvas.cairo.get(), 2.0, 1.0, 5.0, 4.0);
+  cairo_clip(canvas.cairo.get());
+  DiscBrush(canvas.cairo.get()).disc({5.0, 4.0}, 1e4, kBlue);
+  for (int y = 0; y < kHigh; ++y)
+    for (int x = 0; x < kWide; ++x)
+      ASSERT_EQ(canvas.red(x, y) < 255, x >= 20 && x < 70 && y >= kHigh - 50 && y < kHigh - 10) << x << " " << y;
+}
+
+}  // namespace
+}  // namespace throng::tools
