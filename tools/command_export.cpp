@@ -41,10 +41,6 @@ void check_contents(const Options& options, const Recording& recording) {
   const Record& record = recording.geometry().record;
   if (options.format != "csv" && !record.position)
     throw InputError(options.file + " holds no positions, which " + options.format + " can't do without");
-  if (bodies_come_and_go(recording.geometry()) && (options.format == "xdmf" || options.format == "h5md3"))
-    throw InputError(options.file + " holds other bodies in each frame (" +
-                     (record.within ? "record.within" : "agents leave") + "), which " + options.format +
-                     " can't say; csv, pedpy and lammps can");
   if (record.quantum > 0.0 && options.format == "xdmf")
     throw InputError(options.file +
                      " holds quantized positions, which ParaView can't read in place; csv, pedpy and h5md3 "

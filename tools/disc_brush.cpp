@@ -74,8 +74,8 @@ std::uint32_t* DiscBrush::row(int y) const {
   return reinterpret_cast<std::uint32_t*>(data_ + static_cast<std::ptrdiff_t>(y) * stride_);
 }
 
-/// Asks of each pixel that may be within `reach` of (x, y) which share is painted, by where its centre is from
-/// there.
+/// Asks of each pixel that may be within `reach` of (x, y) which share is painted, by where its centre is
+/// from there.
 template <class Share>
 void DiscBrush::paint(double x, double y, double reach, const Colour& colour, Share share) {
   const std::uint32_t full = pixel_of(colour);

@@ -10,14 +10,14 @@
 
 namespace throng::tools {
 
-/// Paints discs straight into the pixels of a picture, six times as fast as cairo and more, and looks like it: a
-/// pixel at the rim is covered as far as the rim is from its centre, and the whole has the disc's area.
+/// Paints discs straight into the pixels of a picture, six times as fast as cairo and more, and looks like
+/// it: a pixel at the rim is covered as far as the rim is from its centre, and the whole has the disc's area.
 ///
 /// Nothing else may draw on the surface while this lives.
 class DiscBrush {
  public:
-  /// Expects an image of four bytes a pixel, its context in metres, as wide as high, with y up, and clipped to a
-  /// rectangle. Paints whole pixels of that.
+  /// Expects an image of four bytes a pixel, its context in metres, as wide as high, with y up, and clipped
+  /// to a rectangle. Paints whole pixels of that.
   explicit DiscBrush(cairo_t* cairo);
   ~DiscBrush();
   DiscBrush(const DiscBrush&) = delete;

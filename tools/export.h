@@ -24,8 +24,9 @@ void export_lammps(const Recording& recording, std::span<const std::size_t> fram
                    const ExportTarget& target);
 
 /// XML through which ParaView reads the recording, that of `file`, where it lies: by its path from the folder
-/// of the target's name, or from the root where that is a device or a pipe. Expects recorded positions.
-/// Throws InputError where ParaView would not open the recording.
+/// of the target's name, or from the root where that is a device or a pipe. Where bodies come and go, without
+/// their radius, which stands in another order, and without frames that hold none. Expects recorded
+/// positions. Throws InputError where ParaView would not open the recording.
 void export_xdmf(const Recording& recording, const std::string& file, std::span<const std::size_t> frames,
                  const ExportTarget& target);
 

@@ -73,8 +73,12 @@ class Pointers {
       : out_(out),
         recording_(recording),
         path_(xml(path)),
-        bodies_(std::to_string(recording.bodies())),
+        rows_(std::to_string(recording.bodies())),
+        bodies_(rows_),
         bytes_(recording.geometry().record.single ? "4" : "8") {}
+
+  /// How many stand in front of the rows that are pointed to.
+  void show(std::size_t bodies) { bodies_ = std::to_string(bodies); }
 
   void write_points(std::size_t frame) const {
     out_ << "<Topology TopologyType=\"Polyvertex\" NumberOfElements=\"" << bodies_
@@ -97,6 +101,17 @@ class Pointers {
     out_ << "</Attribute>\n";
   }
 
+  /// The ids of a frame, where bodies come and go.
+  void write_ids(std::size_t frame) const {
+    begin_attribute("id");
+    out_ << "<DataItem ItemType=\"HyperSlab\" Dimensions=\"" << bodies_
+         << "\"><DataItem Format=\"XML\" Dimensions=\"3 2\">"
+         << std::to_string(recording_.id_sample(frame).value()) << " 0 1 1 1 " << bodies_
+         << "</DataItem><DataItem Format=\"HDF\" Dimensions=\"" << std::to_string(recording_.id_samples())
+         << " " << rows_ << "\" NumberType=\"UInt\" Precision=\"4\">" << path_
+         << ":/particles/trajectory/id/value</DataItem></DataItem></Attribute>\n";
+  }
+
  private:
   void begin_attribute(const char* name) const {
     out_ << "<Attribute Name=\"" << name << "\" AttributeType=\"Scalar\" Center=\"Node\">";
@@ -112,19 +127,23 @@ class Pointers {
          << std::to_string(sample) << " 0" << (flat ? "" : " " + std::to_string(part.first))
          << (flat ? " 1 1" : " 1 1 1") << " 1 " << bodies_ << (flat ? "" : columns)
          << "</DataItem><DataItem Format=\"HDF\" Dimensions=\""
-         << std::to_string(recording_.samples(part.recorded)) << " " << bodies_ << (flat ? "" : " 2")
+         << std::to_string(recording_.samples(part.recorded)) << " " << rows_ << (flat ? "" : " 2")
          << "\" NumberType=\"Float\" Precision=\"" << bytes_ << "\">" << path_ << ":/particles/trajectory/"
          << part.field << "/value</DataItem></DataItem>";
   }
 
   TextFile& out_;
   const Recording& recording_;
-  std::string path_, bodies_, bytes_;
+  std::string path_, rows_, bodies_, bytes_;  // rows_: of bodies that there may be
 };
 
 void write_attributes(const Pointers& to, const Recording& recording, std::size_t frame) {
-  to.write_constant("id", "Int", "/particles/trajectory/id");
-  to.write_constant("radius", "Float", "/throng/bodies/radius");
+  if (recording.id_sample(frame)) {
+    to.write_ids(frame);
+  } else {
+    to.write_constant("id", "Int", "/particles/trajectory/id");
+    to.write_constant("radius", "Float", "/throng/bodies/radius");
+  }
   const std::pair<const char*, Part> scalars[] = {{"vx", {"velocity", 2, 0, 1, RecordField::velocity}},
                                                   {"vy", {"velocity", 2, 1, 1, RecordField::velocity}},
                                                   {"angle", {"angle", 1, 0, 1, RecordField::angle}},
@@ -141,10 +160,16 @@ void export_xdmf(const Recording& recording, const std::string& file, std::span<
   const std::string path = path_to(file, target.name);
   expect_text(path);
   TextFile out(target);
-  const Pointers to(out, recording, path);
+  Pointers to(out, recording, path);
+  Frame present;
   out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Xdmf Version=\"2.0\"><Domain>\n<Grid Name=\""
       << xml(recording.geometry().name) << "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
   for (std::size_t i : frames) {
+    if (recording.id_sample(i)) {
+      recording.read(i, present);
+      if (present.bodies() == 0) continue;  // XDMF knows no grid of nothing
+      to.show(present.bodies());
+    }
     out << "<Grid Name=\"bodies\"><Time Value=\"" << recording.times()[i] << "\"/>\n";
     to.write_points(i);
     write_attributes(to, recording, i);

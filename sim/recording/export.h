@@ -30,8 +30,9 @@ bool have_velocities(const Recording& recording, std::span<const std::size_t> fr
 
 /// H5MD 1.1 in three dimensions with z = 0, which MDAnalysis needs: positions and, where all the
 /// frames have them, velocities; mass, radius and id of the bodies. Plain numbers in SI units: no `unit`
-/// attributes, for MDAnalysis knows no metre. A periodic domain has edges, 1 m in z. Expects the same bodies
-/// in every frame.
+/// attributes, for MDAnalysis knows no metre. A periodic domain has edges, 1 m in z. Where bodies come and
+/// go, each keeps its row; while it is away, its place and velocity are NaN, and its id, of each frame then,
+/// is 0, the fill value.
 void export_h5md3(const Recording& recording, std::span<const std::size_t> frames,
                   const ExportTarget& target);
 

@@ -33,6 +33,7 @@ class H5md3 {
   h5::Handle create_sampled(const char* name);
   h5::Handle create_vectors(hid_t element);
   void write(const h5::Handle& set, std::size_t row, const std::vector<Vec>& vectors);
+  void write_present(std::size_t row, const Frame& frame);
   void abandon();
 
   const Recording& recording_;
@@ -40,6 +41,7 @@ class H5md3 {
   Frames frames_;
   std::vector<double> values_;  // x, y, 0 of each body
   h5::Handle file_, trajectory_, position_, velocity_;
+  h5::Handle present_;  // ids by frame, where bodies come and go
 };
 
 H5md3::H5md3(const Recording& recording, Frames frames, const std::string& output)
@@ -110,7 +112,11 @@ void H5md3::write_bodies() {
   const std::vector<std::int64_t> ids(recording_.ids().begin(), recording_.ids().end());
   std::vector<double> masses;
   for (std::size_t row = 0; row < ids.size(); ++row) masses.push_back(mass(scene_, row));
-  h5::write_array(trajectory_, "id", std::span<const std::int64_t>(ids));
+  if (bodies_come_and_go(scene_))
+    present_ = h5::create_fixed(create_sampled("id"), "value", h5::type<std::int64_t>(),
+                                {frames_.size(), ids.size()});
+  else
+    h5::write_array(trajectory_, "id", std::span<const std::int64_t>(ids));
   h5::write_array(trajectory_, "mass", std::span<const double>(masses));
   h5::write_array(trajectory_, "radius", std::span<const double>(scene_.bodies.radius));
 }
@@ -134,8 +140,17 @@ void H5md3::write(const h5::Handle& set, std::size_t row, const std::vector<Vec>
   for (std::size_t body = 0; body < vectors.size(); ++body) {
     values_[3 * body] = vectors[body].x();
     values_[3 * body + 1] = vectors[body].y();
+    values_[3 * body + 2] = 0.0 * vectors[body].x();  // no number where there is no body
   }
   h5::write_rows(set, row, 1, h5::type<double>(), values_.data());
+}
+
+/// 0, the fill value, is to H5MD the id of who is not there.
+void H5md3::write_present(std::size_t row, const Frame& frame) {
+  std::vector<std::int64_t> ids(frame.id.begin(), frame.id.end());
+  for (std::size_t body = 0; body < ids.size(); ++body)
+    if (!frame.has(body)) ids[body] = 0;
+  h5::write_rows(present_, row, 1, h5::type<std::int64_t>(), ids.data());
 }
 
 void H5md3::write_frames() {
@@ -144,15 +159,17 @@ void H5md3::write_frames() {
     recording_.read(frames_[row], frame);
     write(position_, row, frame.position);
     if (velocity_ >= 0) write(velocity_, row, frame.velocity);
+    if (present_ >= 0) write_present(row, frame);
   }
 }
 
 void H5md3::close() {
-  for (h5::Handle* handle : {&velocity_, &position_, &trajectory_, &file_}) handle->close("cannot close it");
+  for (h5::Handle* handle : {&present_, &velocity_, &position_, &trajectory_, &file_})
+    handle->close("cannot close it");
 }
 
 void H5md3::abandon() {
-  for (h5::Handle* handle : {&velocity_, &position_, &trajectory_, &file_}) handle->abandon();
+  for (h5::Handle* handle : {&present_, &velocity_, &position_, &trajectory_, &file_}) handle->abandon();
 }
 
 }  // namespace

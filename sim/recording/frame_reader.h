@@ -28,6 +28,9 @@ class FrameReader {
   /// Which frames hold the field.
   const Schedule& schedule(RecordField field) const { return fields_[index(field)].when; }
 
+  /// Which frames say who is in them; never where that is the same in all.
+  const Schedule& id_schedule() const { return present_when_; }
+
   /// Fills all but ids of a frame whose step, time and hashes are there, and holds it against its hash.
   void read(std::size_t i, Frame& frame) const;
 

@@ -251,6 +251,12 @@ std::span<const std::uint32_t> Recording::ids() const {
 std::optional<std::size_t> Recording::sample(RecordField field, std::size_t i) const {
   return impl_->reader.schedule(field).sample(impl_->in_file(i));
 }
+std::optional<std::size_t> Recording::id_sample(std::size_t i) const {
+  return impl_->reader.id_schedule().sample(impl_->in_file(i));
+}
+std::size_t Recording::id_samples() const {
+  return impl_->reader.id_schedule().samples();
+}
 std::size_t Recording::samples(RecordField field) const {
   return impl_->reader.schedule(field).samples();
 }

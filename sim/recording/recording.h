@@ -102,6 +102,10 @@ class Recording {
   /// Samples of a field, where it is stored, in all frames of the file, chosen or not.
   std::size_t samples(RecordField field) const;
 
+  /// The same of who is in a frame, where bodies come and go: the row of ids that is frame i's.
+  std::optional<std::size_t> id_sample(std::size_t i) const;
+  std::size_t id_samples() const;
+
   /// The frame nearest in time; the earlier of two. Expects frames() > 0. O(log frames).
   std::size_t index_at(double time) const;
   Frame frame_at(double time) const { return frame(index_at(time)); }

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Recordings of agents, who leave: as the program, its exports and throng_read.py know them."""
 import csv
-import pathlib
 import subprocess
 import unittest
+import xml.etree.ElementTree as xml
 
 import h5py
 import numpy as np
@@ -78,13 +78,48 @@ class Crowd(Program):
             rows = list(csv.DictReader(file))
         self.assertEqual(len(rows), 501)
 
-    def test_what_needs_the_same_bodies_is_refused(self):
+    def test_h5md_keeps_the_rows_of_who_left(self):
         self.record()
-        for format in ("xdmf", "h5md3"):
-            code, said = self.throng("export", "a.h5", "--format", format, "-o", "a.out")
-            self.assertEqual(code, 2)
-            self.assertIn("holds other bodies in each frame (agents leave), which " + format, said)
-            self.assertFalse(pathlib.Path(self.path("a.out")).exists())
+        self.assertEqual(self.throng("export", "a.h5", "--format", "h5md3", "-o", "a.h5md"), (0, ""))
+        with throng_read.open(self.path("a.h5")) as recording, h5py.File(self.path("a.h5md")) as file:
+            trajectory, places = file["particles/trajectory"], recording.position[:]
+            here = np.isfinite(places[..., 0])
+            self.assertTrue(0 < here.sum() < here.size, "some leave")
+            np.testing.assert_array_equal(trajectory["position/value"][..., :2], places)
+            np.testing.assert_array_equal(trajectory["velocity/value"][..., :2], recording.velocity[:])
+            np.testing.assert_array_equal(trajectory["position/value"][..., 2], np.where(here, 0.0, np.nan))
+            np.testing.assert_array_equal(trajectory["id/value"][:], np.where(here, recording.ids, 0))
+            self.assertEqual(trajectory["id/value"].fillvalue, 0)
+            self.assertEqual(trajectory["id/step"], trajectory["position/step"])
+            self.assertEqual(len(trajectory["mass"]), len(recording.ids))
+
+    def test_xdmf_points_at_who_is_there(self):
+        self.record()
+        self.assertEqual(self.throng("export", "a.h5", "--format", "xdmf", "-o", "a.xdmf"), (0, ""))
+        with throng_read.open(self.path("a.h5")) as recording:
+            times, places, ids = recording.time, recording.position[:], recording.ids
+        here = np.isfinite(places[..., 0])
+        grids = {float(grid.find("Time").get("Value")): grid for grid in xml.parse(self.path("a.xdmf")).getroot().iter("Grid")
+                 if grid.get("CollectionType") is None}
+        self.assertEqual(set(grids), set(times[here.any(axis=1)]))
+        for frame in np.flatnonzero(here.any(axis=1))[::7]:
+            grid = grids[times[frame]]
+            self.assertEqual(int(grid.find("Topology").get("NumberOfElements")), here[frame].sum())
+            np.testing.assert_array_equal(self.slab(grid.find("Geometry/DataItem")), places[frame][here[frame]])
+            found = {attribute.get("Name"): attribute.find("DataItem") for attribute in grid.findall("Attribute")}
+            np.testing.assert_array_equal(self.slab(found["id"]), ids[here[frame]])
+            self.assertNotIn("radius", found, "it stands in another order")
+
+    def slab(self, item):
+        """What a selection gives: start, stride and count of each dimension."""
+        selection, whole = item.findall("DataItem")
+        start, stride, count = np.array(selection.text.split(), int).reshape(3, -1)
+        path, place = whole.text.split(":")
+        with h5py.File(self.path(path)) as file:
+            self.assertEqual(tuple(map(int, whole.get("Dimensions").split())), file[place].shape)
+            self.assertEqual(int(whole.get("Precision")), file[place].dtype.itemsize)
+            values = file[place][tuple(slice(s, s + k * n, k) for s, k, n in zip(start, stride, count))]
+        return values.reshape(tuple(map(int, item.get("Dimensions").split())))
 
 
 if __name__ == "__main__":

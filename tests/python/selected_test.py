@@ -183,9 +183,7 @@ place = {{ lattice = {{ origin = [0, 0], spacing = [1, 1], size = [100, 100] }} 
     def test_exports_know_it_or_say_why_not(self):
         self.selected("within=[[0.75, 0], [1.8, 3]]").close()
         for form in ("xdmf", "h5md3"):
-            code, said = self.throng("export", "selected.h5", "--format", form, "-o", "a." + form)
-            self.assertEqual(code, 2)
-            self.assertIn("record.within", said)
+            self.assertEqual(self.throng("export", "selected.h5", "--format", form, "-o", "a." + form), (0, ""))
         self.assertEqual(self.throng("export", "selected.h5", "--format", "pedpy", "-o", "a.ped.h5"), (0, ""))
         with throng_read.open(self.path("selected.h5")) as recording, h5py.File(self.path("a.ped.h5")) as file:
             self.assertEqual(len(file["trajectory"]), np.isfinite(recording.position[:, 1:, 0]).sum())

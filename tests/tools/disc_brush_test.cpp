@@ -143,7 +143,8 @@ TEST(DiscBrush, KeepsWithinTheClip) {
   DiscBrush(canvas.cairo.get()).disc({5.0, 4.0}, 1e4, kBlue);
   for (int y = 0; y < kHigh; ++y)
     for (int x = 0; x < kWide; ++x)
-      ASSERT_EQ(canvas.red(x, y) < 255, x >= 20 && x < 70 && y >= kHigh - 50 && y < kHigh - 10) << x << " " << y;
+      ASSERT_EQ(canvas.red(x, y) < 255, x >= 20 && x < 70 && y >= kHigh - 50 && y < kHigh - 10)
+          << x << " " << y;
 }
 
 }  // namespace
