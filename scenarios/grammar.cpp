@@ -199,7 +199,7 @@ Table agent_table() {
        {"at", point(), "Where the agent stands, m."},
        {"place", table({{required({"random", random, "Anywhere that is free, uniformly at random."})}}),
         "How to place more than one agent."},
-       {"count", integer(0, kMostBodies), "How many agents.", "1"},
+       {"count", integer(0, kMostBodies), "How many agents; with appear.times as many as these make.", "1"},
        {"radius", distribution(length(), "radius, m,"), "Radius, m.", "0.2"},
        {"desired_speed", distribution(number(0, kFastest, "m/s"), "speed, m/s,"),
         "Speed when nothing is in the way, m/s.", "1.34"},

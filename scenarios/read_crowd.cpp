@@ -104,17 +104,19 @@ class AgentReader {
     else
       for (const toml::node& name : *node.as_table()->get("nearest")->as_array())
         names.push_back(name.as_string()->get());
-    std::vector<Region> regions;
-    Area goal;
+    Goal goal;
     for (const std::string& name : names) {
       goal.name += (goal.name.empty() ? "" : " or ") + in_quotes(name);
-      regions.push_back(scene_.crowd.areas[area_row(name, scene_)].region);
+      goal.areas.push_back(area_row(name, scene_));
     }
-    std::vector<Area>& goals = scene_.crowd.goals;
-    const auto found =
-        std::find_if(goals.begin(), goals.end(), [&](const Area& other) { return other.name == goal.name; });
+    std::ranges::sort(goal.areas);
+    goal.areas.erase(std::unique(goal.areas.begin(), goal.areas.end()), goal.areas.end());
+    std::vector<Goal>& goals = scene_.crowd.goals;
+    const auto found = std::ranges::find(goals, goal.areas, &Goal::areas);
     const auto row = static_cast<std::uint32_t>(found - goals.begin());
     if (found != goals.end()) return row;
+    std::vector<Region> regions;
+    for (const std::uint32_t area : goal.areas) regions.push_back(scene_.crowd.areas[area].region);
     if (report_.errors() == 0) goal.region = united(regions);
     goals.push_back(std::move(goal));
     return row;
@@ -163,11 +165,13 @@ class AgentReader {
         fail(*times, "appear.times", "must be ascending");
       if (table.contains("from")) fail(*table.get("from"), "appear.from", "belongs to a rate");
       const std::size_t all = appears.times.size() * appears.together;
-      if (!table_.contains("count"))
-        entry_.count = static_cast<std::uint32_t>(std::min<std::size_t>(all, kMostBodies));
-      if (entry_.count > all)
+      const auto most = static_cast<std::uint32_t>(std::min<std::size_t>(all, kMostBodies + 1));
+      if (!table_.contains("count")) entry_.count = most;
+      if (entry_.count != most)
         fail(*times, "appear.times",
              "make " + std::to_string(all) + " agents appear, and count is " + std::to_string(entry_.count));
+    } else if (!table_.contains("count")) {
+      fail(*node, "appear.rate", "needs count: how many appear in all");
     }
     if (!entry_.random)
       fail(*node, "appear", "needs place.random: where there is room is found when they appear");

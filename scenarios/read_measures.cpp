@@ -16,28 +16,38 @@ class MeasureReader {
 
   void read() {
     measure_.name = text(table_, "name", "");
-    measure_.from = number(table_, "from", 0.0);
-    measure_.until = number(table_, "until", measure_.until);
-    if (!(measure_.from < measure_.until)) fail("until", "must be after `from`");
+    if (measure_.name.empty()) fail("name", "must not be empty");
     for (const Measure& other : scene_.crowd.measures)
-      if (other.name == measure_.name) fail("name", "is that of another measure too");
+      if (other.name == measure_.name)
+        fail("name", in_quotes(measure_.name) + " is the name of another measure too");
+    read_times();
     table_.contains("line") ? read_line() : read_area();
     scene_.crowd.measures.push_back(std::move(measure_));
   }
 
  private:
+  void read_times() {
+    const double from = number(table_, "from", 0.0);
+    measure_.after = steps(from);
+    if (table_.contains("until")) measure_.last = steps(number(*table_.get("until")));
+    if (measure_.last <= measure_.after)
+      fail("until", "must be at least a step after `from`, which is " + to_text(from) + " s");
+  }
+
+  /// That it takes to get there, as the end of the run is understood.
+  std::int64_t steps(double time) const { return Time{scene_.time.dt, time, 1}.steps(); }
+
   void read_line() {
     const std::vector<Vec> ends = points(*table_.get("line"));
     measure_.line = {ends[0], ends[1]};
-    measure_.size = (ends[1] - ends[0]).norm();
-    if (!(measure_.size > 0.0)) fail("line", "must have two different ends");
+    if (ends[0] == ends[1]) fail("line", "must have two different ends");
   }
 
   void read_area() {
     const std::string name = text(table_, "area", "");
     for (const Area& area : scene_.crowd.areas)
       if (area.name == name) measure_.area = area.region;
-    if (measure_.area.empty()) return;  // its fault was reported where it stands
+    if (measure_.area.empty() || scene_.crowd.walkable.empty()) return;  // their faults were reported
     measure_.size = common_area(measure_.area, scene_.crowd.walkable);
     if (!(measure_.size > 0.0)) fail("area", "has nothing in common with the walkable area");
   }

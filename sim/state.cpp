@@ -67,8 +67,14 @@ bool fits(const State& state, const Scene& scene) {
     return false;
   for (std::size_t group = 0; group < crowd.waiting.size(); ++group)
     if (crowd.waiting[group] > (of.groups[group].entrance ? of.groups[group].count : 0)) return false;
+  const auto is_waiting = [&](std::size_t agent) {
+    const AgentGroup& group = of.groups[of.group[agent]];
+    return agent >= group.first + group.count - crowd.waiting[of.group[agent]];
+  };
   for (std::size_t row = 0; row < crowd.stage.size(); ++row)
-    if (crowd.stage[row] >= of.journeys[of.journey[state.id[row] - 1]].size()) return false;
+    if (is_waiting(state.id[row] - std::size_t{1}) ||
+        crowd.stage[row] >= of.journeys[of.journey[state.id[row] - 1]].size())
+      return false;
   return true;
 }
 

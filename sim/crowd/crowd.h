@@ -19,6 +19,13 @@ struct Area {
   Region region;
 };
 
+/// Where agents go: to the nearest of some areas.
+struct Goal {
+  std::string name;                  ///< for messages
+  std::vector<std::uint32_t> areas;  ///< rows of Crowd::areas, ascending
+  Region region;                     ///< what is in any of them
+};
+
 /// Where agents appear in the course of time.
 struct Entrance {
   Region within;     ///< that holds all of each
@@ -42,7 +49,7 @@ struct Crowd {
   Region walkable;          ///< where agents may be; its edges are walls of the scene too
   std::vector<Area> areas;  ///< by name
   std::vector<AgentGroup> groups;
-  std::vector<Area> goals;  ///< areas, or several of them as one: the nearest counts
+  std::vector<Goal> goals;  ///< each once
   std::vector<Journey> journeys;
   std::vector<std::uint32_t> group;    ///< row of `groups`
   std::vector<std::uint32_t> journey;  ///< row of `journeys`

@@ -29,7 +29,8 @@ std::vector<Disc> others_near(const Scene& scene, const State& state, const Eige
 }  // namespace
 
 std::optional<Vec> free_place(const Scene& scene, const Barriers& barriers, const State& state,
-                              const Entrance& entrance, std::uint32_t agent) {
+                              const Entrance& entrance, std::uint32_t agent,
+                              const std::function<bool(const Vec&)>& suits) {
   const double radius = scene.bodies.radius[agent], clear = radius + entrance.gap;
   const Eigen::AlignedBox2d box = bounds(entrance.within);
   const std::vector<Disc> others = others_near(scene, state, box, clear);
@@ -43,7 +44,7 @@ std::optional<Vec> free_place(const Scene& scene, const Barriers& barriers, cons
     });
     if (!meets && contains(entrance.within, p) &&
         (nearest_on_border(entrance.within, p) - p).norm() >= radius && contains(scene.crowd.walkable, p) &&
-        !(barriers.distance(p, clear) < clear))
+        !(barriers.distance(p, clear) < clear) && suits(p))
       return p;
   }
   return std::nullopt;

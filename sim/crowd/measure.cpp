@@ -50,13 +50,15 @@ int crossing(const std::array<Vec, 2>& line, const Vec& from, const Vec& to) {
   return passes ? (was_left ? 1 : -1) : 0;
 }
 
-void measure(const Measure& measure, std::span<const Stride> strides, std::int64_t step, double dt,
-             Measured& measured) {
-  const double time = static_cast<double>(step) * dt;
-  if (time < measure.from || time > measure.until) return;
+void measure(const Measure& measure, std::span<const Stride> strides, std::int64_t step, Measured& measured) {
+  if (!measure.is_on(step)) return;
   measure.area.empty() ? measure_line(measure, strides, step, measured)
                        : measure_area(measure, strides, step, measured);
   ++measured.steps;
+}
+
+void measure_entry(const Measure& measure, const Vec& place, std::int64_t step, Measured& measured) {
+  if (measure.is_on(step) && contains(measure.area, place)) count(1, step, measured.count, measured);
 }
 
 Reading reading(const Measure& measure, const Measured& measured, double dt) {

@@ -16,10 +16,13 @@ namespace throng {
 
 struct Measure {
   std::string name;
-  std::array<Vec, 2> line{Vec(0.0, 0.0), Vec(0.0, 0.0)};  ///< m, from and to; of areas unused
-  Region area;                                            ///< empty: a line
-  double size = 0.0;  ///< m, the line's length; m², the walkable part of the area
-  double from = 0.0, until = std::numeric_limits<double>::infinity();  ///< s: measured are the steps between
+  std::array<Vec, 2> line{Vec(0.0, 0.0), Vec(0.0, 0.0)};         ///< m, from and to; of areas unused
+  Region area;                                                   ///< empty: a line
+  double size = 0.0;                                             ///< m², the walkable part of the area
+  std::int64_t after = 0;                                        ///< measured are the steps after this one
+  std::int64_t last = std::numeric_limits<std::int64_t>::max();  ///< and up to this one
+
+  bool is_on(std::int64_t step) const { return after < step && step <= last; }
 };
 
 /// What was measured so far; all of it zero before the first step.
@@ -46,12 +49,14 @@ struct Stride {
 int crossing(const std::array<Vec, 2>& line, const Vec& from, const Vec& to);
 
 /// Adds a step of all agents, which ends at `step`. O(strides), little where they aren't near.
-void measure(const Measure& measure, std::span<const Stride> strides, std::int64_t step, double dt,
-             Measured& measured);
+void measure(const Measure& measure, std::span<const Stride> strides, std::int64_t step, Measured& measured);
+
+/// Adds an agent who appears at `place` (m) at the end of `step`: in an area he has entered it.
+void measure_entry(const Measure& measure, const Vec& place, std::int64_t step, Measured& measured);
 
 /// What the measured says, in the words of the field. Nothing where too little was measured.
 struct Reading {
-  std::int64_t count;             ///< crossings both ways; different entries
+  std::int64_t count;             ///< crossings both ways; entries
   std::optional<double> flow;     ///< 1/s: of crossings, from the first to the last; 1/(m s) in an area
   std::optional<double> density;  ///< 1/m², mean over time, of an area
   std::optional<double> speed;    ///< m/s, mean of those who cross, or of all in the area over time

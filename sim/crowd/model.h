@@ -14,7 +14,7 @@ namespace throng {
 
 /// The crowd as it is before the step, which every agent reads and none changes: the answers depend on no
 /// order. Agents by their places in `cells`; behind the last one all arrays go on for kPadding numbers, which
-/// may be read.
+/// may be read. Who is near, and behind no barrier, is gathered by Others of near-inl.h.
 struct CrowdView {
   double dt;           ///< s
   std::uint64_t seed;  ///< of the scene
@@ -33,18 +33,6 @@ struct CrowdView {
   Vec position(std::uint32_t place) const { return {x[place], y[place]}; }
   Vec velocity(std::uint32_t place) const { return {velocity_x[place], velocity_y[place]}; }
   Vec towards(std::uint32_t place) const { return {towards_x[place], towards_y[place]}; }
-
-  /// Calls f(place, vector there) for all others whose centres are at most `reach` (m) away, by place.
-  template <class F>
-  void for_each_near(std::uint32_t own, double reach, F f) const {
-    const Vec p = position(own);
-    cells.for_each_stretch(p, reach, [&](std::size_t first, std::size_t end) {
-      for (auto place = static_cast<std::uint32_t>(first); place < end; ++place) {
-        const Vec to = position(place) - p;
-        if (place != own && to.squaredNorm() <= reach * reach) f(place, to);
-      }
-    });
-  }
 };
 
 class WalkingModel {

@@ -75,15 +75,29 @@ void Walk::build_goals() {
   }
 }
 
+bool Walk::leads(std::uint32_t goal, const Vec& place) const {
+  return goals_[goal].field->distance(place) < std::numeric_limits<double>::infinity();
+}
+
+/// Who appears later is checked at a place at random: of those who have his journey one must find a way.
 void Walk::expect_ways() const {
-  for (std::size_t agent = 0; agent < scene_.crowd.size(); ++agent)
-    for (const std::uint32_t goal : journey(agent)) {
-      const Vec& place = scene_.bodies.position[agent];
-      if (goals_[goal].field->distance(place) < std::numeric_limits<double>::infinity()) continue;
-      throw InputError("agents[" + std::to_string(group(agent).index) + "]: no way wide enough leads from " +
-                       text(place) + ", where agent " + std::to_string(agent + 1) + " stands, to its goal " +
-                       scene_.crowd.goals[goal].name);
-    }
+  const Crowd& crowd = scene_.crowd;
+  std::vector<bool> is_possible(crowd.journeys.size());
+  const auto dead_end = [&](std::size_t agent) {
+    return std::ranges::find_if_not(
+        journey(agent), [&](std::uint32_t goal) { return leads(goal, scene_.bodies.position[agent]); });
+  };
+  for (std::size_t agent = 0; agent < crowd.size(); ++agent)
+    if (group(agent).entrance && dead_end(agent) == journey(agent).end())
+      is_possible[crowd.journey[agent]] = true;
+  for (std::size_t agent = 0; agent < crowd.size(); ++agent) {
+    const auto goal = dead_end(agent);
+    if (is_possible[crowd.journey[agent]] || goal == journey(agent).end()) continue;
+    throw InputError("agents[" + std::to_string(group(agent).index) + "]: no way wide enough leads from " +
+                     text(scene_.bodies.position[agent]) + ", where agent " + std::to_string(agent + 1) +
+                     (group(agent).entrance ? " may appear" : " stands") + ", to its goal " +
+                     crowd.goals[*goal].name);
+  }
 }
 
 void Walk::Ranks::resize(std::size_t n) {
@@ -165,7 +179,7 @@ void Walk::measure_all(State& state) {
     strides_[place] = {{ranks_.x[place], ranks_.y[place]}, state.position[row], state.velocity[row].norm()};
   }
   for (std::size_t i = 0; i < scene_.crowd.measures.size(); ++i)
-    measure(scene_.crowd.measures[i], strides_, state.step, scene_.time.dt, state.crowd.measured[i]);
+    measure(scene_.crowd.measures[i], strides_, state.step, state.crowd.measured[i]);
 }
 
 void Walk::leave(State& state) {
@@ -202,9 +216,14 @@ void Walk::appear(State& state) {
     for (; waiting > 0; --waiting) {
       const std::uint32_t agent = its.first + its.count - waiting;
       if (crowd.due[agent] > now) break;
-      const std::optional<Vec> place = free_place(scene_, barriers_, state, *its.entrance, agent);
+      const std::optional<Vec> place =
+          free_place(scene_, barriers_, state, *its.entrance, agent, [&](const Vec& p) {
+            return std::ranges::all_of(journey(agent), [&](std::uint32_t goal) { return leads(goal, p); });
+          });
       if (!place) break;
       add_agent(state, agent, *place);
+      for (std::size_t k = 0; k < crowd.measures.size(); ++k)
+        measure_entry(crowd.measures[k], *place, state.step, state.crowd.measured[k]);
     }
   }
 }

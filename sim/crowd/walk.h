@@ -59,6 +59,7 @@ class Walk {
 
   void build_goals();
   void expect_ways() const;
+  bool leads(std::uint32_t goal, const Vec& place) const;  // a way, from there
   void rank(const State& state, std::size_t place);
   void measure_all(State& state);
   std::size_t agent(const State& state, std::size_t row) const { return state.id[row] - std::size_t{1}; }

@@ -239,7 +239,7 @@ bool is_sound(const CrowdState& crowd, std::int64_t step) {
   const auto past = [step](std::int64_t s) { return s >= 0 && s <= step; };
   return std::all_of(crowd.stand.begin(), crowd.stand.end(), is_near) &&
          std::all_of(crowd.stand_step.begin(), crowd.stand_step.end(), past) && past(crowd.last_arrival) &&
-         is_count(crowd.arrived) && crowd.wall_corrections >= 0 &&
+         is_count(crowd.arrived) && is_count(crowd.wall_corrections) &&
          std::all_of(crowd.measured.begin(), crowd.measured.end(),
                      [&](const Measured& measured) { return is_sound(measured, step); });
 }

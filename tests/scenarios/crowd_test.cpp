@@ -160,9 +160,9 @@ TEST(Crowd, IsMeasuredAtLinesAndInAreas) {
   const std::vector<Measure>& measures = sound.scene.crowd.measures;
   ASSERT_EQ(measures.size(), 2u);
   EXPECT_EQ(measures[0].line[1], Vec(9, 3));
-  EXPECT_EQ(measures[0].from, 5.0);
-  EXPECT_EQ(measures[0].until, 60.0);
-  EXPECT_EQ(measures[1].from, 0.0);
+  EXPECT_EQ(measures[0].after, 500);
+  EXPECT_EQ(measures[0].last, 6000);
+  EXPECT_EQ(measures[1].after, 0);
   EXPECT_FALSE(measures[1].area.empty());
   EXPECT_DOUBLE_EQ(measures[1].size, 3 * 4 - 1)
       << "what of it is floor: the pillar and what is outside are not";
@@ -181,9 +181,9 @@ TEST(Crowd, IsNotMeasuredWhereTheMeasureSaysNothing) {
                "measure[0].area: has nothing in common with the walkable area");
   expect_fault(crowd + "name = 'x'\narea = 'nowhere'\n", "measure[0].area: ");
   expect_fault(crowd + "name = 'x'\narea = 'start'\nfrom = 3\nuntil = 3\n",
-               "measure[0].until: must be after `from`");
+               "measure[0].until: must be at least a step after `from`, which is 3 s");
   expect_fault(crowd + "name = 'x'\narea = 'start'\n[[measure]]\nname = 'x'\narea = 'exit'\n",
-               "measure[1].name: is that of another measure too");
+               "measure[1].name: \"x\" is the name of another measure too");
 }
 
 TEST(Crowd, MayAppearInTimeSetOutLateAndGoFromGoalToGoal) {
@@ -212,6 +212,11 @@ TEST(Crowd, TakesAreasThatOverlapAsOneGoal) {
       load_text(kFloor + "more = [[2, 0], [3.5, 0], [3.5, 5], [2, 5]]\n" +
                 "[[agents]]\nmodel = 'social_force'\nat = [7, 1]\ngoal.nearest = ['start', 'more']\n");
   ASSERT_EQ(loaded.errors(), 0) << faults(loaded);
+  const Loaded twice =
+      load_text(kFloor + "more = [[2, 0], [3.5, 0], [3.5, 5], [2, 5]]\n" +
+                "[[agents]]\nmodel = 'orca'\nat = [7, 1]\ngoal.nearest = ['start', 'more']\n"
+                "[[agents]]\nmodel = 'orca'\nat = [7, 4]\ngoal.nearest = ['more', 'start', 'more']\n");
+  EXPECT_EQ(twice.scene.crowd.goals.size(), 1u) << faults(twice);
   for (const double x : {1.0, 2.5, 3.2}) EXPECT_TRUE(contains(loaded.scene.crowd.goals[0].region, Vec(x, 2)));
 }
 
@@ -228,11 +233,16 @@ TEST(Crowd, IsRefusedWhereItsGoalsOrTimesMakeNoSense) {
   expect_fault(timed + "appear = { times = [5, 4] }\n", "agents[0].appear.times: must be ascending");
   expect_fault(timed + "count = 5\nappear = { times = [4, 5], together = 2 }\n",
                "agents[0].appear.times: make 4 agents appear, and count is 5");
+  expect_fault(timed + "count = 2\nappear = { times = [4, 5, 6] }\n",
+               "agents[0].appear.times: make 3 agents appear, and count is 2");
+  expect_fault(timed + "appear = { times = [4, 5], together = 10000000 }\n", "agents in all");
+  expect_fault(timed + "appear = { rate = 2 }\n", "agents[0].appear.rate: needs count");
   expect_fault(timed + "appear = { times = [4, 5], from = 2 }\n", "agents[0].appear.from: belongs to a rate");
   expect_fault(timed + "appear = { from = 2 }\n", "agents[0].appear: needs exactly one of rate, times");
   expect_fault(kFloor + kGroup + "at = [1, 1]\nappear = { rate = 1 }\n",
                "agents[0].appear: needs place.random");
-  expect_fault(kFloor + kGroup + "radius = 2\nappear = { rate = 1 }\n" + kRandom, "found no free place");
+  expect_fault(kFloor + kGroup + "count = 1\nradius = 2\nappear = { rate = 1 }\n" + kRandom,
+               "found no free place");
 }
 
 }  // namespace throng

@@ -82,8 +82,8 @@ inline void expect_same(const Scene& a, const Scene& b) {
     EXPECT_EQ(a.crowd.measures[i].line, b.crowd.measures[i].line);
     EXPECT_EQ(a.crowd.measures[i].area.rings, b.crowd.measures[i].area.rings);
     EXPECT_EQ(a.crowd.measures[i].size, b.crowd.measures[i].size);
-    EXPECT_EQ(a.crowd.measures[i].from, b.crowd.measures[i].from);
-    EXPECT_EQ(a.crowd.measures[i].until, b.crowd.measures[i].until);
+    EXPECT_EQ(a.crowd.measures[i].after, b.crowd.measures[i].after);
+    EXPECT_EQ(a.crowd.measures[i].last, b.crowd.measures[i].last);
   }
   ASSERT_EQ(a.crowd.groups.size(), b.crowd.groups.size());
   for (std::size_t i = 0; i < a.crowd.groups.size(); ++i) {

@@ -54,6 +54,13 @@ TEST(Entrance, BringsGroupsInAtTheirTimes) {
   EXPECT_EQ(run.state.id, (std::vector<std::uint32_t>{1, 2, 3, 4, 5, 6, 7, 8, 9}));
 }
 
+TEST(Entrance, BringsNobodyInWhereNoWayLeads) {
+  Trial run(
+      hall("goal = 'low'\ncount = 20\nappear = { rate = 10 }\n[[walls]]\nsegment = [[0, 3.2], [20, 3.2]]\n"));
+  run.steps(1500);
+  EXPECT_EQ(run.state.crowd.arrived, 20);
+}
+
 TEST(Entrance, LetsAgentsWaitUntilThereIsRoom) {
   Trial run(hall("goal = 'low'\ncount = 60\nradius = 0.25\nappear = { times = [0], together = 60 }\n"));
   run.steps(1);
@@ -81,7 +88,8 @@ TEST(Entrance, PlacesAgentsWhollyWithinAndApart) {
   const Barriers barriers(barrier_lines(scene), 1.0);
   const Entrance& entrance = *scene.crowd.groups[0].entrance;
   std::uint32_t agent = 0;
-  for (std::optional<Vec> p; agent < 400 && (p = free_place(scene, barriers, state, entrance, agent));
+  for (std::optional<Vec> p; agent < 400 && (p = free_place(scene, barriers, state, entrance, agent,
+                                                            [](const Vec&) { return true; }));
        ++agent) {
     EXPECT_TRUE(p->x() >= 0.3 && p->x() <= 1.8 && p->y() >= 2.2 && p->y() <= 3.8) << p->transpose();
     for (const Vec& q : state.position) EXPECT_GE((*p - q).norm(), 0.5);
@@ -126,6 +134,7 @@ TEST(Entrance, FitsOnlyTheCrowdThatItIsOf) {
   EXPECT_TRUE(refused([](State& s) { s.crowd.waiting.push_back(0); }));
   EXPECT_TRUE(refused([](State& s) { s.crowd.measured.resize(1); }));
   EXPECT_TRUE(refused([](State& s) { ++s.crowd.arrived; }));
+  EXPECT_TRUE(refused([](State& s) { s.id.back() = 40; })) << "who is still to appear";
   EXPECT_TRUE(
       refused([](State& s) { s.crowd.stand.clear(), s.crowd.stand_step.clear(), s.crowd.stage.clear(); }));
 }

@@ -90,16 +90,27 @@ TEST(Walk, EveryoneGetsThroughARoomWithAPillarAndADoor) {
 TEST(Walk, GivesTheSameBitsForAnyNumberOfThreads) {
   for (const char* model : kModels) {
     Scene scene = scene_from(
-        "time = { dt = 0.02, until = 100 }\ndomain.box = [[0, 0], [60, 60]]\nareas.exit = [[58, 20], [60, "
-        "20], [60, 40], [58, 40]]\n"
-        "[[agents]]\ngoal = 'exit'\ncount = 1500\nplace = { random = { within = [[0, 0], [58, 60]] } "
-        "}\nmodel = '" +
-        std::string(model) + "'\n");
+        "time = { dt = 0.02, until = 100 }\ndomain.box = [[0, 0], [60, 60]]\n"
+        "areas.exit = [[58, 20], [60, 20], [60, 40], [58, 40]]\nareas.middle = [[30, 25], [34, 25], [34, "
+        "35], [30, 35]]\n"
+        "areas.door = [[0, 0], [4, 0], [4, 4], [0, 4]]\n[[walls]]\npolyline = [[20, 5], [20, 40], [45, 40], "
+        "[45, 30]]\n"
+        "[[measure]]\nname = 'middle'\narea = 'middle'\n[[measure]]\nname = 'line'\nline = [[50, 0], [50, "
+        "60]]\n"
+        "[[agents]]\ngoal = 'exit'\ncount = 1500\nplace.random.within = [[5, 0], [58, 60]]\nmodel = '" +
+        std::string(model) +
+        "'\n[[agents]]\ngoal = ['middle', 'exit']\ncount = 20\nappear.rate = 20\n"
+        "place.random.within = 'door'\nmodel = '" +
+        model + "'\n");
     Trial one(scene), three(scene, 3);
     one.steps(100), three.steps(100);
+    ASSERT_GT(one.state.id.size(), 1024u) << "fewer are no work for several threads";
     EXPECT_EQ(hash(one.state), hash(three.state)) << model;
     EXPECT_EQ(one.state.crowd.wall_corrections, three.state.crowd.wall_corrections);
+    EXPECT_EQ(one.state.crowd.measured, three.state.crowd.measured);
+    EXPECT_EQ(one.state.crowd.stage, three.state.crowd.stage);
     EXPECT_GT(one.state.crowd.arrived, 10);
+    EXPECT_GT(one.state.crowd.measured[0].count + one.state.crowd.measured[1].count, 20);
   }
 }
 

@@ -215,6 +215,7 @@ TEST(Checkpoint, RefusesCrowdsThatNoRunHas) {
   EXPECT_TRUE(refused([](CrowdState& c) { c.last_arrival = 6; }));
   EXPECT_TRUE(refused([](CrowdState& c) { c.last_arrival = -1; }));
   EXPECT_TRUE(refused([](CrowdState& c) { c.wall_corrections = -1; }));
+  EXPECT_TRUE(refused([](CrowdState& c) { c.wall_corrections = std::numeric_limits<std::int64_t>::max(); }));
   const auto measured = [&](Measured m) { return refused([=](CrowdState& c) { c.measured = {m}; }); };
   EXPECT_FALSE(measured({3, 1, 2, 5, 5, 4, 6.5}));
   EXPECT_TRUE(measured({-3, 1, 2, 5, 5, 4, 6.5}));

@@ -46,9 +46,15 @@ function ringsOf(shape) {
   return typeof shape === "string" ? Array.from(shape.matchAll(/\(([^()]*)\)/g), ([, inner]) => ring(inner.split(",").map(pair => pair.trim().split(/\s+/).map(Number)))) : [];
 }
 
+/** The names in a goal: one, a list of them, the nearest of some, or some with weights. @param {string} [goal] @returns {string[]} */
+function goalsIn(goal = "") {
+  const weighted = /\bweights = \{([^}]*)\}/.exec(goal), names = weighted ? weighted[1].matchAll(/("(?:[^"\\]|\\.)*"|[A-Za-z0-9_-]+)\s*=/g) : goal.matchAll(/("(?:[^"\\]|\\.)*")/g);
+  return Array.from(names, ([, name]) => json(name) ?? name);
+}
+
 /** By name; goals are where agents go. @param {Section[]} all @returns {Area[]} */
 export function areasOf(all) {
-  const goals = new Set(all.filter(({ name }) => name === "agents").map(({ entries }) => json(entries.get("goal"))));
+  const goals = new Set(all.filter(({ name }) => name === "agents").flatMap(({ entries }) => goalsIn(entries.get("goal"))));
   const found = all.filter(({ name }) => name === "areas").flatMap(({ entries }) =>
     Array.from(entries, ([name, value]) => ({ name, rings: ringsOf(json(value)), goal: goals.has(name) })));
   return found.filter(({ rings }) => rings.length > 0 && rings.every(points => points.length >= 6 && points.length % 2 === 0 && points.every(Number.isFinite)));
@@ -57,6 +63,7 @@ export function areasOf(all) {
 /** How many bodies an entry asks for; NaN where the text doesn't say. @param {Map<string, string>} entries */
 function countOf(entries) {
   if (entries.has("count")) return Number(entries.get("count"));
+  if (entries.has("appear")) return NaN;
   const place = entries.get("place") ?? "", lattice = /\blattice = \{[^}]*\bsize = \[(\d+), (\d+)\]/.exec(place);
   return lattice ? Number(lattice[1]) * Number(lattice[2]) : /\bfile = /.test(place) ? NaN : 1;
 }
@@ -76,7 +83,7 @@ export function groupsOf(all, bodies) {
   const entries = ["bodies", "agents"].flatMap(kind => all.filter(({ name }) => name === kind)), counts = entries.map(({ entries: e }) => countOf(e));
   const known = counts.filter(count => !Number.isNaN(count)).reduce((a, b) => a + b, 0), unknown = counts.filter(Number.isNaN).length;
   if (entries.length > MOST_GROUPS || unknown > 1 || (unknown === 0 ? known !== bodies : known > bodies)) return [];
-  const names = distinct(entries.map(({ name, entries: e }) => name === "agents" ? `to ${json(e.get("goal")) ?? "?"}` : String(json(e.get("shape")) ?? "bodies")));
+  const names = distinct(entries.map(({ name, entries: e }) => name === "agents" ? `to ${goalsIn(e.get("goal")).join(", ") || "?"}` : String(json(e.get("shape")) ?? "bodies")));
   let first = 1;
   return counts.map((count, i) => {
     const group = { name: names[i], first, count: Number.isNaN(count) ? bodies - known : count };
