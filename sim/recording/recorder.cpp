@@ -49,7 +49,7 @@ void block_signals() {
 
 /// HDF5 doesn't survive it when memory ends while it sets itself up: asks for as much beforehand.
 void expect_memory() {
-  constexpr std::size_t kRoom = std::size_t{32} << 20;
+  constexpr std::size_t kRoom = std::size_t{48} << 20;
   void* const room = mmap(nullptr, kRoom, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (room == MAP_FAILED) throw std::bad_alloc();
   munmap(room, kRoom);

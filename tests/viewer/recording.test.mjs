@@ -256,7 +256,7 @@ describe("of agents", () => {
   });
 
   test("they overlap as deep as the program measured", () => {
-    record("bottleneck", scenario("bottleneck"), ["--until", "20", "--every", "100", "--set", "record.observables=100"]);
+    record("bottleneck", scenario("bottleneck"), ["--until", "8", "--every", "20", "--set", "record.observables=20"]);
     const recording = open(library, "bottleneck.h5"), finder = new ContactFinder(recording.description);
     const [largest, mean] = ["max", "mean"].map(which => recording.file.get(`observables/${which}_overlap/value`).value);
     assert.ok(largest.filter(depth => depth > 0).length > 2);
