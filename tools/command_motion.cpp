@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // throng motion: is a path free, and if not, when is the first contact?
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -26,7 +27,7 @@ struct Options {
   std::string file, png, html;
   double epsilon = 0.0;
   std::optional<double> margin;
-  std::optional<std::size_t> waypoint;
+  std::optional<std::int64_t> waypoint;
   int width = 1600;
   bool any = false, clearance = false, summary = false, schema = false, fields = false;
 };
@@ -106,19 +107,27 @@ std::string in_metres(double length, bool is_bound) {
   return std::string(text) + " m";
 }
 
+std::string at_margin(double margin) {
+  return margin > 0.0 ? " at a margin of " + in_metres(margin, false) : "";
+}
+
+std::string how_far(const MotionDistance& nearest) {
+  const double distance = nearest.separation.distance;
+  return nearest.a + " – " + nearest.b + " " + in_metres(std::abs(distance), false) +
+         (distance < 0.0 ? " deep" : " apart");
+}
+
 /// One configuration.
 void answer_waypoint(const MotionTask& task, const Options& options) {
-  const std::size_t waypoint = *options.waypoint;
-  if (waypoint >= task.waypoints())
-    throw InputError("--waypoint " + std::to_string(waypoint) + ": the last one is " +
+  if (*options.waypoint < 0 || static_cast<std::uint64_t>(*options.waypoint) >= task.waypoints())
+    throw InputError("--waypoint " + std::to_string(*options.waypoint) + ": they are 0 to " +
                      std::to_string(task.waypoints() - 1));
+  const auto waypoint = static_cast<std::size_t>(*options.waypoint);
   const std::optional<MotionDistance> nearest = nearest_at(task, waypoint);
   const bool hit = nearest && nearest->separation.distance <= task.margin;
   const char* verdict = word(hit ? narrowphase::Verdict::hit : narrowphase::Verdict::free);
   if (options.summary) {
-    const std::string who = nearest ? ": " + nearest->a + " – " + nearest->b : "";
-    const std::string far = nearest ? " " + in_metres(nearest->separation.distance, false) : "";
-    std::puts((verdict + who + far).c_str());
+    std::puts((verdict + at_margin(task.margin) + (nearest ? ": " + how_far(*nearest) : "")).c_str());
     return;
   }
   Json answer{{"motion", task.name}, {"waypoint", waypoint}, {"verdict", verdict}};

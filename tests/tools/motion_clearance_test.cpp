@@ -280,7 +280,10 @@ TEST_F(MotionCommand, AnswersForOneWaypoint) {
   EXPECT_LT(last.at("normal").at(0), 0.0);
   const Result beyond = throng("motion " + path("m.toml") + " --waypoint 3");
   EXPECT_EQ(beyond.exit_code, 2);
-  EXPECT_THAT(beyond.err, HasSubstr("--waypoint 3: the last one is 2"));
+  EXPECT_THAT(beyond.err, HasSubstr("--waypoint 3: they are 0 to 2"));
+  const Result before = throng("motion " + path("m.toml") + " --waypoint -1");
+  EXPECT_EQ(before.exit_code, 2);
+  EXPECT_THAT(before.err, HasSubstr("--waypoint -1: they are 0 to 2"));
   EXPECT_EQ(throng("motion " + path("m.toml") + " --waypoint 1 --clearance").exit_code, 2);
 }
 
@@ -311,7 +314,8 @@ TEST_F(MotionCommand, SumsUpInALine) {
   EXPECT_EQ(whole.substr(0, told.size()), told);
   EXPECT_GE(std::stod(whole.substr(told.size())), 0.24975 - 1e-6);
   EXPECT_THAT(line("--margin 0.4"), testing::StartsWith("hit at a margin of 0.4 m: ball – post at 0.18"));
-  EXPECT_EQ(line("--waypoint 1"), "free: ball – post 0.600781 m\n");
+  EXPECT_EQ(line("--waypoint 1"), "free: ball – post 0.600781 m apart\n");
+  EXPECT_EQ(line("--waypoint 1 --margin 0.7"), "hit at a margin of 0.7 m: ball – post 0.600781 m apart\n");
 }
 
 // It happened: six digits of it, rounded to the nearest, were more than what was proven.
