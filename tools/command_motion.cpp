@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // throng motion: is a path free, and if not, when is the first contact?
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>

@@ -72,7 +72,9 @@ class Bisection {
 
   /// Where contact is likely, and if that doesn't cover the whole path, at the ends that it leaves open.
   void begin(const Gap& path) {
-    const Neighbourhood in = compute(path.pair, pairs_.likely(path.pair), path.from, path.to);
+    const double likely = pairs_.likely(path.pair);
+    assert(path.from <= likely && likely <= path.to);
+    const Neighbourhood in = compute(path.pair, likely, path.from, path.to);
     if (in.hit || covers(in, path.from, path.to)) return;
     if (path.to == 0.0) return scratch_.left.push_back(path);
     if (path.from < in.from) {

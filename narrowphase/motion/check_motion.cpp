@@ -40,7 +40,7 @@ double nearest_pass(const SolidPair<Shape>& pair) {
   const double time = -dot(start, course.unit) / course.length;
   if (!std::isfinite(time) || std::max(start.norm(), end.norm()) <= a.reach + b.reach)
     return 0.5 * pair.duration;
-  return std::clamp(time, 0.0, pair.duration);
+  return std::min(std::max(0.0, time), pair.duration);  // never -0
 }
 
 /// Pairs of rigid bodies for `bisect`.

@@ -316,6 +316,10 @@ TEST_F(MotionCommand, SumsUpInALine) {
   EXPECT_THAT(line("--margin 0.4"), testing::StartsWith("hit at a margin of 0.4 m: ball – post at 0.18"));
   EXPECT_EQ(line("--waypoint 1"), "free: ball – post 0.600781 m apart\n");
   EXPECT_EQ(line("--waypoint 1 --margin 0.7"), "hit at a margin of 0.7 m: ball – post 0.600781 m apart\n");
+  write("m.toml",
+        "motion = 1\nshapes.ball.disc.radius = 0.5\n[[bodies]]\nname = 'a'\nshape = 'ball'\n"
+        "waypoints = [[0, 0]]\n[[bodies]]\nname = 'b'\nshape = 'ball'\nwaypoints = [[0.75, 0]]\n");
+  EXPECT_EQ(throng("motion " + path("m.toml") + " --waypoint 0 --summary").out, "hit: a – b 0.25 m deep\n");
 }
 
 // It happened: six digits of it, rounded to the nearest, were more than what was proven.
