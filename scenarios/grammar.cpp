@@ -192,10 +192,10 @@ Table agent_table() {
   for (const ModelKind& kind : walking_models()) names.push_back(kind.name);
   Table result{
       {required({"model", choice(names), "How agents decide how to walk."}),
-       required({"goal", goal(),
-                 "Where they walk to, by the shortest way, and leave: the name of an area, or a list of them "
-                 "to be "
-                 "walked to one after the other."}),
+       required(
+           {"goal", goal(),
+            "Where they walk to, by the shortest way, and leave: an area, or a list of areas, one after the "
+            "other."}),
        {"at", point(), "Where the agent stands, m."},
        {"place", table({{required({"random", random, "Anywhere that is free, uniformly at random."})}}),
         "How to place more than one agent."},
@@ -206,9 +206,7 @@ Table agent_table() {
        {"premovement", distribution(number(0, 1e9, "s"), "time, s,"),
         "How long they stand before they set out, s, from the start or from when they are due.", "0.0"},
        {"appear", appear_table(),
-        "They appear in the course of time, at places of `place`, as soon as there is room; absent: all are "
-        "there "
-        "at the start."}},
+        "When they appear, at places of `place`, as soon as there is room; absent: all at the start."}},
       {"at", "place"}};
   for (const ModelKind& kind : walking_models())
     if (!kind.parameters.empty()) result.fields.push_back(model_parameters(kind));

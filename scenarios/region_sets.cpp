@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scenarios/region_sets.h"
 
+#include <stdexcept>
+
 #include "scenarios/geos.h"
 #include "scenarios/polygon_check.h"
 
@@ -8,12 +10,18 @@ namespace throng::scenarios {
 
 namespace {
 
+/// What GEOS made; it makes nothing where memory or its arithmetic fails it.
+Geometry made(const Geos& geos, GEOSGeometry* geometry) {
+  if (!geometry) throw std::runtime_error("GEOS could not join or cut the areas of this scene");
+  return geos.keep(geometry);
+}
+
 /// What an odd number of rings encloses.
 Geometry solid(const Geos& geos, const Region& region) {
   Geometry all = read(geos, "POLYGON EMPTY");
   for (const std::vector<Vec>& ring : region.rings) {
     const Geometry one = read(geos, polygon_wkt(ring));
-    all = geos.keep(GEOSSymDifference_r(geos.handle, all.get(), one.get()));
+    all = made(geos, GEOSSymDifference_r(geos.handle, all.get(), one.get()));
   }
   return all;
 }
@@ -46,7 +54,7 @@ Region region_of(const Geos& geos, const GEOSGeometry* geometry) {
 double common_area(const Region& a, const Region& b) {
   const Geos geos;
   const Geometry one = solid(geos, a), other = solid(geos, b);
-  const Geometry common = geos.keep(GEOSIntersection_r(geos.handle, one.get(), other.get()));
+  const Geometry common = made(geos, GEOSIntersection_r(geos.handle, one.get(), other.get()));
   double area = 0.0;
   GEOSArea_r(geos.handle, common.get(), &area);
   return area;
@@ -58,7 +66,7 @@ Region united(std::span<const Region> regions) {
   Geometry all = read(geos, "POLYGON EMPTY");
   for (const Region& region : regions) {
     const Geometry one = solid(geos, region);
-    all = geos.keep(GEOSUnion_r(geos.handle, all.get(), one.get()));
+    all = made(geos, GEOSUnion_r(geos.handle, all.get(), one.get()));
   }
   return region_of(geos, all.get());
 }

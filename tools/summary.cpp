@@ -46,10 +46,6 @@ Json measure_summary(const Scene& scene, const CrowdState& crowd) {
   return result;
 }
 
-bool scene_has_entrances(const Scene& scene) {
-  return std::ranges::any_of(scene.crowd.groups, [](const AgentGroup& g) { return g.entrance.has_value(); });
-}
-
 /// What only scenes with agents have.
 Json crowd_summary(const Scene& scene, const State& state) {
   Json stuck = Json::array();
@@ -58,10 +54,10 @@ Json crowd_summary(const Scene& scene, const State& state) {
   const CrowdState& crowd = state.crowd;
   const double last = static_cast<double>(crowd.last_arrival) * scene.time.dt;
   Json result = {{"arrived", crowd.arrived},
+                 {"waiting", waiting(crowd)},
                  {"last_arrival", crowd.arrived > 0 ? Json(last) : Json(nullptr)},
                  {"wall_corrections", crowd.wall_corrections},
                  {"stuck_agents", stuck}};
-  if (scene_has_entrances(scene)) result["waiting"] = waiting(crowd);
   if (!crowd.measured.empty()) result["measure"] = measure_summary(scene, crowd);
   return result;
 }

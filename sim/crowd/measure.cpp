@@ -11,11 +11,10 @@ double left_of(const Vec& a, const Vec& b, const Vec& c) {
   return along.x() * to.y() - along.y() * to.x();
 }
 
-void count(std::int64_t n, std::int64_t step, std::int64_t& counter, Measured& measured) {
-  if (n == 0) return;
+void count(std::int64_t step, std::int64_t& counter, Measured& measured) {
   if (measured.count + measured.back == 0) measured.first = step;
   measured.last = step;
-  counter += n;
+  ++counter;
 }
 
 void measure_line(const Measure& measure, std::span<const Stride> strides, std::int64_t step,
@@ -23,7 +22,7 @@ void measure_line(const Measure& measure, std::span<const Stride> strides, std::
   for (const Stride& stride : strides) {
     const int way = crossing(measure.line, stride.from, stride.to);
     if (way == 0) continue;
-    count(1, step, way > 0 ? measured.count : measured.back, measured);
+    count(step, way > 0 ? measured.count : measured.back, measured);
     ++measured.samples;
     measured.speed += stride.speed;
   }
@@ -35,7 +34,7 @@ void measure_area(const Measure& measure, std::span<const Stride> strides, std::
   const auto is_in = [&](const Vec& p) { return box.contains(p) && contains(measure.area, p); };
   for (const Stride& stride : strides) {
     if (!is_in(stride.to)) continue;
-    if (measured.steps == 0 || !is_in(stride.from)) count(1, step, measured.count, measured);
+    if (measured.steps == 0 || !is_in(stride.from)) count(step, measured.count, measured);
     ++measured.samples;
     measured.speed += stride.speed;
   }
@@ -58,7 +57,7 @@ void measure(const Measure& measure, std::span<const Stride> strides, std::int64
 }
 
 void measure_entry(const Measure& measure, const Vec& place, std::int64_t step, Measured& measured) {
-  if (measure.is_on(step) && contains(measure.area, place)) count(1, step, measured.count, measured);
+  if (measure.is_on(step) && contains(measure.area, place)) count(step, measured.count, measured);
 }
 
 Reading reading(const Measure& measure, const Measured& measured, double dt) {

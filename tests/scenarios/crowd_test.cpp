@@ -180,6 +180,11 @@ TEST(Crowd, IsNotMeasuredWhereTheMeasureSaysNothing) {
   expect_fault(crowd + "name = 'x'\narea = 'far'\n",
                "measure[0].area: has nothing in common with the walkable area");
   expect_fault(crowd + "name = 'x'\narea = 'nowhere'\n", "measure[0].area: ");
+  const Loaded endless =
+      load_text("throng = 1\ntime = { dt = 1e-8, until = 1 }\n" + crowd.substr(crowd.find("walkable")) +
+                "name = 'x'\narea = 'start'\nuntil = 1e12\n");
+  ASSERT_EQ(endless.errors(), 0) << faults(endless);
+  EXPECT_NEAR(static_cast<double>(endless.scene.crowd.measures.at(0).last), 1e12, 1e3);
   expect_fault(crowd + "name = 'x'\narea = 'start'\nfrom = 3\nuntil = 3\n",
                "measure[0].until: must be at least a step after `from`, which is 3 s");
   expect_fault(crowd + "name = 'x'\narea = 'start'\n[[measure]]\nname = 'x'\narea = 'exit'\n",
