@@ -223,7 +223,8 @@ TEST(Orca, TwoInOnePlacePart) {
 // Test 2 of Juelich's for models of this kind: who stands behind a wall isn't there.
 TEST(Models, LookAtNobodyBehindAWall) {
   const std::vector<BarrierLine> walls{{{{-9, 0.4}, {0.3, 0.4}}, false},
-                                       {{{1.2, -2}, {1.2, 2}, {3, 2}}, false}};
+                                       {{{1.2, -2}, {1.2, 2}, {3, 2}}, false},
+                                       {{{-0.4, -0.5}, {-0.7, -0.5}}, false}};
   std::mt19937 random(7);
   std::uniform_real_distribution<double> far(-2.4, 2.4);
   int hidden = 0, seen = 0;
