@@ -222,9 +222,9 @@ TEST(Orca, TwoInOnePlacePart) {
 
 // Test 2 of Juelich's for models of this kind: who stands behind a wall isn't there.
 TEST(Models, LookAtNobodyBehindAWall) {
-  const std::vector<BarrierLine> walls{{{{-9, 0.4}, {0.3, 0.4}}, false},
+  const std::vector<BarrierLine> walls{{{{-9, 0.7}, {0.3, 0.7}}, false},
                                        {{{1.2, -2}, {1.2, 2}, {3, 2}}, false},
-                                       {{{-0.4, -0.5}, {-0.7, -0.5}}, false}};
+                                       {{{-0.4, -0.7}, {-0.7, -0.7}}, false}};
   std::mt19937 random(7);
   std::uniform_real_distribution<double> far(-2.4, 2.4);
   int hidden = 0, seen = 0;
@@ -238,6 +238,9 @@ TEST(Models, LookAtNobodyBehindAWall) {
       if (!barriers.block(all[0], p)) visible.push_back(p);
     }
     seen += static_cast<int>(visible.size()) - 1, hidden += static_cast<int>(all.size() - visible.size());
+    Group far_from_walls(all, walls), on_open_floor(visible);
+    const char* const turned_by_none = "collision_free_speed";  // of these walls
+    ASSERT_NEAR((far_from_walls.ask(turned_by_none) - on_open_floor.ask(turned_by_none)).norm(), 0.0, 1e-12);
     for (const char* model : {"social_force", "collision_free_speed", "orca"}) {
       Group group(all, walls), alone(visible, walls);
       ASSERT_NEAR((group.ask(model) - alone.ask(model)).norm(), 0.0, 1e-12) << model << " trial " << trial;
