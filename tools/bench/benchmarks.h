@@ -8,7 +8,7 @@
 
 namespace throng::bench {
 
-/// The gallery's scenes step by step: native, Box2D, and for discs the minimal loop of minimal_discs.h.
+/// Scenes of bodies step by step: native, Box2D, Chipmunk, and for discs the minimal loop of minimal_discs.h.
 std::vector<Row> bench_step(const Options& options);
 
 /// How far apart convex polygons are, moving and not: throng's engines, Box2D's and CGAL's. Times are for a

@@ -12,7 +12,8 @@ namespace throng::bench {
 struct Contestant {
   std::string engine;
   std::function<void()> block;
-  std::vector<double> ms = {};  ///< per unit of work, a figure a block
+  std::vector<double> ms = {};      ///< per unit of work, a figure a block
+  std::function<void()> look = {};  ///< at where a block has got, untimed; may be absent
 };
 
 /// Runs the contestants' blocks in turn, A B A B ..., after one uncounted round, so that their ratio means
@@ -25,6 +26,7 @@ inline void interleave(std::vector<Contestant>& contestants, int blocks, double 
       one.block();
       const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - begin;
       one.ms.push_back(spent.count() / work);
+      if (one.look) one.look();
     }
 }
 

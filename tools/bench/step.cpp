@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// throng bench step: the gallery's scenes at fixed size, each engine in turn from the same state.
-#include <cstdio>
+// throng bench step: scenes of bodies at fixed size, each engine in turn from the same state.
+#include <algorithm>
 #include <memory>
 #include <optional>
 
@@ -9,11 +9,24 @@
 #include "tools/bench/benchmarks.h"
 #include "tools/bench/interleave.h"
 #include "tools/bench/minimal_discs.h"
+#include "tools/bench/peers/chipmunk.h"
 #include "tools/bench/scenes.h"
 
 namespace throng::bench {
 
 namespace {
+
+/// So many discs in a square of that side (m): the gallery's share of the area.
+std::vector<std::string> wider_gas(const std::string& count, const std::string& side) {
+  const std::string square = "[[0, 0], [" + side + ", " + side + "]]";
+  return {"bodies[0].count=" + count, "domain.periodic=" + square, "bodies[0].place.random.within=" + square};
+}
+
+/// Ten times the gallery's discs, and as wide and as high.
+std::vector<std::string> wider_pile() {
+  return {"bodies[0].count=100000", "domain.box=[[0, 0], [316.23, 443]]",
+          "bodies[0].place.random.within=[[0, 0], [316.23, 411]]"};
+}
 
 struct Case {
   const char* name;
@@ -22,14 +35,17 @@ struct Case {
   double settle_s;  ///< native runs so long before anything is timed
   int calm;         ///< steps that each engine then runs untimed, to find its own rest
   int steps;        ///< in a block
-  bool box2d, minimal;
+  bool peers, minimal;
 };
 
 const std::vector<Case>& cases() {
   static const std::vector<Case> all = {
-      {"gas n=1000", "gas", {}, 0.0, 100, 40, false, false},
+      {"gas n=1000", "gas", {}, 0.0, 100, 40, true, false},
+      {"gas n=10000", "gas", wider_gas("10000", "161.8"), 0.0, 20, 10, true, false},
+      {"gas n=100000", "gas", wider_gas("100000", "511.66"), 0.0, 5, 2, true, false},
       {"pile n=10000 falling", "pile", {}, 0.5, 0, 4, true, true},
       {"pile n=10000 settled", "pile", {}, 15.0, 150, 4, true, true},
+      {"pile n=100000 settled", "pile", wider_pile(), 30.0, 0, 2, false, true},
       {"polygons n=10000 settled", "polygons", {}, 15.0, 150, 2, true, false},
       {"pyramid base=100", "pyramid", {}, 1.0, 50, 4, true, false},
       {"hopper", "hopper", {}, 1.0, 0, 20, true, false},
@@ -41,54 +57,114 @@ const std::vector<Case>& cases() {
   return all;
 }
 
-nlohmann::ordered_json errors(const Scene& scene, const State& state) {
-  const Overlap o = overlap(scene, state);
-  return {{"mean_overlap", o.mean}, {"max_overlap", o.max}, {"kinetic_energy", kinetic_energy(scene, state)}};
+/// Gives a domain that repeats walls, which peers want, out of reach of who stands across its border.
+void wall_in(Scene& scene) {
+  const double widest = *std::ranges::max_element(scene.bodies.radius);
+  scene.domain.kind = DomainKind::box;
+  scene.domain.min.array() -= widest;
+  scene.domain.max.array() += widest;
 }
 
-/// Bodies that left the domain's box: none may.
-std::string check(const Scene& scene, const State& state) {
-  std::size_t escaped = 0;
-  if (scene.domain.kind == DomainKind::box)
-    for (const Vec& p : state.position)
-      escaped += (p.array() < scene.domain.min.array()).any() || (p.array() > scene.domain.max.array()).any();
-  return "bodies=" + std::to_string(state.id.size()) + " escaped=" + std::to_string(escaped);
+Scene scene_of(const Case& one, const Options& options) {
+  Scene scene = gallery_scene(options.scenarios, one.scene, one.overrides);
+  scene.sleep = false;
+  if (scene.domain.kind == DomainKind::periodic) wall_in(scene);
+  const double settle = options.quick ? 0.1 * one.settle_s : one.settle_s;
+  return settle > 0.0 ? settled(scene, settle) : scene;
+}
+
+/// Bodies outside of the domain's box.
+std::size_t escaped(const Scene& scene, const State& state) {
+  if (scene.domain.kind != DomainKind::box) return 0;
+  return static_cast<std::size_t>(std::ranges::count_if(state.position, [&](const Vec& p) {
+    return (p.array() < scene.domain.min.array()).any() || (p.array() > scene.domain.max.array()).any();
+  }));
+}
+
+/// What is wrong with an engine's states: overlaps after each block, their mean and the deepest.
+class Errors {
+ public:
+  Errors(const Scene& scene, const State& first)
+      : scene_(scene), plan_(plan_for(scene)), first_energy_(energy(first)) {}
+
+  void look(const State& state) {
+    const Overlap o = overlap(scene_, state);
+    ++looks_;
+    mean_ += o.mean;
+    max_ = std::max(max_, o.max);
+  }
+
+  nlohmann::ordered_json row(const State& last) const {
+    nlohmann::ordered_json error = {{"mean_overlap", mean_ / std::max(looks_, 1)},
+                                    {"max_overlap", max_},
+                                    {"kinetic_energy", kinetic_energy(scene_, last)},
+                                    {"escaped", escaped(scene_, last)}};
+    if (plan_.elastic && !plan_.friction) error["energy_drift"] = energy(last) / first_energy_ - 1.0;
+    return error;
+  }
+
+ private:
+  double energy(const State& state) const {
+    return kinetic_energy(scene_, state) + potential_energy(scene_, state);
+  }
+
+  const Scene& scene_;
+  const Plan plan_;
+  const double first_energy_;  // J
+  int looks_ = 0;
+  double mean_ = 0.0, max_ = 0.0;
+};
+
+/// One engine's way through a case.
+struct Racer {
+  const char* engine;
+  std::function<void()> step;
+  std::function<State()> state;
+  Errors errors;
+};
+
+std::vector<Row> race(const Case& one, const Options& options, std::vector<Racer>& racers) {
+  std::vector<Contestant> contestants;
+  for (Racer& racer : racers) {
+    const auto block = [&racer, n = one.steps] {
+      for (int i = 0; i < n; ++i) racer.step();
+    };
+    for (int i = 0; i < one.calm / one.steps; ++i) block();
+    contestants.push_back({racer.engine, block, {}, [&racer] { racer.errors.look(racer.state()); }});
+  }
+  interleave(contestants, options.blocks, one.steps);
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < racers.size(); ++i) {
+    const State state = racers[i].state();
+    rows.push_back({"step", one.name, racers[i].engine, 1, contestants[i].ms, static_cast<double>(one.steps),
+                    "bodies=" + std::to_string(state.id.size()), racers[i].errors.row(state)});
+  }
+  return rows;
 }
 
 std::vector<Row> run(const Case& one, const Options& options) {
-  Scene scene = gallery_scene(options.scenarios, one.scene, one.overrides);
-  scene.sleep = false;
-  const double settle = options.quick ? 0.1 * one.settle_s : one.settle_s;
-  if (settle > 0.0) scene = settled(scene, settle);
+  const Scene scene = scene_of(one, options);
   Scene box2d_scene = scene;
   box2d_scene.engine = Engine::box2d;
-
-  const auto native = simulation(scene);
-  const auto box2d = one.box2d ? simulation(box2d_scene) : nullptr;
-  std::optional<MinimalDiscs> minimal;
-  if (one.minimal) minimal.emplace(scene);
-  std::vector<Contestant> contestants;
-  const auto add = [&](const char* engine, auto step) {
-    contestants.push_back({engine, [step, n = one.steps] {
-                             for (int i = 0; i < n; ++i) step();
-                           }});
+  std::vector<Racer> racers;
+  const auto add = [&](const char* engine, Simulation* simulation) {
+    if (simulation)
+      racers.push_back({engine, [simulation] { simulation->step(); },
+                        [simulation] { return simulation->state(); }, Errors(scene, simulation->state())});
   };
-  add("native", [&] { native->step(); });
-  if (minimal) add("minimal", [&] { minimal->step(); });
-  if (box2d) add("box2d", [&] { box2d->step(); });
-  for (Contestant& c : contestants)
-    for (int i = 0; i < one.calm / one.steps; ++i) c.block();
-  interleave(contestants, options.blocks, one.steps);
-
-  std::vector<Row> rows;
-  for (const Contestant& c : contestants) {
-    const State& state = c.engine == "native"  ? native->state()
-                         : c.engine == "box2d" ? box2d->state()
-                                               : minimal->state();
-    rows.push_back({"step", one.name, c.engine, 1, c.ms, static_cast<double>(one.steps), check(scene, state),
-                    errors(scene, state)});
+  const auto native = simulation(scene);
+  add("native", native.get());
+  std::optional<MinimalDiscs> minimal;
+  if (one.minimal) {
+    minimal.emplace(scene);
+    racers.push_back({"minimal", [&] { minimal->step(); }, [&] { return minimal->state(); },
+                      Errors(scene, minimal->state())});
   }
-  return rows;
+  const auto box2d = one.peers ? simulation(box2d_scene) : nullptr;
+  add("box2d", box2d.get());
+  const auto chipmunk = one.peers ? chipmunk_simulation(scene) : nullptr;
+  add("chipmunk", chipmunk.get());
+  return race(one, options, racers);
 }
 
 }  // namespace

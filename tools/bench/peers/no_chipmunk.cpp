@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+#include "tools/bench/peers/chipmunk.h"
+
+namespace throng::bench {
+
+std::unique_ptr<Simulation> chipmunk_simulation(const Scene&) {
+  return nullptr;
+}
+
+}  // namespace throng::bench
