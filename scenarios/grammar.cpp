@@ -156,8 +156,24 @@ Type distribution(const Type& bound, const std::string& what) {
                      {"uniform", "normal", "lognormal"}})});
 }
 
+/// "calibrated: for ...: time_gap 0.9, ..." for each: what differs from the parameters' own presets.
+Field presets_of(const ModelKind& kind) {
+  std::vector<std::string> names;
+  std::string doc = "What is not said is as in the model's paper, or with";
+  for (const ModelPreset& preset : kind.presets) {
+    names.push_back(preset.name);
+    doc += " " + std::string(preset.name) + ": " + preset.doc;
+    for (std::size_t i = 0; i < kind.parameters.size(); ++i)
+      if (const ModelParameter& p = kind.parameters[i]; preset.values[i] != p.preset)
+        doc += std::string(", ") + p.key + " = " + to_text(preset.values[i]);
+    doc += ".";
+  }
+  return {"preset", choice(std::move(names)), std::move(doc)};
+}
+
 Field model_parameters(const ModelKind& kind) {
   Table parameters;
+  if (!kind.presets.empty()) parameters.fields.push_back(presets_of(kind));
   for (const ModelParameter& p : kind.parameters)
     parameters.fields.push_back({p.key, number(p.low, p.high, p.unit), p.doc, to_text(p.preset)});
   return {kind.name, table(std::move(parameters)), kind.doc};

@@ -85,15 +85,23 @@ class AgentReader {
       const toml::node* node = table_.get(kinds[row].name);
       if (name == kinds[row].name) {
         group.model = row;
-        for (const ModelParameter& parameter : kinds[row].parameters)
-          group.parameters.push_back(node ? number(*node->as_table(), parameter.key, parameter.preset)
-                                          : parameter.preset);
+        group.parameters = parameters_of(kinds[row], node ? *node->as_table() : toml::table());
       } else if (node) {
         fail(*node, kinds[row].name,
              "belongs to another model than " + in_quotes(name) + ", which this group has");
       }
     }
     scene_.crowd.groups.push_back(std::move(group));
+  }
+
+  static std::vector<double> parameters_of(const ModelKind& kind, const toml::table& table) {
+    const auto preset = std::ranges::find(kind.presets, text(table, "preset", ""), &ModelPreset::name);
+    std::vector<double> values;
+    for (std::size_t i = 0; i < kind.parameters.size(); ++i) {
+      const ModelParameter& own = kind.parameters[i];
+      values.push_back(number(table, own.key, preset == kind.presets.end() ? own.preset : preset->values[i]));
+    }
+    return values;
   }
 
   /// The row of the goal, which is made where it is new.

@@ -63,12 +63,20 @@ struct ModelParameter {
   const char* doc;
 };
 
+/// Values of all parameters that belong together, which scenario files may start from.
+struct ModelPreset {
+  const char* name;
+  const char* doc;                 ///< what they are for, and where they come from
+  std::span<const double> values;  ///< as the parameters
+};
+
 struct ModelKind {
   const char* name;  ///< in scenario files, of the model and of the table of its parameters
   const char* doc;
   std::span<const ModelParameter> parameters;
   /// Expects a value for each parameter.
   std::unique_ptr<WalkingModel> (*make)(std::span<const double> values);
+  std::span<const ModelPreset> presets = {};
 };
 
 /// All that there are.

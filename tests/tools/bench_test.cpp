@@ -58,6 +58,36 @@ TEST_F(BenchCommand, WalksCrowdsAsTheirPlainTwinsDo) {
   EXPECT_TRUE(rows.contains("orca n=1000 plain"));
 }
 
+TEST_F(BenchCommand, JudgesEveryModelByTheCatalogues) {
+  const Result result = throng("bench validation --quick --json " + path("rows.json"));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  std::map<std::string, std::map<std::string, nlohmann::json>> cases;
+  for (const auto& row : nlohmann::json::parse(read(path("rows.json"))))
+    cases[row["case"]][row["engine"]] = row["error"];
+  for (const char* model : {"constant_velocity", "social_force", "collision_free_speed", "orca"})
+    for (const char* name :
+         {"IMO 1, NIST 2.1: corridor", "RiMEA 1: corridor", "IMO 6, RiMEA 6: corner", "NIST 2.4: speeds"})
+      EXPECT_EQ(cases[name][model]["verdict"], "pass") << name << ", " << model << cases[name][model];
+  EXPECT_EQ(cases["IMO 5, RiMEA 5: response times"]["orca"]["verdict"], "pass");
+  const auto& corridor = cases["IMO 1, NIST 2.1: corridor"]["social_force"];
+  EXPECT_NEAR(corridor["value"].get<double>(), 40.0, 0.05) << "s: 40 m at 1 m/s";
+  const auto& blind = cases["IMO 4, NIST 5.2: exit of a room"]["constant_velocity"];
+  EXPECT_EQ(blind["verdict"], "fail") << "all pass the exit through one another";
+  EXPECT_EQ(blind["by_nature"], true);
+  EXPECT_EQ(cases["NIST 2.9: groups"]["all"]["verdict"], "not built") << "listed all the same";
+  EXPECT_THAT(result.out, ::testing::HasSubstr("IMO 4, NIST 5.2: exit of a room"));
+}
+
+TEST_F(BenchCommand, JudgesAModelByFieldsOfOnesOwn) {
+  const auto value = [&](const std::string& arguments) {
+    const Result result = throng("bench validation --only 'NIST 2.1' --engine orca " + arguments +
+                                 " --json " + path("rows.json"));
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return nlohmann::json::parse(read(path("rows.json")))[0]["error"]["value"].get<double>();
+  };
+  EXPECT_NEAR(value("--set orca.top_speed=0.5"), 80.0, 0.1) << "s";
+}
+
 TEST_F(BenchCommand, TakesARegularExpressionForWhichCasesToRun) {
   const Result result = throng(
       "bench broadphase --quick --engine throng --blocks 1 --only '^uniform n=1000 k=.0 random$' --json " +
@@ -107,7 +137,8 @@ TEST_F(BenchCommand, ComparesTheNarrowphaseWithItsPeersBeforeItTimesThem) {
 TEST_F(BenchCommand, RefusesWhatWouldDoNothing) {
   for (const char* arguments :
        {"step --quick --large", "recording --engine throng", "step --quick --only nosuch",
-        "step --quick --only '('", "broadphase --quick --only line --target nosuch"})
+        "step --quick --only '('", "broadphase --quick --only line --target nosuch",
+        "step --quick --set model=orca", "validation --quick --set nosuch=1"})
     EXPECT_EQ(throng(std::string("bench ") + arguments).exit_code, 2) << arguments;
 }
 

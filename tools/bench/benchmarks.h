@@ -38,6 +38,13 @@ std::vector<Row> bench_bvh(const Options& options);
 /// Do moving solids meet, and when first: bisection, advancement, sampling, Box2D; against 50 digits.
 std::vector<Row> bench_motion(const Options& options);
 
+/// Each model of walking, and each preset, against the cases of validation_cases.h: pass or fail with its
+/// number.
+std::vector<Row> bench_validation(const Options& options);
+
+/// Their table, on stdout: a paragraph per case.
+void print_verdicts(const std::vector<Row>& rows);
+
 /// Steps of crowds of each model, beside their plain twins: scalar, neighbours from nanoflann.
 std::vector<Row> bench_crowd(const Options& options);
 

@@ -28,8 +28,11 @@ Of motion, where a query is a pair in motion, a figure is for one query, and the
                    these alone, which ratio is to)";
 
 void refuse_what_does_nothing(const std::string& name, const throng::bench::Options& options) {
-  if (name != "broadphase" && (options.large || !options.engines.empty()))
-    throw throng::InputError(name + ": --large and --engine are for broadphase");
+  if (name != "broadphase" && options.large) throw throng::InputError(name + ": --large is for broadphase");
+  if (name != "broadphase" && name != "validation" && !options.engines.empty())
+    throw throng::InputError(name + ": --engine is for broadphase and validation");
+  if (name != "validation" && !options.set.empty())
+    throw throng::InputError(name + ": --set is for validation");
 }
 
 /// The sets of instructions that this machine has and that the vectors' kernels are compiled for.
@@ -51,19 +54,24 @@ int main(int argc, char** argv) {
       {"narrowphase", bench_narrowphase},
       {"bvh", bench_bvh},
       {"motion", bench_motion},
-      {"crowd", bench_crowd}};
+      {"crowd", bench_crowd},
+      {"validation", bench_validation}};
   Options options;
   std::string name, json, target;
   CLI::App app{"The benchmarks of throng: time and error beside each other, engines in turn in one run."};
   app.name("throng bench");
-  app.add_option("NAME", name, "step, recording, broadphase, narrowphase, bvh, motion or crowd")
+  app.add_option("NAME", name, "step, recording, broadphase, narrowphase, bvh, motion, crowd or validation")
       ->required()
       ->check(CLI::IsMember(benchmarks));
   app.add_option("--scenarios", options.scenarios, "folder of the gallery")->default_val(THRONG_SCENARIOS);
   app.add_option("--only", options.only,
                  "cases whose names hold a match of this regular expression; may be repeated")
       ->allow_extra_args(false);
-  app.add_option("--engine", options.engines, "broadphase: this engine alone; may be repeated")
+  app.add_option("--engine", options.engines,
+                 "broadphase, validation: this engine or model alone; may be repeated")
+      ->allow_extra_args(false);
+  app.add_option("--set", options.set,
+                 "validation: a field of all agents, such as social_force.mass=70; may be repeated")
       ->allow_extra_args(false);
   app.add_option("--blocks", options.blocks, "figures a row")
       ->check(CLI::Range(1, 1000))
@@ -85,7 +93,7 @@ int main(int argc, char** argv) {
     const std::vector<Row> rows = benchmarks.at(name)(options);
     if (rows.empty()) throw throng::InputError(name + ": --only holds for no case's name");
     expect_agreement(rows);
-    print_table(rows);
+    name == "validation" ? print_verdicts(rows) : print_table(rows);
     if (!json.empty()) write_json(rows, json);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;

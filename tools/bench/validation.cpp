@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// throng bench validation: each model of walking against the catalogues of the field, and experiments.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include "tools/bench/benchmarks.h"
+#include "tools/bench/validation_cases.h"
+
+namespace throng::bench {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::vector<ValidationCase> all_cases() {
+  std::vector<ValidationCase> all;
+  for (const auto& part : {lone_cases(), exit_cases(), stream_cases(), missing_cases()})
+    all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+/// JSON has no infinity: a bound that isn't there is null.
+Json bound(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Row row_of(const ValidationCase& one, const std::string& engine, const char* verdict, double ms) {
+  Row row{"validation", one.name, engine, 1, {ms}, 1.0, one.what};
+  row.error = {{"verdict", verdict},      {"value", nullptr}, {"low", bound(one.low)},
+               {"high", bound(one.high)}, {"unit", one.unit}, {"note", ""}};
+  return row;
+}
+
+Row judge(const ValidationCase& one, const Trials& trials) {
+  const auto begin = std::chrono::steady_clock::now();
+  const Finding found = one.measure(trials);
+  const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - begin;
+  const bool passes = found.value && *found.value >= one.low && *found.value <= one.high;
+  const char* nature = passes ? nullptr : by_nature(trials.walker().model, one.name);
+  Row row = row_of(one, trials.walker().name(), passes ? "pass" : "fail", spent.count());
+  if (found.value) row.error["value"] = *found.value;
+  row.error["note"] = found.note + (nature ? std::string(found.note.empty() ? "" : "; ") + nature : "");
+  if (nature) row.error["by_nature"] = true;
+  if (!found.series.empty()) row.error["series"] = found.series;
+  return row;
+}
+
+std::string text(const Json& number) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.4g", number.is_number() ? number.get<double>() : 0.0);
+  return number.is_number() ? buffer : "-";
+}
+
+/// "0 to 1.33", "at least 0.1", "at most 60".
+std::string bounds_text(const Json& error) {
+  const Json &low = error.at("low"), &high = error.at("high");
+  if (low.is_null()) return "at most " + text(high);
+  return high.is_null() ? "at least " + text(low) : text(low) + " to " + text(high);
+}
+
+}  // namespace
+
+std::vector<Row> bench_validation(const Options& options) {
+  std::vector<Row> rows;
+  for (const ValidationCase& one : all_cases()) {
+    if (!chosen(one.name, options) || (options.quick && one.measure && !one.quick)) continue;
+    if (!one.measure) rows.push_back(row_of(one, "all", "not built", 0.0));
+    if (!one.measure) continue;
+    for (const Walker& walker : walkers()) {
+      if (!options.engines.empty() &&
+          std::ranges::find(options.engines, walker.name()) == options.engines.end())
+        continue;
+      std::fprintf(stderr, "%s: %s\n", one.name, walker.name().c_str());
+      rows.push_back(judge(one, Trials(walker, THRONG_VALIDATION, options.set)));
+    }
+  }
+  return rows;
+}
+
+void print_verdicts(const std::vector<Row>& rows) {
+  const std::string* last = nullptr;
+  for (const Row& row : rows) {
+    if (!last || *last != row.name) std::printf("%s (%s)\n", row.name.c_str(), row.check.c_str());
+    last = &row.name;
+    const Json& e = row.error;
+    const std::string verdict = e["verdict"], unit = e["unit"], note = e["note"];
+    if (verdict == "not built") {
+      std::printf("  not built\n");
+      continue;
+    }
+    std::printf("  %-32s %-5s %9s %-4s  %-16s %s\n", row.engine.c_str(), verdict.c_str(),
+                text(e["value"]).c_str(), unit.c_str(), bounds_text(e).c_str(), note.c_str());
+  }
+}
+
+}  // namespace throng::bench

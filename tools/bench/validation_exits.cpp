@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include "tools/bench/validation_cases.h"
+
+namespace throng::bench {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string number(double value) {
+  return std::to_string(value);
+}
+
+std::string unfinished(const Walked& walked) {
+  return std::to_string(walked.missing()) + " of " + std::to_string(walked.arrival.size()) +
+         " were still there after " + std::to_string(static_cast<int>(walked.scene.time.until)) + " s";
+}
+
+/// 1/s, from the first to the last through the line.
+double flow(const std::vector<double>& crossings) {
+  return static_cast<double>(crossings.size() - 1) / (crossings.back() - crossings.front());
+}
+
+/// 1/s over the whole period, from the start to the last through the exit.
+Finding flow_through_exit(const Trials& trials) {
+  const Walked walked = trials.walk("exit");
+  const std::vector<double>& times = walked.crossings[0];
+  if (times.size() < walked.arrival.size()) return {{}, unfinished(walked)};
+  return {static_cast<double>(times.size()) / times.back(),
+          "",
+          {{"times", times}, {"flow_first_to_last", flow(times)}}};
+}
+
+constexpr double kWidths[] = {0.8, 0.9, 1.0, 1.1, 1.2};              // m
+constexpr double kSeyfried[] = {1.288, 1.674, 1.900, 2.123, 2.364};  // 1/s
+
+std::string seyfried_floor(double width) {
+  const std::string low = number(4.0 - 0.5 * width), high = number(4.0 + 0.5 * width);
+  return "walkable=POLYGON ((0 0, 8 0, 8 " + low + ", 10.8 " + low + ", 10.8 0, 16 0, 16 8, 10.8 8, 10.8 " +
+         high + ", 8 " + high + ", 8 8, 0 8, 0 0))";
+}
+
+/// 1/s, for each of kWidths, over three draws of the crowd; stops short where people don't get through.
+std::vector<double> bottleneck_flows(const Trials& trials) {
+  std::vector<double> flows;
+  for (const double width : kWidths) {
+    double sum = 0.0;
+    for (int seed = 1; seed <= 3; ++seed) {
+      const Walked walked = trials.walk("seyfried", {seyfried_floor(width), "seed=" + std::to_string(seed)});
+      if (walked.missing() > 0) return flows;
+      sum += flow(walked.crossings[0]);
+    }
+    flows.push_back(sum / 3.0);
+  }
+  return flows;
+}
+
+Json curve(const std::vector<double>& flows) {
+  return {{"width", kWidths}, {"flow", flows}, {"seyfried_2009", kSeyfried}};
+}
+
+std::string stuck_at(const std::vector<double>& flows) {
+  return "not all got through " + number(kWidths[flows.size()]).substr(0, 3) + " m in time";
+}
+
+Finding off_seyfried(const Trials& trials) {
+  const std::vector<double> flows = bottleneck_flows(trials);
+  if (flows.size() < std::size(kWidths)) return {{}, stuck_at(flows), curve(flows)};
+  double worst = 0.0;
+  for (std::size_t i = 0; i < flows.size(); ++i) worst = std::max(worst, std::abs(flows[i] - kSeyfried[i]));
+  return {worst, "", curve(flows)};
+}
+
+/// The share of the flows' variance that a straight line over the width explains, with the line's sign.
+Finding linear_in_width(const Trials& trials) {
+  const std::vector<double> flows = bottleneck_flows(trials);
+  if (flows.size() < std::size(kWidths)) return {{}, stuck_at(flows)};
+  double mean = 0.0, xy = 0.0, xx = 0.0, yy = 0.0;
+  for (const double each : flows) mean += each / static_cast<double>(flows.size());
+  for (std::size_t i = 0; i < flows.size(); ++i) {
+    const double x = kWidths[i] - 1.0, y = flows[i] - mean;
+    xy += x * y, xx += x * x, yy += y * y;
+  }
+  return {xy * std::abs(xy) / (xx * yy), "", {{"slope", xy / xx}}};
+}
+
+/// How many times as long it takes to leave the hall by two of its four exits.
+Finding half_the_exits(const Trials& trials) {
+  const Walked four = trials.walk("hall");
+  const Walked two =
+      trials.walk("hall", {"walls[0].segment=[[0, 0], [15, 0]]", "walls[1].segment=[[15, 0], [19.5, 0]]",
+                           "walls[3].segment=[[0, 20], [15, 20]]", "walls[4].segment=[[15, 20], [19.5, 20]]",
+                           "agents[0].goal={ nearest = [\"south_east\", \"north_east\"] }"});
+  if (four.missing() > 0) return {{}, "by four exits " + unfinished(four)};
+  if (two.missing() > 0) return {{}, "by two exits " + unfinished(two)};
+  return {two.last_arrival() / four.last_arrival(),
+          "",
+          {{"four", four.last_arrival()}, {"two", two.last_arrival()}}};
+}
+
+}  // namespace
+
+std::span<const ValidationCase> exit_cases() {
+  static const ValidationCase all[] = {
+      {"IMO 4, NIST 5.2: exit of a room", "flow through 1 m over the whole period", "1/s", 0.0, 1.33,
+       flow_through_exit, true},
+      {"Seyfried 2009: flow through bottlenecks", "worst difference of widths from 0.8 to 1.2 m", "1/s", 0.0,
+       0.5, off_seyfried},
+      {"Seyfried 2009, RiMEA 12d: flow over width", "R^2 of a rising line, from 0.8 to 1.2 m", "", 0.9, 1.0,
+       linear_in_width},
+      {"IMO 9, RiMEA 9: half the exits", "time to leave the hall, over that by all four exits", "", 1.6, 2.4,
+       half_the_exits},
+  };
+  return all;
+}
+
+}  // namespace throng::bench

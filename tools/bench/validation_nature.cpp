@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#include <string_view>
+
+#include "tools/bench/validation_cases.h"
+
+namespace throng::bench {
+
+namespace {
+
+struct Nature {
+  const char *model, *name, *why;  ///< `name`: how the case's begins; empty: any
+};
+
+constexpr Nature kNatures[] = {
+    {"constant_velocity", "", "agents see nobody"},
+    {"social_force", "IMO 5", "who stands is pushed away by who sets out beside him"},
+};
+
+}  // namespace
+
+const char* by_nature(const std::string& model, const std::string& name) {
+  for (const Nature& one : kNatures)
+    if (model == one.model && name.starts_with(one.name)) return one.why;
+  return nullptr;
+}
+
+}  // namespace throng::bench
