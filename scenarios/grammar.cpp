@@ -239,6 +239,23 @@ Table measure_table() {
           {"line", "area"}};
 }
 
+Table sensor_table() {
+  return {{required({"name", text(64), "What the summary and the recording call it."}),
+           {"of", either({choice({"all"}), recorded_bodies_table()}),
+            "Who has it: bodies and agents that all of this fits.", "\"all\""},
+           required({"radius", number(0, kFarthest, "m"), "How far it reaches, m, from centre to centre."}),
+           {"fov_degrees", number(1e-6, 360, "degrees"),
+            "How wide the view is, degrees, its borders included: about an agent's velocity, about a body's "
+            "angle; an agent who stands looks all around.",
+            "360.0"},
+           {"sight", either({boolean(), choice({"walls", "bodies"})}),
+            "Whom it doesn't find: true or \"walls\": who is behind a wall; \"bodies\": or behind another "
+            "body or agent.",
+            "false"},
+           {"every", integer(1, 1e9), "Steps from one look to the next; the first is at the start.", "1"},
+           {"record", boolean(), "Whether a recording holds who senses whom, at each look.", "false"}}};
+}
+
 Table root_table() {
   return {
       {required({"throng", version(), "Version of this grammar."}),
@@ -264,7 +281,7 @@ Table root_table() {
        {"areas", named(area()), "Named areas, m: POLYGON or MULTIPOLYGON, or a list of points [x, y]."},
        {"agents", tables(agent_table()),
         "Agents, who walk to a goal and leave there; they need walkable or domain.box."},
-       later("sensors", "Who senses whom."),
+       {"sensors", tables(sensor_table()), "Who senses whom; `throng run` sums it up. At most 8."},
        {"measure", tables(measure_table()), "What is counted while agents walk; `throng run` sums it up."}}};
 }
 

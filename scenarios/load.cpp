@@ -52,6 +52,8 @@ void read_scene(const toml::table& root, Scene& scene, Report& report) {
   place_bodies(entries, draws, scene, report);
   place_agents(agents, scene, report);
   read_recorded_bodies(root, scene, report);
+  if (report.errors() > 0) return;
+  read_sensors(root, scene, report);
   if (report.errors() == 0) check_engine(root, scene, report);
 }
 

@@ -54,6 +54,14 @@ void read_record(const toml::table& root, Scene& scene, Report& report);
 /// Which bodies are recorded. Expects all of them in the scene.
 void read_recorded_bodies(const toml::table& root, Scene& scene, Report& report);
 
+/// Expects all bodies in the scene, and the record read.
+void read_sensors(const toml::table& root, Scene& scene, Report& report);
+
+/// Ids, ascending, of those that `of` fits: a table as record.of has it, at that path. Reports it where it
+/// fits none or names ids that there are not.
+std::vector<std::uint32_t> fitting_ids(const toml::table& of, const std::string& path, const Scene& scene,
+                                       Report& report);
+
 /// Row 0 is "default", which needs no entry; the others follow by name.
 void read_materials(const toml::table& root, Scene& scene, const Report& report);
 

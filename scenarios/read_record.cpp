@@ -77,7 +77,8 @@ bool is_chosen(const toml::table& of, const Scene& scene, std::size_t row) {
 }
 
 /// Ids in the order of the rows; all rows without any.
-std::vector<std::uint32_t> candidates(const toml::table& of, const Scene& scene, Report& report) {
+std::vector<std::uint32_t> candidates(const toml::table& of, const std::string& path, const Scene& scene,
+                                      Report& report) {
   std::vector<std::uint32_t> ids;
   const toml::node* node = of.get("ids");
   for (std::uint32_t id = 1; !node && id <= scene.bodies.size(); ++id) ids.push_back(id);
@@ -85,7 +86,7 @@ std::vector<std::uint32_t> candidates(const toml::table& of, const Scene& scene,
   for (const toml::node& entry : *node->as_array()) {
     ids.push_back(static_cast<std::uint32_t>(number(entry)));
     if (ids.back() <= scene.bodies.size()) continue;
-    report.error(entry, "record.of.ids",
+    report.error(entry, path + ".ids",
                  "there is no body " + std::to_string(ids.back()) + "; ids go from 1 to " +
                      std::to_string(scene.bodies.size()));
     return {};
@@ -111,14 +112,22 @@ void read_record(const toml::table& root, Scene& scene, Report& report) {
   read_quantum(table, record, report);
 }
 
+std::vector<std::uint32_t> fitting_ids(const toml::table& of, const std::string& path, const Scene& scene,
+                                       Report& report) {
+  std::vector<std::uint32_t> ids;
+  const int before = report.errors();
+  for (std::uint32_t id : candidates(of, path, scene, report))
+    if (is_chosen(of, scene, id - 1)) ids.push_back(id);
+  if (ids.empty() && report.errors() == before) report.error(of, path, "fits no body");
+  return ids;
+}
+
 void read_recorded_bodies(const toml::table& root, Scene& scene, Report& report) {
   const toml::node* node = good(root, "record", report);
   const toml::node* of = node ? node->as_table()->get("of") : nullptr;
   if (!of || report.errors() > 0) return;
   std::vector<std::uint32_t>& ids = scene.record.ids;
-  for (std::uint32_t id : candidates(*of->as_table(), scene, report))
-    if (is_chosen(*of->as_table(), scene, id - 1)) ids.push_back(id);
-  if (ids.empty() && report.errors() == 0) report.error(*of, "record.of", "fits no body");
+  ids = fitting_ids(*of->as_table(), "record.of", scene, report);
   if (ids.size() == scene.bodies.size()) ids.clear();
 }
 

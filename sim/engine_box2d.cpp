@@ -9,6 +9,7 @@
 #include <span>
 
 #include "sim/input_error.h"
+#include "sim/sensing/sensing.h"
 
 namespace throng {
 
@@ -72,11 +73,12 @@ bool is_thin(const Shape& shape) {
 class Box2dSimulation : public Simulation {
  public:
   explicit Box2dSimulation(const Scene& scene)
-      : scene_(scene), state_(initial_state(scene)), world_(to_b2(scene.gravity)) {
+      : scene_(scene), state_(initial_state(scene)), world_(to_b2(scene.gravity)), sensing_(scene, 1) {
     refuse_unsupported(scene);
     world_.SetAllowSleeping(scene.sleep);
     for (std::size_t row = 0; row < scene.bodies.size(); ++row) bodies_.push_back(add_body(row));
     add_walls();
+    sensing_.sense(state_);
   }
 
   void step() override {
@@ -94,6 +96,7 @@ class Box2dSimulation : public Simulation {
       check_body(state_, row);
       check_speed(row);
     }
+    sensing_.sense(state_);
   }
 
   const State& state() const override { return state_; }
@@ -111,6 +114,8 @@ class Box2dSimulation : public Simulation {
     rows.clear();
     for_each_pressed([&](const b2Contact& contact, int point) { rows.push_back(row_of(contact, point)); });
   }
+
+  std::span<const Sensed> sensed() const override { return sensing_.sensed(); }
 
   std::vector<std::pair<std::string, double>> stage_times() const override { return {{"box2d", solve_}}; }
 
@@ -228,6 +233,7 @@ class Box2dSimulation : public Simulation {
   b2World world_;
   b2Body* ground_ = nullptr;
   std::vector<b2Body*> bodies_;
+  Sensing sensing_;
   double solve_ = 0.0;  ///< s
 };
 

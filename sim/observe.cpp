@@ -2,6 +2,7 @@
 #include "sim/observe.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "broadphase/all_lists.h"
 #include "narrowphase/distance.h"
@@ -103,6 +104,25 @@ Overlap overlap(const Scene& scene, const State& state) {
   return result;
 }
 
+bool operator==(const CrowdObservables& a, const CrowdObservables& b) {
+  return a.agents == b.agents && a.arrived == b.arrived &&
+         std::ranges::equal(a.measures, b.measures,
+                            [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); });
+}
+
+namespace {
+
+std::optional<CrowdObservables> observe_crowd(const Scene& scene, const State& state) {
+  if (scene.crowd.size() == 0) return std::nullopt;
+  CrowdObservables result{static_cast<double>(state.id.size()), static_cast<double>(state.crowd.arrived), {}};
+  for (std::size_t i = 0; i < scene.crowd.measures.size(); ++i)
+    append_columns(scene.crowd.measures[i], state.crowd.measured[i],
+                   {state.position, state.velocity, state.step, scene.time.dt}, result.measures);
+  return result;
+}
+
+}  // namespace
+
 Observables observe(const Scene& scene, const State& state, std::size_t contacts) {
   const Overlap overlaps = overlap(scene, state);
   return {kinetic_energy(scene, state),
@@ -110,7 +130,8 @@ Observables observe(const Scene& scene, const State& state, std::size_t contacts
           momentum(scene, state),
           static_cast<double>(contacts),
           overlaps.max,
-          overlaps.mean};
+          overlaps.mean,
+          observe_crowd(scene, state)};
 }
 
 double kinetic_energy(const Scene& scene, const State& state) {

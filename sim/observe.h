@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "sim/scene.h"
 #include "sim/state.h"
 
@@ -17,17 +20,28 @@ struct Overlap {
 
 Overlap overlap(const Scene& scene, const State& state);
 
+/// The same of a crowd.
+struct CrowdObservables {
+  double agents = 0.0;           ///< that are there
+  double arrived = 0.0;          ///< that got to their goals and left, so far
+  std::vector<double> measures;  ///< of each measure of the scene its columns (crowd/measure.h)
+
+  friend bool operator==(const CrowdObservables& a, const CrowdObservables& b);  ///< NaN is NaN
+};
+
 /// What a recording measures of a state.
 struct Observables {
   double kinetic_energy = 0.0, potential_energy = 0.0;  ///< J
   Vec momentum{0.0, 0.0};                               ///< kg m/s
   double contacts = 0.0;                                ///< points that press
   double max_overlap = 0.0, mean_overlap = 0.0;         ///< m
+  std::optional<CrowdObservables> crowd = {};           ///< where there are agents
 
   friend bool operator==(const Observables&, const Observables&) = default;
 };
 
-/// Of all bodies. Dominated by `overlap`, which looks for its pairs anew: about what ten steps take.
+/// Of all bodies; of a state's crowd what was measured and who arrived count. Dominated by `overlap`, which
+/// looks for its pairs anew: about what ten steps take.
 Observables observe(const Scene& scene, const State& state, std::size_t contacts);
 
 double kinetic_energy(const Scene& scene, const State& state);    ///< J, of dynamic bodies

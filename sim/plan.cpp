@@ -71,6 +71,7 @@ std::vector<Stage> stages(const Scene& scene, const Plan& plan) {
                   : "no agents"},
       {"appear", plan.entrances,
        plan.entrances ? "some agents appear when they are due" : "nobody appears in the course of time"},
+      {"sense", plan.sensors, plan.sensors ? counted(scene.sensors.size(), "sensor") : "no sensors"},
       {"wrap", plan.periodic, plan.periodic ? "the domain is periodic" : "the domain is not periodic"},
   };
 }
@@ -94,6 +95,7 @@ Plan plan_for(const Scene& scene, ContactModel contact) {
   plan.entrances = plan.crowd && std::ranges::any_of(scene.crowd.groups, [](const AgentGroup& group) {
                      return group.entrance.has_value();
                    });
+  plan.sensors = !scene.sensors.empty();
   plan.periodic = scene.domain.kind == DomainKind::periodic;
   plan.polygons = any_moving(scene, [&](std::size_t row) { return !is_disc(scene, row); });
   plan.composites = any_moving(

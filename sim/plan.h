@@ -36,6 +36,7 @@ struct Plan {
   bool elastic = false;           ///< some surface keeps all energy
   bool crowd = false;             ///< there are agents
   bool entrances = false;         ///< some agents appear in the course of time
+  bool sensors = false;           ///< somebody senses others
   std::vector<Surface> surfaces;  ///< of materials i, j at i * materials.size() + j
   std::vector<Stage> stages;      ///< in the order of the step, those that are skipped too
 

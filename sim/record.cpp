@@ -24,6 +24,7 @@ int every(const Record& record, RecordField field) {
 std::vector<int> rates(const Record& record) {
   std::vector<int> result{record.observables};
   for (RecordField field : kRecordFields) result.push_back(every(record, field));
+  result.insert(result.end(), record.sensors.begin(), record.sensors.end());
   std::ranges::sort(result);
   result.erase(std::unique(result.begin(), result.end()), result.end());
   if (result.front() == 0) result.erase(result.begin());
@@ -63,8 +64,12 @@ bool has_bodies(const Record& record, std::int64_t step) {
 }
 
 bool is_frame(const Record& record, std::int64_t step) {
-  if (has_bodies(record, step) || is_due(record.observables, step)) return true;
-  const bool nothing = record.observables == 0 && !has_bodies(record, 0);  // all rates begin at step 0
+  const auto any_else = [&](std::int64_t at) {
+    return is_due(record.observables, at) ||
+           std::ranges::any_of(record.sensors, [at](int rate) { return is_due(rate, at); });
+  };
+  if (has_bodies(record, step) || any_else(step)) return true;
+  const bool nothing = !has_bodies(record, 0) && !any_else(0);  // all rates begin at step 0
   return nothing && is_due(record.every, step);
 }
 

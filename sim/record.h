@@ -29,6 +29,7 @@ struct Record {
   bool position = true, angle = true, velocity = true, spin = false, contacts = false;
   std::array<int, kRecordFields.size()> own_every{};  ///< steps, by RecordField; 0: `every`
   int observables = 0;                                ///< steps from one measurement to the next; 0: none
+  std::vector<int> sensors;                           ///< steps from look to look, of each recorded sensor
   bool single = false;                                ///< recorded fields as float32
   double quantum = 0.0;                               ///< m, the grid that positions are rounded to; 0: exact
   std::vector<std::uint32_t> ids;                     ///< of the recorded bodies, ascending; empty: all
@@ -45,7 +46,7 @@ int every(const Record& record, RecordField field);
 /// Whether a frame is made at this step.
 bool is_frame(const Record& record, std::int64_t step);
 
-/// Whether anything of bodies or between them is due.
+/// Whether fields of bodies or contacts are due.
 bool has_bodies(const Record& record, std::int64_t step);
 
 /// The rates at which anything is recorded, each once, ascending.

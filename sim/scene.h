@@ -8,6 +8,7 @@
 #include "narrowphase/convex.h"
 #include "sim/crowd/crowd.h"
 #include "sim/record.h"
+#include "sim/sensing/sensor.h"
 
 /// What is simulated: read once from a scenario, const ever after. What changes stands in `State`.
 namespace throng {
@@ -88,6 +89,7 @@ struct Scene {
   Bodies bodies;
   std::vector<Wall> walls;
   Crowd crowd;  ///< whose agents are the last of the bodies
+  std::vector<Sensor> sensors;
 };
 
 /// Whether frames of a recording hold other bodies now and then: those in record.within, agents until they

@@ -12,12 +12,15 @@ namespace {
 class Native : public Simulation {
  public:
   Native(const Scene& scene, int threads)
-      : scene_(scene), plan_(plan_for(scene)), state_(initial_state(scene)), work_(scene, plan_, threads) {}
+      : scene_(scene), plan_(plan_for(scene)), state_(initial_state(scene)), work_(scene, plan_, threads) {
+    work_.sensing.sense(state_);
+  }
 
   void step() override { throng::step(scene_, plan_, state_, work_); }
   const State& state() const override { return state_; }
   bool restore(const State& state) override {
     state_ = state;
+    work_.sensing.look(state_);
     return true;
   }
   std::size_t contacts() const override { return state_.disc_contacts.size() + state_.point_contacts.size(); }
@@ -25,9 +28,17 @@ class Native : public Simulation {
     throng::list_contacts(scene_, work_.contacts, state_, work_.bodies, rows);
   }
 
+  std::span<const Sensed> sensed() const override { return work_.sensing.sensed(); }
+
   std::vector<std::pair<std::string, double>> stage_times() const override {
-    const StageTimes& times = work_.times;
-    if (plan_.crowd) return crowd_times(times);
+    std::vector<std::pair<std::string, double>> all =
+        plan_.crowd ? crowd_times(work_.times) : body_times(work_.times);
+    if (plan_.sensors) all.push_back({"sense", work_.times.sense});
+    return all;
+  }
+
+ private:
+  std::vector<std::pair<std::string, double>> body_times(const StageTimes& times) const {
     if (!plan_.contacts()) return {{"integrate", times.solve}, {"store", times.store}};
     return {{"find_pairs", times.find_pairs},
             {"find_contacts", times.find_contacts},
@@ -35,7 +46,6 @@ class Native : public Simulation {
             {"store", times.store}};
   }
 
- private:
   std::vector<std::pair<std::string, double>> crowd_times(const StageTimes& times) const {
     std::vector<std::pair<std::string, double>> all{
         {"look", times.look}, {"steer", times.steer}, {"walk", times.walk}, {"leave", times.leave}};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,6 +35,9 @@ class Simulation {
 
   /// Replaces `rows` by them: contacts() of them, or none before the first step here.
   virtual void list_contacts(std::vector<ContactRow>& rows) const = 0;
+
+  /// Whom each sensor of the scene sensed in the state that there is; nothing for those that weren't due.
+  virtual std::span<const Sensed> sensed() const = 0;
 
   /// Name and total time (s) of each stage that ran.
   virtual std::vector<std::pair<std::string, double>> stage_times() const = 0;

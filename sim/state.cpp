@@ -39,6 +39,7 @@ State initial_state(const Scene& scene) {
     state.velocity.push_back(bodies.velocity[row]);
     state.spin.push_back(bodies.spin[row]);
   };
+  state.sensed.resize(scene.sensors.size());
   const Crowd& crowd = scene.crowd;
   for (std::size_t row = 0; row < bodies.size(); ++row)
     if (crowd.size() == 0 || !crowd.groups[crowd.group[row]].entrance) add(row);
@@ -61,8 +62,8 @@ bool fits(const State& state, const Scene& scene) {
   const Crowd& of = scene.crowd;
   const bool agents = of.size() > 0;
   const std::size_t rows = state.id.size(), arrived = static_cast<std::size_t>(crowd.arrived);
-  if (rows + arrived + waiting(crowd) != scene.bodies.size() || crowd.stand.size() != (agents ? rows : 0) ||
-      crowd.waiting.size() != (agents ? of.groups.size() : 0) ||
+  if (state.sensed.size() != scene.sensors.size() || rows + arrived + waiting(crowd) != scene.bodies.size() ||
+      crowd.stand.size() != (agents ? rows : 0) || crowd.waiting.size() != (agents ? of.groups.size() : 0) ||
       crowd.measured.size() != (agents ? of.measures.size() : 0) || (arrived > 0 && !agents))
     return false;
   for (std::size_t group = 0; group < crowd.waiting.size(); ++group)

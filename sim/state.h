@@ -38,6 +38,7 @@ struct State {
   std::vector<ContactImpulse> disc_contacts;   ///< pressing in the last step, ascending by key
   std::vector<ContactImpulse> point_contacts;  ///< likewise; the points of one manifold stand together
   CrowdState crowd;                            ///< empty where there are no agents
+  std::vector<SensedSum> sensed;               ///< as Scene::sensors
 };
 
 /// The state at time 0.

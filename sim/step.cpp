@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The step is the story. Of bodies: find pairs, find contacts, solve in substeps, store. Of agents: look,
-// steer, walk, leave.
+// steer, walk, leave. Of both: sense.
 #include "sim/step.h"
 
 #include <algorithm>
@@ -129,7 +129,8 @@ Workspace::Workspace(const Scene& scene, const Plan& plan, int threads)
       candidates(scene, plan),
       finder(scene, plan),
       bodies(scene.bodies.size() + 1),
-      crowd(scene) {
+      crowd(scene),
+      sensing(scene, threads) {
   for (SolverBody& body : bodies) body = {Vec(0.0, 0.0), Vec(0.0, 0.0), 0.0, 0.0, 0.0, 0.0};
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     if (scene.bodies.kind[i] != BodyKind::dynamic) continue;
@@ -181,8 +182,14 @@ void step_bodies(const Scene& scene, const Plan& plan, State& state, Workspace& 
 }
 
 void step(const Scene& scene, const Plan& plan, State& state, Workspace& work) {
-  if (plan.crowd) return step_crowd(plan, state, work);
-  step_bodies(scene, plan, state, work);
+  if (plan.crowd)
+    step_crowd(plan, state, work);
+  else
+    step_bodies(scene, plan, state, work);
+  if (!plan.sensors) return;
+  StageClock clock;
+  work.sensing.sense(state);
+  clock.lap(work.times.sense);
 }
 
 }  // namespace throng

@@ -12,6 +12,7 @@
 #include "sim/crowd/walk.h"
 #include "sim/plan.h"
 #include "sim/scene.h"
+#include "sim/sensing/sensing.h"
 #include "sim/state.h"
 #include "sim/workers.h"
 
@@ -22,6 +23,7 @@ namespace throng {
 struct StageTimes {
   double find_pairs = 0.0, find_contacts = 0.0, solve = 0.0, store = 0.0;  ///< s
   double look = 0.0, steer = 0.0, walk = 0.0, leave = 0.0, appear = 0.0;   ///< s, of crowds
+  double sense = 0.0;                                                      ///< s
 };
 
 /// What a step needs besides the state and may forget: buffers, and indexes of what never moves.
@@ -35,6 +37,7 @@ struct Workspace {
   std::vector<SolverBody> bodies;  ///< a row per body, and one for all obstacles
   SolverSettings solver;
   Walk crowd;
+  Sensing sensing;
   StageTimes times;
 };
 

@@ -29,6 +29,13 @@ std::vector<int> steps_apart(const Record& record) {
   return steps;
 }
 
+/// Of the recorded ones.
+Json sensors(const Scene& scene) {
+  Json names = Json::array();
+  for (const Sensor& sensor : scene.sensors) names.push_back(sensor.name);
+  return names.empty() ? Json(nullptr) : names;
+}
+
 Json region(const Record& record) {
   if (!record.within) return nullptr;
   const Vec &low = record.within->min(), &high = record.within->max();
@@ -73,6 +80,7 @@ Json describe(const Recording& recording) {
           {"fields", fields(scene.record)},
           {"rates", steps_apart(scene.record)},
           {"observables", scene.record.observables > 0 ? Json(scene.record.observables) : Json(nullptr)},
+          {"sensors", sensors(scene)},
           {"precision", scene.record.single ? "single" : "double"},
           {"quantum", scene.record.quantum > 0.0 ? Json(scene.record.quantum) : Json(nullptr)},
           {"within", region(scene.record)},

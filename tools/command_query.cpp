@@ -4,16 +4,15 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
-#include <numbers>
 #include <optional>
 
 #include "broadphase/neighbours.h"
-#include "narrowphase/trigonometry.h"
 #include "sim/input_error.h"
+#include "sim/sensing/heading.h"
+#include "sim/sensing/sight.h"
 #include "tools/commands.h"
 #include "tools/crowd.h"
 #include "tools/printable.h"
-#include "tools/sight.h"
 
 namespace throng::tools {
 
@@ -66,23 +65,6 @@ Vec parse_point(const std::string& text) {
   return p;
 }
 
-/// The unit vector `degrees` counter-clockwise from the x axis, exact on the axes and the diagonals.
-Vec direction(double degrees) {
-  const double turned = std::fmod(degrees, 360.0), quarter = std::round(turned / 90.0);
-  const double rest = turned - 90.0 * quarter;
-  const narrowphase::SinCos turn = narrowphase::sin_cos(rest * (std::numbers::pi / 180.0));
-  Vec d{turn.cos, turn.sin};
-  if (std::abs(rest) == 45.0) d = {std::sqrt(0.5), std::copysign(std::sqrt(0.5), rest)};
-  for (int i = (static_cast<int>(quarter) + 4) % 4; i > 0; --i) d = {-d.y(), d.x()};
-  return d;
-}
-
-FieldOfView view(const Options& options) {
-  if (options.fov.value_or(360.0) == 360.0) return {};
-  const Vec half = direction(0.5 * *options.fov);
-  return {half.x(), half.y()};
-}
-
 /// A heading in degrees, where it is one.
 std::optional<double> heading_in_degrees(const Options& options) {
   if (!options.heading || *options.heading == "velocity" || *options.heading == "angle") return {};
@@ -107,10 +89,7 @@ std::vector<Vec> headings(const Options& options, const Crowd& crowd, const Fiel
                      " were not recorded (record.fields); choose another --heading");
   if (!by_angle) return crowd.velocity;
   std::vector<Vec> result;
-  for (const double angle : crowd.angle) {
-    const narrowphase::SinCos turn = narrowphase::sin_cos(angle);
-    result.push_back({turn.cos, turn.sin});
-  }
+  for (const double angle : crowd.angle) result.push_back(direction_of_angle(angle));
   return result;
 }
 
@@ -235,7 +214,7 @@ void query(const Options& options) {
   const auto degrees = heading_in_degrees(options);
   const Crowd crowd = read_crowd(options.source, options.at);
   const broadphase::Period* period = crowd.period ? &*crowd.period : nullptr;
-  Near near{.view = view(options)};
+  Near near{.view = field_of_view(options.fov.value_or(360.0))};
   if (options.radius) near.radius = *options.radius;
   if (options.nearest) near.most = static_cast<std::size_t>(*options.nearest);
   const std::vector<Vec> heading = headings(options, crowd, near.view);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tools/recorded_scenario.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 
@@ -23,6 +24,7 @@ std::string difference(const Record& a, const Record& b) {
   if (a.quantum != b.quantum) return "a quantum";
   if (a.single != b.single) return "a precision";
   if (a.observables != b.observables) return "observables";
+  if (a.sensors != b.sensors) return "sensors";
   for (RecordField field : kRecordFields)
     if (every(a, field) != every(b, field)) return std::string("a rate of ") + name(field);
   return "";
@@ -41,6 +43,10 @@ void expect_scenario(const Recording& recording, const Scene& scene, const std::
            std::to_string(recording.bodies_of_run()));
   if (!same_bits(scene.time.dt, recording.geometry().time.dt))
     refuse("its scenario has other steps than its frames");
+  if (recording.origin().minor >= 5 && scene.record.observables > 0 &&
+      !std::ranges::equal(scene.crowd.measures, recording.geometry().crowd.measures, {}, &Measure::name,
+                          &Measure::name))
+    refuse("its scenario measures otherwise than its frames");
   if (const std::string what = difference(scene.record, recording.geometry().record); !what.empty())
     refuse("its scenario records " + what + " that its frames do not have");
 }

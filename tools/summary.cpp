@@ -62,6 +62,17 @@ Json crowd_summary(const Scene& scene, const State& state) {
   return result;
 }
 
+/// Whom each look of a sensor found, by the mean.
+Json sensor_summary(const Scene& scene, const State& state) {
+  Json result = Json::object();
+  for (std::size_t i = 0; i < state.sensed.size(); ++i) {
+    const auto [looks, sensed] = state.sensed[i];
+    const double mean = static_cast<double>(sensed) / static_cast<double>(looks);
+    result[scene.sensors[i].name] = {{"looks", looks}, {"mean", looks > 0 ? Json(mean) : Json(nullptr)}};
+  }
+  return result;
+}
+
 }  // namespace
 
 void RunTimes::end_step() {
@@ -111,6 +122,7 @@ Json summary(const Scene& scene, const Simulation& simulation, const RunTimes& t
                  {"contacts", simulation.contacts()},
                  {"output", output.empty() ? Json(nullptr) : Json(output)}};
   if (scene.crowd.size() > 0) result.update(crowd_summary(scene, state));
+  if (!scene.sensors.empty()) result["sensors"] = sensor_summary(scene, state);
   return result;
 }
 

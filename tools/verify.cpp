@@ -138,13 +138,31 @@ void report(const Frame& frame, const State& state, const std::optional<Differen
   std::printf("; state hash %016" PRIx64 ", now %016" PRIx64 "\n", frame.state_hash, hash(state));
 }
 
+/// The name of the first recorded sensor that found others; "" where none did.
+std::string first_other_sensor(const Frame& frame, const Scene& scene, const Simulation& run) {
+  std::size_t recorded = 0;
+  for (std::size_t i = 0; i < scene.sensors.size(); ++i)
+    if (scene.sensors[i].record && frame.sensed[recorded++] != run.sensed()[i]) return scene.sensors[i].name;
+  return "";
+}
+
+/// What the run has now; of a crowd only where that was recorded, as it wasn't before 1.5.
+Observables observed_as(const Observables& recorded, const Scene& scene, const Simulation& run,
+                        std::size_t contacts) {
+  Observables now = observe(scene, run.state(), contacts);
+  if (!recorded.crowd) now.crowd.reset();
+  return now;
+}
+
 /// What beside the bodies' own fields differs: "" where nothing does.
 std::string other_difference(const Comparison& comparison, const Frame& frame, const Scene& scene,
                              const Simulation& run) {
+  if (const std::string sensor = first_other_sensor(frame, scene, run); !sensor.empty())
+    return "those whom " + sensor + " senses";
   if (!frame.contacts && !frame.observables) return "";
   std::vector<ContactRow> contacts;
   run.list_contacts(contacts);
-  if (frame.observables && *frame.observables != observe(scene, run.state(), contacts.size()))
+  if (frame.observables && *frame.observables != observed_as(*frame.observables, scene, run, contacts.size()))
     return "the observables";
   return comparison.same_contacts(frame, contacts) ? "" : "the contacts";
 }

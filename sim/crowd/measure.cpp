@@ -40,6 +40,25 @@ void measure_area(const Measure& measure, std::span<const Stride> strides, std::
   }
 }
 
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr const char* kLineColumns[] = {"count", "forward", "back", "flow", "speed"};
+constexpr const char* kAreaColumns[] = {"count", "density", "speed", "flow"};
+
+/// Density, speed and flow in an area.
+std::array<double, 3> measure_instant(const Measure& measure, const Instant& instant) {
+  if (!measure.is_on(instant.step)) return {kUnknown, kUnknown, kUnknown};
+  const Eigen::AlignedBox2d box = bounds(measure.area);
+  double agents = 0.0, sum = 0.0;
+  for (std::size_t row = 0; row < instant.position.size(); ++row) {
+    const Vec& p = instant.position[row];
+    if (!box.contains(p) || !contains(measure.area, p)) continue;
+    ++agents;
+    sum += instant.velocity[row].norm();
+  }
+  const double density = agents / measure.size;
+  return {density, agents > 0.0 ? sum / agents : kUnknown, agents > 0.0 ? sum / measure.size : 0.0};
+}
+
 }  // namespace
 
 int crossing(const std::array<Vec, 2>& line, const Vec& from, const Vec& to) {
@@ -72,6 +91,26 @@ Reading reading(const Measure& measure, const Measured& measured, double dt) {
     result.flow = *result.density * result.speed.value_or(0.0);
   }
   return result;
+}
+
+std::span<const char* const> columns(const Measure& measure) {
+  return measure.area.empty() ? std::span<const char* const>(kLineColumns)
+                              : std::span<const char* const>(kAreaColumns);
+}
+
+void append_columns(const Measure& measure, const Measured& measured, const Instant& instant,
+                    std::vector<double>& row) {
+  const Reading read = reading(measure, measured, instant.dt);
+  row.push_back(static_cast<double>(read.count));
+  if (measure.area.empty()) {
+    for (const std::int64_t count : {measured.count, measured.back})
+      row.push_back(static_cast<double>(count));
+    row.push_back(read.flow.value_or(kUnknown));
+    row.push_back(read.speed.value_or(kUnknown));
+    return;
+  }
+  const std::array<double, 3> now = measure_instant(measure, instant);
+  row.insert(row.end(), now.begin(), now.end());
 }
 
 }  // namespace throng

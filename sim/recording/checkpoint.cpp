@@ -28,7 +28,7 @@ namespace {
 using Bytes = std::span<const std::byte>;
 
 constexpr std::array<char, 8> kMagic{'t', 'h', 'r', 'o', 'n', 'g', 'C', 'K'};
-constexpr std::uint64_t kLayout = 3;  // grows with every change of State
+constexpr std::uint64_t kLayout = 4;  // grows with every change of State
 
 struct Header {
   std::array<char, 8> magic = kMagic;
@@ -37,7 +37,7 @@ struct Header {
   std::int64_t step = 0;
   std::uint64_t scenario_bytes = 0, bodies = 0, disc_contacts = 0, point_contacts = 0;
   std::uint64_t agents = 0;  // rows of CrowdState: as many as bodies, or none
-  std::uint64_t groups = 0, measures = 0;
+  std::uint64_t groups = 0, measures = 0, sensors = 0;
   std::int64_t arrived = 0, last_arrival = 0, wall_corrections = 0;
   std::uint64_t frames = 0, frames_hash = 0;
   std::uint64_t content_hash = 0;
@@ -49,6 +49,7 @@ std::uint64_t hash_of(const Header& header) {
   return hash_bytes(std::as_bytes(std::span(&header, 1)).first(offsetof(Header, hash)));
 }
 
+static_assert(sizeof(SensedSum) == 2 * sizeof(std::int64_t), "every byte of it is written");
 static_assert(sizeof(Measured) == 6 * sizeof(std::int64_t) + sizeof(double), "every byte of it is written");
 
 /// Contacts, an array a quantity: the struct's own padding has no defined bytes.
@@ -77,7 +78,8 @@ struct Columns {
 
 template <class S, class F>
 void for_each_array(S& state, F visit) {
-  auto& [step, id, position, angle, velocity, spin, disc_contacts, point_contacts, crowd] = state;  // all
+  auto& [step, id, position, angle, velocity, spin, disc_contacts, point_contacts, crowd, sensed] =
+      state;  // all
   visit(id), visit(position), visit(angle), visit(velocity), visit(spin);
 }
 
@@ -100,7 +102,7 @@ std::vector<Bytes> content(const std::string& scenario, const State& state, cons
   const auto add = [&](const auto& array) { all.push_back(std::as_bytes(std::span(array))); };
   for_each_array(state, add);
   for_each_crowd_array(state.crowd, add);
-  add(state.crowd.waiting), add(state.crowd.measured);
+  add(state.crowd.waiting), add(state.crowd.measured), add(state.sensed);
   for_each_column(discs, add);
   for_each_column(points, add);
   return all;
@@ -153,6 +155,7 @@ Header header_for(const CheckpointOrigin& origin, const State& state) {
   header.agents = state.crowd.stand.size();
   header.groups = state.crowd.waiting.size();
   header.measures = state.crowd.measured.size();
+  header.sensors = state.sensed.size();
   header.arrived = state.crowd.arrived;
   header.last_arrival = state.crowd.last_arrival;
   header.wall_corrections = state.crowd.wall_corrections;
@@ -198,14 +201,15 @@ void expect_size(const std::string& path, const Header& header, std::uint64_t si
   constexpr std::uint64_t body = sizeof(std::uint32_t) + 6 * sizeof(double);
   constexpr std::uint64_t agent = 2 * sizeof(double) + sizeof(std::int64_t) + sizeof(std::uint32_t);
   constexpr std::uint64_t contact = sizeof(std::uint64_t) + sizeof(std::uint32_t) + 2 * sizeof(double);
-  const std::uint64_t counts[] = {header.scenario_bytes, header.bodies,   header.agents,
-                                  header.groups,         header.measures, header.disc_contacts,
-                                  header.point_contacts};
+  const std::uint64_t counts[] = {header.scenario_bytes, header.bodies,        header.agents,
+                                  header.groups,         header.measures,      header.sensors,
+                                  header.disc_contacts,  header.point_contacts};
   const bool bounded = std::all_of(std::begin(counts), std::end(counts), [&](auto n) { return n <= size; });
   const bool crowd = header.agents == 0 || header.agents == header.bodies;
   if (!bounded || !crowd ||
       size != sizeof header + header.scenario_bytes + body * header.bodies + agent * header.agents +
                   sizeof(std::uint32_t) * header.groups + sizeof(Measured) * header.measures +
+                  sizeof(SensedSum) * header.sensors +
                   contact * (header.disc_contacts + header.point_contacts))
     refuse_damaged(path, "its size is not what its header says");
 }
@@ -235,6 +239,11 @@ bool is_sound(const Measured& measured, std::int64_t step) {
          std::isfinite(measured.speed);
 }
 
+/// No body senses more than all the others, which 32 bits name.
+bool is_sound(const SensedSum& sum) {
+  return is_count(sum.looks) && is_count(sum.sensed) && sum.sensed >> 32 <= sum.looks;
+}
+
 bool is_sound(const CrowdState& crowd, std::int64_t step) {
   const auto past = [step](std::int64_t s) { return s >= 0 && s <= step; };
   return std::all_of(crowd.stand.begin(), crowd.stand.end(), is_near) &&
@@ -251,6 +260,8 @@ bool is_sound(const State& state) {
   for (std::size_t row = 0; row < state.id.size(); ++row)
     if (!can_go_on(state, row)) return false;
   return state.step >= 0 && is_sound(state.crowd, state.step) && are_names(state.id, state.crowd) &&
+         std::all_of(state.sensed.begin(), state.sensed.end(),
+                     [](const SensedSum& sum) { return is_sound(sum); }) &&
          is_ascending(state.disc_contacts) && is_ascending(state.point_contacts) &&
          std::all_of(state.disc_contacts.begin(), state.disc_contacts.end(), finite) &&
          std::all_of(state.point_contacts.begin(), state.point_contacts.end(), finite);
@@ -277,7 +288,8 @@ Checkpoint read_content(int fd, const std::string& path, const Header& header) {
     read_array(array);
   });
   state.crowd.waiting.resize(header.groups), state.crowd.measured.resize(header.measures);
-  read_array(state.crowd.waiting), read_array(state.crowd.measured);
+  state.sensed.resize(header.sensors);
+  read_array(state.crowd.waiting), read_array(state.crowd.measured), read_array(state.sensed);
   state.crowd.arrived = header.arrived, state.crowd.last_arrival = header.last_arrival;
   state.crowd.wall_corrections = header.wall_corrections;
   for_each_column(discs, read_array);

@@ -17,9 +17,10 @@ struct Guess {
   double share;      // of the bodies, where they come and go
   double contacts;   // bytes a body
   double quantized;  // bytes a body
+  double sensed;     // bytes a body that has a sensor
 };
 
-constexpr Guess kAbout{1.0, 3.0 * 32.0, 3.0}, kLeast{0.0, 0.0, 0.0};
+constexpr Guess kAbout{1.0, 3.0 * 32.0, 3.0, 8.0 + 10.0 * 4.0}, kLeast{0.0, 0.0, 0.0, 0.0};
 
 /// A body's numbers in one frame.
 double body_bytes(const Record& record, RecordField field, const Guess& guess) {
@@ -43,6 +44,10 @@ double bytes_by(const Guess& guess, const Scene& scene) {
     const double frames = samples(every(record, field));
     bytes += frames * (body_bytes(record, field, guess) * bodies + kRowBytes);
     most = std::max(most, frames);
+  }
+  for (const Sensor& sensor : scene.sensors) {
+    const double having = static_cast<double>(sensor.ids.empty() ? scene.bodies.size() : sensor.ids.size());
+    if (sensor.record) bytes += samples(sensor.every) * (guess.sensed * having + kRowBytes);
   }
   return bytes + (changes ? most * 4.0 * bodies : 0.0);
 }

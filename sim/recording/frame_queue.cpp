@@ -22,6 +22,8 @@ void copy_frame(const State& from, State& to) {
   to.angle = from.angle;
   to.velocity = from.velocity;
   to.spin = from.spin;
+  to.crowd.arrived = from.crowd.arrived;
+  to.crowd.measured = from.crowd.measured;
 }
 
 }  // namespace
@@ -30,7 +32,8 @@ FrameQueue::FrameQueue(const State& first) : slots_(depth(first)) {
   for (QueueEntry& slot : slots_) copy_frame(first, slot.state);
 }
 
-void FrameQueue::push(const State& state, std::span<const ContactRow> contacts, bool checkpoint) {
+void FrameQueue::push(const State& state, std::span<const ContactRow> contacts,
+                      std::span<const Sensed* const> sensed, bool checkpoint) {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [&] { return count_ < slots_.size() || error_; });
   if (error_) std::rethrow_exception(error_);
@@ -38,6 +41,8 @@ void FrameQueue::push(const State& state, std::span<const ContactRow> contacts, 
   lock.unlock();  // the slot is the producer's until it is counted
   slot.checkpoint = checkpoint;
   slot.contacts.assign(contacts.begin(), contacts.end());
+  slot.sensed.resize(sensed.size());
+  for (std::size_t i = 0; i < sensed.size(); ++i) slot.sensed[i] = *sensed[i];
   if (checkpoint)
     slot.state = state;
   else

@@ -17,8 +17,10 @@ namespace throng::recording {
 /// What the loop hands to the writer.
 struct QueueEntry {
   State state;
-  bool checkpoint = false;  ///< all of the state, to go on from; else a frame: step, ids and motion alone
+  bool checkpoint = false;  ///< all of the state, to go on from; else a frame: step, ids and motion, and what
+                            ///< of a crowd is observed
   std::vector<ContactRow> contacts = {};  ///< of a frame, where it is to hold any
+  std::vector<Sensed> sensed = {};        ///< of each recorded sensor, where a frame is to hold any
 };
 
 /// Frames and checkpoints on their way from the loop to the writer: a ring of buffers made in advance, one
@@ -32,10 +34,13 @@ class FrameQueue {
 
   /// Copies a frame in; waits while the queue is full. Allocates nothing while the number of bodies is that
   /// of `first` and the slot has held as many contacts before. Throws what the consumer failed with.
-  void push(const State& state, std::span<const ContactRow> contacts = {}) { push(state, contacts, false); }
+  void push(const State& state, std::span<const ContactRow> contacts = {},
+            std::span<const Sensed* const> sensed = {}) {
+    push(state, contacts, sensed, false);
+  }
 
   /// The same for a checkpoint, whose contacts may take more memory.
-  void push_checkpoint(const State& state) { push(state, {}, true); }
+  void push_checkpoint(const State& state) { push(state, {}, {}, true); }
 
   /// Nothing more will come.
   void close();
@@ -52,7 +57,8 @@ class FrameQueue {
   std::size_t capacity() const { return slots_.size(); }
 
  private:
-  void push(const State& state, std::span<const ContactRow> contacts, bool checkpoint);
+  void push(const State& state, std::span<const ContactRow> contacts, std::span<const Sensed* const> sensed,
+            bool checkpoint);
   std::size_t batch() const { return slots_.size() / 2; }
 
   std::vector<QueueEntry> slots_;

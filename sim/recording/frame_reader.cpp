@@ -14,7 +14,7 @@ namespace {
 void clear(Frame& frame) {
   frame.is_present.clear();
   for (RecordField field : kBodyFields) with_field(frame, field, [](auto& numbers) { numbers.clear(); });
-  frame.contacts.reset(), frame.observables.reset();
+  frame.contacts.reset(), frame.observables.reset(), frame.sensed.clear();
 }
 
 std::span<double> resized(std::vector<Vec>& vectors, std::size_t bodies) {
@@ -39,6 +39,8 @@ void FrameReader::read(std::size_t i, Frame& frame) const {
   const std::size_t present = read_present(i, frame, hash);
   for (RecordField field : kBodyFields) read_field(field, i, present, frame, hash);
   read_contacts(i, frame, hash);
+  frame.sensed.resize(sensed_.size());
+  for (std::size_t k = 0; k < sensed_.size(); ++k) read_sensed(sensed_[k], i, frame.sensed[k], hash);
   read_observables(i, frame, hash);
   if (hash.value() != frame.frame_hash) throw h5::Error("it does not match its hash");
 }
@@ -150,18 +152,51 @@ void FrameReader::read_contacts(std::size_t i, Frame& frame, FrameHash& hash) co
     frame.contacts->push_back({a[k], b[k], impulse[k], {point[2 * k], point[2 * k + 1]}});
 }
 
+/// Ids that ascend, of bodies of the run.
+void FrameReader::expect_names(std::span<const std::uint32_t> ids) const {
+  std::uint32_t last = 0;
+  for (const std::uint32_t id : ids) {
+    if (id <= last || id > bodies_) throw h5::Error("sensed ids are not in order");
+    last = id;
+  }
+}
+
+void FrameReader::read_sensed(const StoredSensed& stored, std::size_t i, Sensed& sensed,
+                              FrameHash& hash) const {
+  const std::optional<std::size_t> sample = stored.when.sample(i);
+  if (!sample) return;
+  const auto read = [&](const h5::Dataset& column, const std::vector<std::uint64_t>& offset) {
+    auto ids = h5::read_rows<std::uint32_t>(column, offset[*sample], offset[*sample + 1] - offset[*sample]);
+    hash.add(std::as_bytes(std::span(ids)));
+    return ids;
+  };
+  sensed.who = read(stored.who, stored.offset);
+  sensed.count = read(stored.count, stored.offset);
+  sensed.whom = read(stored.whom, stored.whom_offset);
+  expect_names(sensed.who);
+  std::size_t at = 0;
+  for (const std::uint32_t count : sensed.count) {
+    if (count > sensed.whom.size() - at) throw h5::Error("sensed rows are too few");
+    expect_names(std::span(sensed.whom).subspan(at, count));
+    at += count;
+  }
+  if (at != sensed.whom.size()) throw h5::Error("sensed rows are too many");
+}
+
 void FrameReader::read_observables(std::size_t i, Frame& frame, FrameHash& hash) const {
   const std::optional<std::size_t> sample = observables_.when.sample(i);
   if (!sample) return;
-  Observables found;
-  for (std::size_t k = 0; k < kObservables.size(); ++k) {
-    const std::size_t n = kObservables[k].components;
+  std::vector<double> found;
+  for (std::size_t k = 0; k < observables_.values.size(); ++k) {
+    const Observable& observable = observables_.observables[k];
+    const std::size_t n = observable.components;
     const auto numbers = std::span(observables_.values[k]).subspan(*sample * n, n);
-    if (!all_finite<double>(numbers)) throw h5::Error(std::string(kObservables[k].name) + " is not finite");
-    std::ranges::copy(numbers, kObservables[k].at(found));
+    if (!observable.may_be_nan && !all_finite<double>(numbers))
+      throw h5::Error(observable.name + " is not finite");
+    found.insert(found.end(), numbers.begin(), numbers.end());
     hash.add(std::as_bytes(numbers));
   }
-  frame.observables = found;
+  frame.observables = observables_from(found);
 }
 
 }  // namespace throng::recording

@@ -5,6 +5,7 @@
 
 #include "sim/recording/h5_read.h"
 #include "sim/recording/layout.h"
+#include "sim/recording/observables.h"
 #include "sim/recording/quantized_reader.h"
 #include "sim/recording/recording.h"
 #include "sim/recording/schedule.h"
@@ -27,6 +28,9 @@ class FrameReader {
 
   /// Which frames hold the field.
   const Schedule& schedule(RecordField field) const { return fields_[index(field)].when; }
+
+  /// Which frames hold what the k-th recorded sensor found.
+  const Schedule& sensor_schedule(std::size_t sensor) const { return sensed_[sensor].when; }
 
   /// Which frames say who is in them; never where that is the same in all.
   const Schedule& id_schedule() const { return present_when_; }
@@ -53,8 +57,14 @@ class FrameReader {
     int every;
     friend bool operator==(const CheckedTimes&, const CheckedTimes&) = default;
   };
+  struct StoredSensed {
+    Schedule when;
+    std::vector<std::uint64_t> offset, whom_offset;
+    h5::Dataset who, count, whom;
+  };
   struct StoredObservables {
     Schedule when;
+    std::vector<Observable> observables;
     std::vector<std::vector<double>> values;  // of all frames, by observable
   };
 
@@ -67,7 +77,9 @@ class FrameReader {
   void open_field(hid_t trajectory, RecordField field, std::span<const std::int64_t> steps);
   void open_quantized(hid_t throng, std::span<const std::int64_t> steps, Record& record);
   void open_contacts(hid_t throng, std::span<const std::int64_t> steps);
-  void open_observables(std::span<const std::int64_t> steps);
+  std::vector<std::uint64_t> read_ends(hid_t group, const char* name, std::size_t samples) const;
+  void open_sensed(hid_t sensors, std::span<const std::int64_t> steps);
+  void open_observables(const Scene& scene, std::span<const std::int64_t> steps);
   void expect_ids(std::span<const std::int64_t> steps) const;
   void complete(Record& record) const;
 
@@ -78,6 +90,8 @@ class FrameReader {
   void read_field(RecordField field, std::size_t i, std::size_t present, Frame& frame, FrameHash& hash) const;
   void hand_out(RecordField field, Frame& frame) const;
   void read_contacts(std::size_t i, Frame& frame, FrameHash& hash) const;
+  void expect_names(std::span<const std::uint32_t> ids) const;
+  void read_sensed(const StoredSensed& stored, std::size_t i, Sensed& sensed, FrameHash& hash) const;
   void read_observables(std::size_t i, Frame& frame, FrameHash& hash) const;
 
   const h5::File* file_ = nullptr;
@@ -92,6 +106,7 @@ class FrameReader {
   std::array<Stored, kRecordFields.size()> fields_;
   mutable QuantizedReader quantized_;  // remembers where it is
   StoredContacts contacts_;
+  std::vector<StoredSensed> sensed_;
   StoredObservables observables_;
   mutable std::vector<std::uint32_t> rows_;  // of the bodies in a frame, where these change
   mutable std::vector<double> numbers_;      // of a field, of the bodies in a frame

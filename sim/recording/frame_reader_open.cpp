@@ -11,7 +11,6 @@ namespace throng::recording {
 namespace {
 
 constexpr std::nullopt_t kAny = std::nullopt;
-constexpr std::int64_t kRarest = 1'000'000'000;  // steps
 
 int read_every(hid_t element) {
   const auto every = h5::read_attribute<std::int64_t>(element, "every");
@@ -33,7 +32,8 @@ FrameReader::FrameReader(const h5::File& file, const Scene& scene, std::span<con
       minor_(minor),
       every_(record.every),
       single_(record.single),
-      ids_(scene.bodies.size()) {
+      ids_(scene.bodies.size()),
+      sensed_(scene.sensors.size()) {
   const h5::Handle throng = h5::open_group(file.handle, "throng");
   const h5::Handle trajectory = h5::open_group(h5::open_group(file.handle, "particles"), "trajectory");
   open_ids(throng, trajectory, steps, record);
@@ -41,7 +41,8 @@ FrameReader::FrameReader(const h5::File& file, const Scene& scene, std::span<con
     if (h5::exists(trajectory, name(field))) open_field(trajectory, field, steps);
   if (h5::exists(throng, "quantized")) open_quantized(throng, steps, record);
   if (h5::exists(throng, "contacts")) open_contacts(throng, steps);
-  if (h5::exists(file.handle, "observables")) open_observables(steps);
+  if (!scene.sensors.empty()) open_sensed(h5::open_group(throng, "sensors"), steps);
+  if (h5::exists(file.handle, "observables")) open_observables(scene, steps);
   if (changes_) expect_ids(steps);
   complete(record);
 }
@@ -147,16 +148,56 @@ void FrameReader::open_contacts(hid_t throng, std::span<const std::int64_t> step
   if (!std::ranges::is_sorted(contacts_.offset)) throw h5::Error("the offsets of contacts run backwards");
 }
 
-void FrameReader::open_observables(std::span<const std::int64_t> steps) {
+/// Ends of runs of rows, one more than samples, none where nothing was committed.
+std::vector<std::uint64_t> FrameReader::read_ends(hid_t group, const char* name, std::size_t samples) const {
+  const h5::Dataset offset = h5::open_dataset<std::uint64_t>(*file_, group, name, {kAny});
+  if (samples > 0) expect_samples(offset.dims[0], samples + 1, name);
+  auto ends = h5::read_all<std::uint64_t>(offset, std::min<hsize_t>(offset.dims[0], samples + 1));
+  if (!std::ranges::is_sorted(ends)) throw h5::Error(std::string(name) + " runs backwards");
+  return ends;
+}
+
+void FrameReader::open_sensed(hid_t sensors, std::span<const std::int64_t> steps) {
+  for (std::size_t k = 0; k < sensed_.size(); ++k) {
+    const h5::Handle group = h5::open_group(sensors, std::to_string(k).c_str());
+    StoredSensed& stored = sensed_[k];
+    stored.when = open_schedule(group, steps);
+    expect_times(group, stored.when, steps);
+    stored.offset = read_ends(group, "offset", stored.when.samples());
+    stored.whom_offset = read_ends(group, "whom_offset", stored.when.samples());
+    const auto open = [&](const char* name, const std::vector<std::uint64_t>& ends) {
+      h5::Dataset column = h5::open_dataset<std::uint32_t>(*file_, group, name, {kAny});
+      if (!ends.empty() && column.dims[0] < ends.back()) throw h5::Error("sensed rows are missing");
+      return column;
+    };
+    stored.who = open("who", stored.offset);
+    stored.count = open("count", stored.offset);
+    stored.whom = open("whom", stored.whom_offset);
+  }
+}
+
+namespace {
+
+/// The element at the end of a path, each group of it the file's own.
+h5::Handle open_path(hid_t at, std::string_view path) {
+  const std::size_t slash = path.find('/');
+  h5::Handle group = h5::open_group(at, std::string(path.substr(0, slash)).c_str());
+  return slash == path.npos ? std::move(group) : open_path(group, path.substr(slash + 1));
+}
+
+}  // namespace
+
+void FrameReader::open_observables(const Scene& scene, std::span<const std::int64_t> steps) {
   const h5::Handle group = h5::open_group(file_->handle, "observables");
   observables_.when = open_schedule(group, steps);
-  for (const Observable& observable : kObservables) {
-    const h5::Handle element = h5::open_group(group, observable.name);
+  observables_.observables = observables_of(h5::exists(group, "agents"), scene.crowd.measures);
+  for (const Observable& observable : observables_.observables) {
+    const h5::Handle element = open_path(group, observable.name);
     expect_times(element, observables_.when, steps);
     std::vector<std::optional<hsize_t>> dims{kAny};
     if (observable.components > 1) dims.push_back(observable.components);
     const h5::Dataset set = h5::open_dataset<double>(*file_, element, "value", dims);
-    expect_samples(set.dims[0], observables_.when.samples(), observable.name);
+    expect_samples(set.dims[0], observables_.when.samples(), observable.name.c_str());
     observables_.values.push_back(h5::read_all<double>(set, observables_.when.samples()));
   }
 }

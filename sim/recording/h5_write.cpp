@@ -83,6 +83,12 @@ Handle create_group(hid_t at, const char* name) {
   return {H5Gcreate2(at, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, "cannot make a group"};
 }
 
+Handle create_groups(hid_t at, const char* path) {
+  const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose, "cannot make a property list");
+  check(H5Pset_create_intermediate_group(links, 1), "cannot make a group");
+  return {H5Gcreate2(at, path, links, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, "cannot make a group"};
+}
+
 void write_attribute(hid_t at, const char* name, std::string_view text) {
   const Handle type = text_type(text.size());
   const std::string data = text.empty() ? std::string(1, '\0') : std::string(text);

@@ -15,6 +15,7 @@ namespace throng::recording::h5 {
 Handle create_file(const std::string& path);
 
 Handle create_group(hid_t at, const char* name);
+Handle create_groups(hid_t at, const char* path);  ///< those on the way too, where they aren't there
 
 void write_attribute(hid_t at, const char* name, std::string_view text);
 void write_attribute(hid_t at, const char* name, const std::vector<std::string>& texts);

@@ -28,7 +28,9 @@
 ///                         every i64 (1.2)
 ///   angle, spin           the same with value [F,N]; only what the scenario records is there
 /// /observables            (1.2) attribute every; kinetic_energy, potential_energy, contacts, max_overlap,
-///                         mean_overlap with value f64[], momentum with value f64[,2]; each with step, time
+///                         mean_overlap with value f64[], momentum with value f64[,2]; each with step, time; of
+///                         agents also (1.5) agents, arrived and measure/NAME/C, C as `columns` of crowd/measure.h
+///                         has them, NaN where too little was measured
 /// /throng                 attributes version int32[2] = {kMajor, kMinor}, name, description
 ///   finished              u64: 0 while the run goes on, then chain_hash of frames/frame_hash
 ///   frames                step i64[F], time f64[F] = step * dt, state_hash u64[F], frame_hash u64[F]
@@ -39,6 +41,12 @@
 ///                         of bodies that come and go, too (1.4): each keeps its row, with 0 while it is away
 ///   contacts              (1.2) attribute every; a u32, b u32, impulse f64, point f64[,2], rows as ContactRow has
 ///                         them; those of sample s are offset[s] to offset[s + 1], u64; step, time
+///   sensors/K             (1.5) the K-th recorded sensor, from 0: attributes name, every, radius f64 (m),
+///                         fov_degrees f64, sight (none, walls, bodies); who u32, count u32: ids, ascending, of those
+///                         who have it, and how many each senses, those of sample s from offset[s] to offset[s + 1],
+///                         u64; whom u32: whom they sense, one after the other, from whom_offset[s] on; step, time
+///   measures              (1.5) of agents, where any are: name, line f64[M,4] (x, y from, x, y to), size f64 (m²);
+///                         area_offset u64[M+1] -> offset u64[rings+1] -> points f64[,2]; no rings: a line
 ///   domain                attributes kind, min f64[2], max f64[2]
 ///   materials             name, density, restitution, friction
 ///   shapes                name, kind u8 (0 disc, 1 polygon, 2 composite), centre, area, gyration2, radius;
@@ -60,8 +68,8 @@
 /// `state_hash` is throng::hash of the whole state, so that a run can be checked against another (before 1.1 it
 /// was another function, and there was no attribute `checkpoint`). `frame_hash`
 /// covers step, time, state_hash and exactly what the frame stores: ids where they change, the numbers of each
-/// field (whole multiples of the quantum, i32, where they are quantized), a, b, impulse, point of the contacts, the
-/// observables; 0 never occurs. It is the commit
+/// field (whole multiples of the quantum, i32, where they are quantized), a, b, impulse, point of the contacts, who,
+/// count, whom of each sensor, the observables; 0 never occurs. It is the commit
 /// record: a frame counts once its row stands there, whatever the extents of the other datasets say. Values of
 /// bodies carry fletcher32, and no chunk of theirs is of two frames (at most kMaxChunk bytes, or kRegionChunk bodies
 /// where these come and go). Rows that grow a little at a time (`frames`, `rates`, contacts, observables, step and
@@ -78,11 +86,14 @@ inline constexpr int kMajor = 1;  ///< a reader refuses a newer one
 /// regions of 2 had a row of `id` for every frame, even without bodies, its step and time links to those of
 /// `frames`; the last ones have what 3 has. Readers find rows of `id` by its step, and so take both. Since 4
 /// positions of bodies that come and go may be quantized: readers of 3 refuse these.
-inline constexpr int kMinor = 4;
+/// Since 5 there are sensors, and of a crowd its measures, which readers of 4 overlook: to them such frames
+/// are damaged.
+inline constexpr int kMinor = 5;
 
 inline constexpr std::size_t kMaxChunk = std::size_t{1} << 20;  ///< bytes
 inline constexpr std::size_t kRegionChunk = 256;                ///< bodies, where frames hold few of them
 inline constexpr std::size_t kRowChunk = 512;                   ///< rows: one page of 8-byte numbers
+inline constexpr std::int64_t kRarest = 1'000'000'000;          ///< steps from one sample to the next
 
 /// What may be recorded of a body, in the order in which frame_hash covers it.
 inline constexpr auto kBodyFields = std::span(kRecordFields).first<4>();

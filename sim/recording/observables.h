@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
-#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "sim/observe.h"
 
@@ -10,20 +11,17 @@ namespace throng::recording {
 
 /// One of the measurements below /observables.
 struct Observable {
-  const char* name;
-  std::size_t components;
-  double* (*at)(Observables&);  ///< its first number
-
-  const double* numbers(const Observables& all) const { return at(const_cast<Observables&>(all)); }
+  std::string name;            ///< its path there
+  std::size_t components = 1;  ///< numbers
+  bool may_be_nan = false;     ///< unknown at times
 };
 
-/// In the order in which frame_hash covers them.
-inline constexpr std::array<Observable, 6> kObservables{
-    {{"kinetic_energy", 1, [](Observables& o) { return &o.kinetic_energy; }},
-     {"potential_energy", 1, [](Observables& o) { return &o.potential_energy; }},
-     {"momentum", 2, [](Observables& o) { return o.momentum.data(); }},
-     {"contacts", 1, [](Observables& o) { return &o.contacts; }},
-     {"max_overlap", 1, [](Observables& o) { return &o.max_overlap; }},
-     {"mean_overlap", 1, [](Observables& o) { return &o.mean_overlap; }}}};
+/// What is observed of a run, in the order in which frame_hash covers it; of a crowd also who is there, and
+/// what is measured.
+std::vector<Observable> observables_of(bool crowd, std::span<const Measure> measures);
+
+/// Their numbers end to end, and back. Expects as many as the observables of the run have.
+std::vector<double> numbers_of(const Observables& observables);
+Observables observables_from(std::span<const double> numbers);
 
 }  // namespace throng::recording

@@ -186,7 +186,7 @@ void Recorder::Impl::write_entries(TrajectoryWriter& writer) {
     if (entry->checkpoint)
       write_checkpoint(writer, entry->state);
     else
-      writer.append(entry->state, entry->contacts, observables(*entry));
+      writer.append(entry->state, entry->contacts, observables(*entry), entry->sensed);
     queue.pop();
     commit_when_due(writer);
   }
@@ -265,8 +265,9 @@ std::string Recorder::doubt(const std::string& path, const Scene& scene, const P
   return why.empty() ? "" : "the recording may need " + why;
 }
 
-void Recorder::record(const State& state, std::span<const ContactRow> contacts) {
-  impl_->queue.push(state, contacts);
+void Recorder::record(const State& state, std::span<const ContactRow> contacts,
+                      std::span<const Sensed* const> sensed) {
+  impl_->queue.push(state, contacts, sensed);
   ++impl_->frames;
 }
 

@@ -199,6 +199,8 @@ void Recording::Impl::open_fields() {
   if (bodies < static_cast<std::int64_t>(scene.bodies.size()) || bodies > kMostBodies)
     throw h5::Error("bodies is out of range");
   bodies_of_run = static_cast<std::size_t>(bodies);
+  scene.sensors = read_sensors(h5::open_group(file.handle, "throng"));
+  for (const Sensor& sensor : scene.sensors) scene.record.sensors.push_back(sensor.every);
   reader = FrameReader(file, scene, steps, origin.minor, bodies_of_run, scene.record);
 }
 
@@ -250,6 +252,9 @@ std::span<const std::uint32_t> Recording::ids() const {
 }
 std::optional<std::size_t> Recording::sample(RecordField field, std::size_t i) const {
   return impl_->reader.schedule(field).sample(impl_->in_file(i));
+}
+std::optional<std::size_t> Recording::sensor_sample(std::size_t sensor, std::size_t i) const {
+  return impl_->reader.sensor_schedule(sensor).sample(impl_->in_file(i));
 }
 std::optional<std::size_t> Recording::id_sample(std::size_t i) const {
   return impl_->reader.id_schedule().sample(impl_->in_file(i));

@@ -32,6 +32,7 @@ struct Frame {
   /// gone as agents go, have NaN in all arrays.
   std::vector<std::uint8_t> is_present;
   std::optional<std::vector<ContactRow>> contacts;
+  std::vector<Sensed> sensed;  ///< of each recorded sensor; empty where it wasn't due
   std::optional<Observables> observables;
 
   std::size_t bodies() const {
@@ -72,8 +73,8 @@ class Recording {
   double bytes() const;   ///< of the file when it was opened
 
   /// Names, domain, shapes, materials, recorded bodies (their motion is zero: ask a frame), walls, the
-  /// floor that agents walk on, time, seed, engine and what is recorded. Gravity and whatever else drawing
-  /// doesn't need has its default.
+  /// floor that agents walk on, measures, recorded sensors, time, seed, engine and what is recorded. Gravity
+  /// and whatever else drawing doesn't need has its default.
   const Scene& geometry() const;
   const RecordingOrigin& origin() const;
 
@@ -98,6 +99,9 @@ class Recording {
 
   /// In which sample of a field's own, where it is stored, frame i stands; nothing where it does not.
   std::optional<std::size_t> sample(RecordField field, std::size_t i) const;
+
+  /// The same of the k-th recorded sensor.
+  std::optional<std::size_t> sensor_sample(std::size_t sensor, std::size_t i) const;
 
   /// Samples of a field, where it is stored, in all frames of the file, chosen or not.
   std::size_t samples(RecordField field) const;

@@ -1,13 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "sim/recording/sampled_writer.h"
 
-#include <bit>
+#include <array>
+#include <numeric>
 
 namespace throng::recording {
 
 namespace {
 
 constexpr hsize_t kContactChunk = 16384;  // rows
+
+/// A column as it is, to a log and into a hash.
+std::size_t add_all(std::span<const std::uint32_t> column, RowLog& log, FrameHash& hash) {
+  const auto bytes = std::as_bytes(column);
+  hash.add(bytes);
+  log.add(bytes);
+  return bytes.size();
+}
 
 /// One column of the rows, to a log and into a hash.
 template <class F>
@@ -57,16 +66,39 @@ std::size_t ContactWriter::append(std::span<const ContactRow> rows, FrameHash& h
              point_, hash);
 }
 
+SensedWriter::SensedWriter(hid_t group, int every)
+    : every_(every),
+      offset_(RowLog::create<std::uint64_t>(group, "offset")),
+      who_(RowLog::create<std::uint32_t>(group, "who", 1, kContactChunk)),
+      count_(RowLog::create<std::uint32_t>(group, "count", 1, kContactChunk)),
+      whom_offset_(RowLog::create<std::uint64_t>(group, "whom_offset")),
+      whom_(RowLog::create<std::uint32_t>(group, "whom", 1, kContactChunk)) {
+  offset_.add(rows_);
+  whom_offset_.add(whom_rows_);
+}
+
+std::size_t SensedWriter::append(const Sensed& sensed, FrameHash& hash) {
+  rows_ += sensed.who.size();
+  whom_rows_ += sensed.whom.size();
+  offset_.add(rows_);
+  whom_offset_.add(whom_rows_);
+  return add_all(sensed.who, who_, hash) + add_all(sensed.count, count_, hash) +
+         add_all(sensed.whom, whom_, hash);
+}
+
 std::size_t ObservableWriter::append(const Observables& observables, FrameHash& hash) {
-  std::size_t bytes = 0;
+  const std::vector<double> numbers = numbers_of(observables);
+  const auto add = [](std::size_t sum, const Observable& one) { return sum + one.components; };
+  if (numbers.size() != std::accumulate(observables_.begin(), observables_.end(), std::size_t{0}, add))
+    throw h5::Error("a frame has other observables: those of a crowd were not recorded before layout 1.5");
+  std::size_t at = 0;
   for (std::size_t i = 0; i < logs_.size(); ++i) {
-    const auto value =
-        std::as_bytes(std::span(kObservables[i].numbers(observables), kObservables[i].components));
+    const auto value = std::as_bytes(std::span(numbers).subspan(at, observables_[i].components));
     hash.add(value);
     logs_[i].add(value);
-    bytes += value.size();
+    at += observables_[i].components;
   }
-  return bytes;
+  return at * sizeof(double);
 }
 
 }  // namespace throng::recording

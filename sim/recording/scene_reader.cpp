@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/recording/layout.h"
+
 namespace throng::recording {
 
 namespace {
@@ -180,7 +182,62 @@ Region read_walkable(const h5::File& file, hid_t throng) {
   return walkable;
 }
 
+/// Names become paths below /observables.
+void expect_path_part(const std::string& name) {
+  if (name.empty() || name == "." || name.find('/') != name.npos) reject("a measure has no name of its own");
+}
+
+std::vector<Measure> read_measures(const h5::File& file, hid_t throng) {
+  if (!h5::exists(throng, "measures")) return {};
+  const h5::Handle group = h5::open_group(throng, "measures");
+  const std::vector<std::string> names = h5::read_texts(file, group, "name");
+  const auto line = read_array<double>(file, group, "line", {names.size(), 4});
+  const auto size = read_numbers(file, group, "size", names.size());
+  const std::vector<Vec> points = read_points(file, group, "points");
+  const auto offset = read_array<std::uint64_t>(file, group, "offset", {kAny});
+  expect_finite(line, "line");
+  expect_offsets(offset, points.size(), "offset");
+  const auto area_offset = read_offsets(file, group, "area_offset", names.size(), offset.size() - 1);
+  std::vector<Measure> measures(names.size());
+  for (std::size_t m = 0; m < names.size(); ++m) {
+    expect_path_part(names[m]);
+    measures[m].name = names[m];
+    measures[m].line = {Vec(line[4 * m], line[4 * m + 1]), Vec(line[4 * m + 2], line[4 * m + 3])};
+    measures[m].size = size[m];
+    for (std::size_t r = area_offset[m]; r < area_offset[m + 1]; ++r)
+      measures[m].area.rings.emplace_back(points.begin() + offset[r], points.begin() + offset[r + 1]);
+  }
+  return measures;
+}
+
+Sensor read_sensor(hid_t group) {
+  Sensor sensor;
+  sensor.name = h5::read_attribute_text(group, "name");
+  sensor.radius = h5::read_attribute<double>(group, "radius");
+  sensor.fov = h5::read_attribute<double>(group, "fov_degrees");
+  const std::string sight = h5::read_attribute_text(group, "sight");
+  const auto* screens = std::find(kScreens.begin(), kScreens.end(), sight);
+  const auto every = h5::read_attribute<std::int64_t>(group, "every");
+  if (screens == kScreens.end() || !(sensor.radius >= 0.0 && std::isfinite(sensor.radius)) ||
+      !(sensor.fov > 0.0 && sensor.fov <= 360.0) || every < 1 || every > kRarest)
+    reject("a sensor is out of range");
+  sensor.screens = static_cast<Screens>(screens - kScreens.begin());
+  sensor.every = static_cast<int>(every);
+  sensor.record = true;
+  return sensor;
+}
+
 }  // namespace
+
+std::vector<Sensor> read_sensors(hid_t throng) {
+  std::vector<Sensor> sensors;
+  if (!h5::exists(throng, "sensors")) return sensors;
+  const h5::Handle group = h5::open_group(throng, "sensors");
+  for (std::string k = "0"; sensors.size() < kMostSensors && h5::exists(group, k.c_str());
+       k = std::to_string(sensors.size()))
+    sensors.push_back(read_sensor(h5::open_group(group, k.c_str())));
+  return sensors;
+}
 
 Scene read_scene(const h5::File& file, hid_t throng) {
   Scene scene;
@@ -192,6 +249,7 @@ Scene read_scene(const h5::File& file, hid_t throng) {
   scene.bodies = read_bodies(file, throng, scene);
   scene.walls = read_walls(file, throng, scene);
   scene.crowd.walkable = read_walkable(file, throng);
+  scene.crowd.measures = read_measures(file, throng);
   return scene;
 }
 

@@ -10,4 +10,7 @@ namespace throng::recording {
 /// the bodies are zeros. Throws h5::Error.
 Scene read_scene(const h5::File& file, hid_t throng);
 
+/// The recorded sensors. Throws h5::Error.
+std::vector<Sensor> read_sensors(hid_t throng);
+
 }  // namespace throng::recording

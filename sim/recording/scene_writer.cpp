@@ -125,6 +125,24 @@ void write_walkable(hid_t throng, const Region& walkable) {
   write_array(group, "points", flat(rings.points), 2);
 }
 
+void write_measures(hid_t throng, const std::vector<Measure>& measures) {
+  const h5::Handle group = h5::create_group(throng, "measures");
+  Ragged rings;
+  std::vector<std::uint64_t> area_offset{0};
+  std::vector<double> lines;
+  for (const Measure& measure : measures) {
+    for (const Vec& end : measure.line) lines.insert(lines.end(), {end.x(), end.y()});
+    for (const std::vector<Vec>& ring : measure.area.rings) rings.add(ring);
+    area_offset.push_back(rings.offset.size() - 1);
+  }
+  h5::write_texts(group, "name", column(measures, [](const Measure& m) { return m.name; }));
+  write_array(group, "line", flat(lines), 4);
+  write_array(group, "size", flat(column(measures, [](const Measure& m) { return m.size; })));
+  write_array(group, "area_offset", flat(area_offset));
+  write_array(group, "offset", flat(rings.offset));
+  write_array(group, "points", flat(rings.points), 2);
+}
+
 }  // namespace
 
 void write_scene(hid_t throng, const Scene& scene, std::span<const std::uint32_t> ids) {
@@ -136,6 +154,7 @@ void write_scene(hid_t throng, const Scene& scene, std::span<const std::uint32_t
   write_bodies(throng, scene, ids);
   write_walls(throng, scene.walls);
   if (scene.crowd.size() > 0) write_walkable(throng, scene.crowd.walkable);
+  if (!scene.crowd.measures.empty()) write_measures(throng, scene.crowd.measures);
 }
 
 }  // namespace throng::recording

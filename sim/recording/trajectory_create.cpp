@@ -41,7 +41,7 @@ void TrajectoryWriter::create_all(const Scene& scene, const Provenance& provenan
   write_parameters(file_, scene, provenance);
   create_throng(scene);
   create_trajectory(scene);
-  create_sampled();
+  create_sampled(scene);
   h5::check(H5Fstart_swmr_write(file_), "cannot let readers follow");
 }
 
@@ -120,17 +120,35 @@ void TrajectoryWriter::create_field(hid_t group, RecordField field) {
   link_times(element, rate);
 }
 
-void TrajectoryWriter::create_sampled() {
+/// Of the sensors that are recorded, numbered from 0.
+void TrajectoryWriter::create_sensed(std::span<const Sensor> sensors) {
+  for (const Sensor& sensor : sensors) {
+    if (!sensor.record) continue;
+    const std::string path = "throng/sensors/" + std::to_string(sensed_.size());
+    const h5::Handle group = h5::create_groups(file_, path.c_str());
+    h5::write_attribute(group, "name", std::string_view(sensor.name));
+    h5::write_attribute(group, "every", std::int64_t{sensor.every});
+    h5::write_attribute(group, "radius", sensor.radius);
+    h5::write_attribute(group, "fov_degrees", sensor.fov);
+    h5::write_attribute(group, "sight", std::string_view(name(sensor.screens)));
+    sensed_.emplace_back(group, sensor.every);
+    link_times(group, sensor.every);
+  }
+}
+
+void TrajectoryWriter::create_sampled(const Scene& scene) {
   if (const int rate = every(record_, RecordField::contacts)) {
     const h5::Handle group = h5::create_group(file_, "throng/contacts");
     h5::write_attribute(group, "every", std::int64_t{rate});
     contacts_ = ContactWriter(group);
     link_times(group, rate);
   }
+  create_sensed(scene.sensors);
   if (record_.observables == 0) return;
   const h5::Handle group = h5::create_group(file_, "observables");
   h5::write_attribute(group, "every", std::int64_t{record_.observables});
-  observables_ = ObservableWriter(group, [&](hid_t element) { link_times(element, record_.observables); });
+  observables_ = ObservableWriter(group, observables_of(scene.crowd.size() > 0, scene.crowd.measures),
+                                  [&](hid_t element) { link_times(element, record_.observables); });
 }
 
 /// To the rows of that rate; to those of all frames for 0.

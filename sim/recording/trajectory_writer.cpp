@@ -49,15 +49,16 @@ bool TrajectoryWriter::holds(RecordField field, std::int64_t step) const {
 }
 
 void TrajectoryWriter::append(const State& state, std::span<const ContactRow> contacts,
-                              const std::optional<Observables>& observables) {
+                              const std::optional<Observables>& observables, std::span<const Sensed> sensed) {
   gather(state);
-  append_gathered(state.step, hash(state), contacts, observables);
+  append_gathered(state.step, hash(state), contacts, observables, sensed);
 }
 
 void TrajectoryWriter::append(const Frame& frame) {
   gather(frame);
-  const std::uint64_t stored = append_gathered(
-      frame.step, frame.state_hash, frame.contacts.value_or(std::vector<ContactRow>{}), frame.observables);
+  const std::uint64_t stored =
+      append_gathered(frame.step, frame.state_hash, frame.contacts.value_or(std::vector<ContactRow>{}),
+                      frame.observables, frame.sensed);
   if (stored != frame.frame_hash)
     throw h5::Error("frame of step " + std::to_string(frame.step) + " would be stored otherwise");
 }
@@ -65,11 +66,13 @@ void TrajectoryWriter::append(const Frame& frame) {
 /// Returns the frame's hash.
 std::uint64_t TrajectoryWriter::append_gathered(std::int64_t step, std::uint64_t state_hash,
                                                 std::span<const ContactRow> contacts,
-                                                const std::optional<Observables>& observables) {
+                                                const std::optional<Observables>& observables,
+                                                std::span<const Sensed> sensed) {
   const double time = static_cast<double>(step) * dt_;
   FrameHash hash(step, time, state_hash);
   std::size_t bytes = write_fields(step, hash);
   if (holds(RecordField::contacts, step)) bytes += contacts_.append(chosen(contacts), hash);
+  bytes += write_sensed(step, sensed, hash);
   if (observables_ && is_due(record_.observables, step))
     bytes += observables_.append(observables.value(), hash);
   for (Rate& rate : rates_)
@@ -150,6 +153,18 @@ std::size_t TrajectoryWriter::write_fields(std::int64_t step, FrameHash& hash) {
   return bytes;
 }
 
+/// Returns the bytes that they took.
+std::size_t TrajectoryWriter::write_sensed(std::int64_t step, std::span<const Sensed> sensed,
+                                           FrameHash& hash) {
+  std::size_t bytes = 0;
+  for (std::size_t i = 0; i < sensed_.size(); ++i) {
+    if (!is_due(sensed_[i].every(), step)) continue;
+    if (i >= sensed.size()) throw h5::Error("a frame lacks what a sensor found");
+    bytes += sensed_[i].append(sensed[i], hash);
+  }
+  return bytes;
+}
+
 /// Contacts of which one side is in the frame.
 std::span<const ContactRow> TrajectoryWriter::chosen(std::span<const ContactRow> contacts) {
   if (selection_.all() && !selection_.changes()) return contacts;
@@ -165,6 +180,7 @@ void TrajectoryWriter::for_each_log(F f) {
   if (selection_.changes()) id_times_.for_each_log(f);
   for (Rate& rate : rates_) rate.rows.for_each_log(f);
   if (contacts_) contacts_.for_each_log(f);
+  for (SensedWriter& sensor : sensed_) sensor.for_each_log(f);
   if (observables_) observables_.for_each_log(f);
   for (RowLog& log : rows_) f(log);
 }

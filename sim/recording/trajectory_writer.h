@@ -25,10 +25,12 @@ class TrajectoryWriter {
   TrajectoryWriter(const std::string& path, const Scene& scene, const Provenance& provenance);
 
   /// Adds what is due of a state, its bodies in order of id. It is there for readers after the next `commit`.
-  /// `contacts`: of the state; `observables`: likewise, where they are due. Throws std::runtime_error for a
-  /// number that is not finite; the frame is then not written and the file stays sound.
+  /// `contacts`: of the state; `observables`: likewise, where they are due; `sensed`: of each recorded
+  /// sensor, where any is due. Throws std::runtime_error for a number that is not finite; the frame is then
+  /// not written and the file stays sound.
   void append(const State& state, std::span<const ContactRow> contacts = {},
-              const std::optional<Observables>& observables = std::nullopt);
+              const std::optional<Observables>& observables = std::nullopt,
+              std::span<const Sensed> sensed = {});
 
   /// Adds a frame that was read from a recording of the same scene. Throws h5::Error where it wouldn't be
   /// stored as it was.
@@ -66,7 +68,8 @@ class TrajectoryWriter {
   void create_trajectory(const Scene& scene);
   void create_ids(hid_t group);
   void create_field(hid_t group, RecordField field);
-  void create_sampled();
+  void create_sampled(const Scene& scene);
+  void create_sensed(std::span<const Sensor> sensors);
   void link_times(hid_t element, int every);
   bool holds(RecordField field, std::int64_t step) const;
   void gather(const State& state);
@@ -75,8 +78,10 @@ class TrajectoryWriter {
   void keep_present(std::int64_t step);
   std::uint64_t append_gathered(std::int64_t step, std::uint64_t state_hash,
                                 std::span<const ContactRow> contacts,
-                                const std::optional<Observables>& observables);
+                                const std::optional<Observables>& observables,
+                                std::span<const Sensed> sensed);
   std::size_t write_fields(std::int64_t step, FrameHash& hash);
+  std::size_t write_sensed(std::int64_t step, std::span<const Sensed> sensed, FrameHash& hash);
   std::span<const ContactRow> chosen(std::span<const ContactRow> contacts);
   template <class F>
   void for_each_log(F f);
@@ -95,6 +100,7 @@ class TrajectoryWriter {
   std::array<FieldWriter, kBodyFields.size()> fields_;
   std::array<std::span<const double>, kBodyFields.size()> due_;  ///< of the frame in the making
   ContactWriter contacts_;
+  std::vector<SensedWriter> sensed_;
   ObservableWriter observables_;
   std::vector<std::uint8_t> is_present_;  ///< by row of the selection, where that changes
   std::vector<std::uint32_t> present_;    ///< the ids of those that are, ascending

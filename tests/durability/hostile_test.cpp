@@ -153,6 +153,7 @@ struct Hostile : testing::Test {
   Sample full(const Record& record) const {
     Scene scene = mixed_scene(kBodies);
     scene.record = record;
+    add_sensor(scene, 4);
     const std::string file = folder / "full.h5";
     std::filesystem::remove(file);
     record_run(file, scene, 12);

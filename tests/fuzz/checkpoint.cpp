@@ -22,7 +22,7 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 
 // Where things stand in the header: see sim/recording/checkpoint.cpp.
-constexpr std::size_t kHeader = 168, kCounts = 56, kContentHash = 152, kHash = 160;  // bytes
+constexpr std::size_t kHeader = 176, kCounts = 56, kContentHash = 160, kHash = 168;  // bytes
 
 std::uint64_t number_at(const Bytes& bytes, std::size_t at) {
   std::uint64_t number;
@@ -43,6 +43,7 @@ std::uint64_t content_hash(const Bytes& bytes) {
   for (const std::uint64_t one : {16, 8, 4}) sizes.push_back(one * number_at(bytes, kCounts + 32));  // agents
   sizes.push_back(4 * number_at(bytes, kCounts + 40));                                               // groups
   sizes.push_back(sizeof(Measured) * number_at(bytes, kCounts + 48));
+  sizes.push_back(sizeof(SensedSum) * number_at(bytes, kCounts + 56));
   for (const std::size_t kind : {16, 24})
     for (const std::uint64_t one : contact) sizes.push_back(one * number_at(bytes, kCounts + kind));
   std::uint64_t chain = recording::kEmptyChain;
@@ -90,7 +91,8 @@ const std::array<Scene, 2>& scenes() {
           "[[agents]]\ncount = 3\nmodel = 'orca'\ngoal = ['b', 'a']\nplace.random.within = 'a'\n"
           "[[agents]]\ncount = 2\nmodel = 'social_force'\ngoal = 'a'\n"
           "place.random.within = 'b'\nappear.rate = 1\n"
-          "[[measure]]\nname = 'x'\nline = [[0, -50], [0, 50]]\n",
+          "[[measure]]\nname = 'x'\nline = [[0, -50], [0, 50]]\n"
+          "[[sensors]]\nname = 'y'\nradius = 30\nfov_degrees = 120\nsight = 'bodies'\n",
           "crowd.toml")
           .scene};
   return both;

@@ -69,6 +69,7 @@ Sample full(bool region) {
   const testing_recordings::Folder folder;
   Scene all = testing_recordings::mixed_scene(6);
   all.record = testing_recordings::full_record(region);
+  testing_recordings::add_sensor(all, 3);
   testing_recordings::record_run(folder / "a.h5", all, 6);
   return sample_of(folder / "a.h5");
 }
@@ -109,7 +110,7 @@ bool same(const Frame& a, const Frame& b) {
   return a.step == b.step && a.time == b.time && a.state_hash == b.state_hash &&
          same(a.position, b.position) && same(a.angle, b.angle) && same(a.velocity, b.velocity) &&
          same(a.spin, b.spin) && a.is_present == b.is_present && a.contacts == b.contacts &&
-         a.observables == b.observables;
+         a.sensed == b.sensed && a.observables == b.observables;
 }
 
 /// What commands do with the frames of any recording.

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Recordings of agents, who leave: as the program, its exports and throng_read.py know them."""
 import csv
+import json
 import subprocess
 import unittest
 import xml.etree.ElementTree as xml
@@ -97,7 +98,7 @@ class Crowd(Program):
         self.record()
         self.assertEqual(self.throng("export", "a.h5", "--format", "xdmf", "-o", "a.xdmf"), (0, ""))
         with throng_read.open(self.path("a.h5")) as recording:
-            times, places, ids = recording.time, recording.position[:], recording.ids
+            times, places, ids, radius = recording.time, recording.position[:], recording.ids, recording.bodies.radius
         here = np.isfinite(places[..., 0])
         grids = {float(grid.find("Time").get("Value")): grid for grid in xml.parse(self.path("a.xdmf")).getroot().iter("Grid")
                  if grid.get("CollectionType") is None}
@@ -108,7 +109,25 @@ class Crowd(Program):
             np.testing.assert_array_equal(self.slab(grid.find("Geometry/DataItem")), places[frame][here[frame]])
             found = {attribute.get("Name"): attribute.find("DataItem") for attribute in grid.findall("Attribute")}
             np.testing.assert_array_equal(self.slab(found["id"]), ids[here[frame]])
-            self.assertNotIn("radius", found, "it stands in another order")
+            self.assertEqual(found["radius"].get("Function"), "$0[$1 - 1]")
+            all_radii, its_ids = found["radius"]
+            self.assertTrue(all_radii.text.endswith(":/throng/bodies/radius"))
+            np.testing.assert_array_equal(radius[self.slab(its_ids) - 1], radius[here[frame]])
+
+    def test_xdmf_has_a_grid_of_no_cells_where_nobody_is(self):
+        self.record("a.h5", "--set", "record.within=[[5, 0], [7, 5]]", "--set", "record.every=10")
+        self.assertEqual(self.throng("export", "a.h5", "--format", "xdmf", "-o", "a.xdmf"), (0, ""))
+        with throng_read.open(self.path("a.h5")) as recording:
+            times, present = recording.time, np.isfinite(recording.position[:, :, 0]).sum(axis=1)
+        self.assertTrue((present == 0).any() and (present == 1).any())
+        grids = {float(grid.find("Time").get("Value")): grid for grid in xml.parse(self.path("a.xdmf")).getroot().iter("Grid")
+                 if grid.get("CollectionType") is None}
+        self.assertEqual(set(grids), set(times))
+        for time, bodies in zip(times, present):
+            self.assertEqual(int(grids[time].find("Topology").get("NumberOfElements")), bodies)
+            if not bodies:
+                self.assertEqual(grids[time].find("Geometry/DataItem").text, "5 0")
+                self.assertIsNone(grids[time].find("Attribute"))
 
     def slab(self, item):
         """What a selection gives: start, stride and count of each dimension."""
@@ -121,6 +140,88 @@ class Crowd(Program):
             values = file[place][tuple(slice(s, s + k * n, k) for s, k, n in zip(start, stride, count))]
         return values.reshape(tuple(map(int, item.get("Dimensions").split())))
 
+
+MEASURED = """
+[[measure]]
+name = "door"
+line = [[5, 0], [5, 5]]
+[[measure]]
+name = "hall"
+area = "hall"
+from = 1.0
+[[sensors]]
+name = "eyes"
+radius = 4.5
+fov_degrees = 180
+every = 50
+record = true
+"""
+
+
+class Measures(Program):
+    """What is counted and sensed of the three: 1 is gone after 1 s, 3 after 3 s, 2 passes the door at 3 s."""
+
+    def setUp(self):
+        super().setUp()
+        text = CROWD + "".join(AGENT.format(*place) for place in PLACES)
+        text = text.replace("areas = {", "areas = { hall = [[0, 0], [8, 0], [8, 5], [0, 5]],")
+        text = text.replace("walkable", "record = { observables = 25 }\nwalkable")
+        (self.folder / "three.toml").write_text(text + MEASURED)
+
+    def test_are_columns_over_time(self):
+        with throng_read.open(self.record()) as recording:
+            found = recording.observables
+            time = found["agents"][1]
+            np.testing.assert_array_equal(time, np.arange(13) * 0.5)
+            np.testing.assert_array_equal(found["agents"][0], np.where(time < 1, 3, np.where(time < 3, 2, 1)))
+            np.testing.assert_array_equal(found["arrived"][0], 3 - found["agents"][0])
+            self.assertEqual({name for name in found if "/" in name},
+                             {f"measure/door/{c}" for c in ("count", "forward", "back", "flow", "speed")} |
+                             {f"measure/hall/{c}" for c in ("count", "density", "speed", "flow")})
+            count, speed = found["measure/door/count"][0], found["measure/door/speed"][0]
+            passed = recording.position[:, 1, 0] > 5
+            self.assertEqual(list(count), [int(passed[25 * k]) for k in range(13)])
+            self.assertEqual(list(found["measure/door/forward"][0]), list(count))
+            self.assertTrue(np.isnan(speed[count == 0]).all() and np.allclose(speed[count == 1], 1.0, atol=0.2))
+            self.assertTrue(np.isnan(found["measure/door/flow"][0]).all())
+            # 39 m2 of the hall can be walked on; 3 is in it until it is 8 m from the left.
+            x = recording.position[::25, :, 0]
+            density = found["measure/hall/density"][0]
+            self.assertTrue(np.isnan(density[time <= 1]).all())
+            np.testing.assert_allclose(density[time > 1], (x < 8).sum(axis=1)[time > 1] / 39.0)
+
+    def test_end_with_what_the_summary_says(self):
+        done = subprocess.run([PROGRAM, "run", "three.toml", "-o", "b.h5"], cwd=self.folder, capture_output=True, text=True)
+        summary = json.loads(done.stdout)
+        with throng_read.open(self.path("b.h5")) as recording:
+            found = recording.observables
+            self.assertEqual(found["arrived"][0][-1], summary["arrived"])
+            for column in ("count", "forward", "back", "speed"):
+                self.assertEqual(found[f"measure/door/{column}"][0][-1], summary["measure"]["door"][column])
+            self.assertEqual(found["measure/hall/count"][0][-1], summary["measure"]["hall"]["count"])
+
+    def test_go_on_with_a_run(self):
+        self.record("half.h5", "--until", "3.1", "--checkpoint", "1000")
+        code, said = self.throng("resume", "half.h5", "--until", "6", "--progress", "none")
+        self.assertEqual((code, said), (0, "throng: going on from the checkpoint at step 155\n"))
+        with throng_read.open(self.record("whole.h5")) as whole, throng_read.open(self.path("half.h5")) as half:
+            for name, (value, _) in whole.observables.items():
+                np.testing.assert_array_equal(value, half.observables[name][0])
+
+    def test_sensors_tell_whom_they_found(self):
+        with throng_read.open(self.record()) as recording:
+            self.assertEqual(recording.sensors, [throng_read.Sensor("eyes", 50, 4.5, 180.0, "none")])
+            self.assertIsNone(recording.sensed("eyes", 49))
+            start, later = recording.sensed("eyes", 0), recording.sensed("eyes", 100)
+            self.assertEqual(list(start.who), [1, 2, 3])
+            # Nobody walks yet, and who stands looks all around: 2 and 3 are 4.1 m apart, 1 and 3 2.8 m.
+            self.assertEqual([list(start[k]) for k in (1, 2, 3)], [[3], [3], [1, 2]])
+            self.assertEqual(list(later.who), [2, 3])
+            self.assertEqual([list(later[k]) for k in (2, 3)], [[3], []])
+            with self.assertRaises(KeyError):
+                later[1]
+            with self.assertRaises(KeyError):
+                recording.sensed("ears", 0)
 
 if __name__ == "__main__":
     unittest.main()

@@ -3,6 +3,7 @@
 import csv
 import json
 import pathlib
+import shutil
 import subprocess
 import unittest
 
@@ -17,7 +18,7 @@ KEPT = sorted((pathlib.Path(__file__).parents[1] / "sim/recording/layouts").glob
 
 class Layouts(Program):
     def test_there_is_one_of_each_older_layout(self):
-        self.assertEqual([path.stem for path in KEPT], ["1.0", "1.1", "1.2"])
+        self.assertEqual([path.stem for path in KEPT], ["1.0", "1.1", "1.2", "1.4"])
         for path in KEPT:
             with h5py.File(path) as file:
                 self.assertEqual(".".join(map(str, file["throng"].attrs["version"])), path.stem)
@@ -56,6 +57,20 @@ class Layouts(Program):
         with open(self.path("a.csv"), encoding="utf8") as lines:
             self.assertEqual([int(row["id"]) for row in csv.DictReader(lines)], [3, 3, 2, 3, 2, 2, 2])
         self.assertEqual(self.throng("replay", str(KEPT[2]), "--png", "a.png"), (0, ""))
+
+    def test_observables_of_1_4_knew_no_crowds(self):
+        path = str(KEPT[3])
+        with throng_read.open(path) as recording:
+            self.assertEqual(sorted(recording.observables), ["contacts", "kinetic_energy", "max_overlap", "mean_overlap",
+                                                             "momentum", "potential_energy"])
+            self.assertEqual(recording.sensors, [])
+        for command in (("replay", path, "--verify"), ("info", path), ("replay", path, "--png", "a.png")):
+            self.assertEqual(self.throng(*command), (0, ""))
+        shutil.copy(path, self.path("a.h5"))
+        code, said = self.throng("resume", "a.h5", "--until", "5", "--progress", "none")
+        self.assertEqual(code, 1)
+        self.assertIn("those of a crowd were not recorded before layout 1.5", said)
+        self.assertEqual((self.folder / "a.h5").read_bytes(), KEPT[3].read_bytes())
 
 
 if __name__ == "__main__":

@@ -12,10 +12,11 @@
 Indices are frames of the recording. A field that has a rate of its own is not in all of them: IndexError says so.
 recording.velocity.frames are those that have it, recording.velocity.index_at(2.5) and .between(1, 2) choose of
 these, and recording.velocity[recording.velocity.frames] is all there is. With record.within, bodies that were
-outside have NaN. recording.contacts(i) gives where bodies pressed, recording.observables the measurements.
+outside have NaN. recording.contacts(i) gives where bodies pressed, recording.observables the measurements, of
+agents also "agents", "arrived" and "measure/NAME/count" and so on; recording.sensed("NAME", i) whom a sensor found.
 
 Nothing is read before it is asked for. Only frames that the run committed are there. Positions, angles,
-velocities and spins carry checksums: a damaged chunk raises OSError when it is read. Contacts and observables carry
+velocities and spins carry checksums: a damaged chunk raises OSError when it is read. Contacts, sensed and observables carry
 none, nor do the lists of frames: `throng replay --verify`, or any export by throng, holds them against the hash of
 their frame. Where a file is no recording, `open` raises
 NotARecording with one sentence. The layout is that of sim/recording/layout.h, which says what each name means.
@@ -35,11 +36,28 @@ DENSEST = 1032  # bytes that deflate can make of one
 
 Frame = namedtuple("Frame", "step time hash position angle velocity spin")  # None where the frame has none
 Contacts = namedtuple("Contacts", "a b impulse point")  # ids, 0 for obstacles; N s; (x, y) in m
+Sensor = namedtuple("Sensor", "name every radius fov_degrees sight")  # steps, m
 Shape = namedtuple("Shape", "name kind radius area centre outline parts holes")  # parts: (vertices, radius)
 Bodies = namedtuple("Bodies", "shape material kind radius mass")  # rows of shapes and materials; m, kg
 Material = namedtuple("Material", "name density restitution friction")
 Wall = namedtuple("Wall", "points closed material")
 Domain = namedtuple("Domain", "kind min max")
+
+
+class Sensed:
+    """Whom a sensor found in a frame: ids of those who have it in `who`, ascending; sensed[id] are those found."""
+
+    def __init__(self, who, count, whom):
+        self.who, self.count = who, count
+        self.whom, self.begin = whom, np.concatenate(([0], np.cumsum(count, dtype="u8")))
+        if len(who) != len(count) or self.begin[-1] != len(whom):
+            raise OSError("sensed rows are damaged")
+
+    def __getitem__(self, id):
+        row = np.searchsorted(self.who, id)
+        if row == len(self.who) or self.who[row] != id:
+            raise KeyError(id)
+        return self.whom[int(self.begin[row]):int(self.begin[row + 1])]
 
 
 class NotARecording(ValueError):
@@ -190,6 +208,7 @@ class Recording:
         self.ids = self._all("throng/bodies/id" if changes else "particles/trajectory/id")
         self._present = self._bounded("particles/trajectory/id/value", sparse=True) if changes else None
         self._present_step = self._all("particles/trajectory/id/step") if changes else None
+        self.sensors = self._sensors()
         for field in ("position", "angle", "velocity", "spin"):
             setattr(self, field, self._field(f"particles/trajectory/{field}"))
         if "throng/quantized" in self._file:
@@ -288,15 +307,40 @@ class Recording:
             values = Region(values, self._present, self._samples_of_ids(frames), frames, self.ids)
         return Field("position", values, frames, self.time)
 
+    def _sample(self, group, i):
+        """Which of a group's samples frame i is; None where it holds none."""
+        frames = self._frames_of(group) if group in self._file else ()
+        sample = np.searchsorted(frames, range(len(self))[i])
+        return None if sample == len(frames) or frames[sample] != range(len(self))[i] else int(sample)
+
+    def _run(self, group, offset, names, sample):
+        """The rows of a sample in these columns."""
+        begin, end = (int(k) for k in self._get(f"{group}/{offset}")[sample:sample + 2])
+        return [self._bounded(f"{group}/{name}")[begin:end] for name in names]
+
     def contacts(self, i):
         """Where bodies pressed on each other or on obstacles in frame i; None where it holds no contacts."""
         group = "throng/contacts"
-        frames = self._frames_of(group) if group in self._file else ()
-        sample = np.searchsorted(frames, range(len(self))[i])
-        if sample == len(frames) or frames[sample] != range(len(self))[i]:
-            return None
-        begin, end = (int(k) for k in self._get(group + "/offset")[sample:sample + 2])
-        return Contacts(*(self._bounded(f"{group}/{name}")[begin:end] for name in Contacts._fields))
+        sample = self._sample(group, i)
+        return None if sample is None else Contacts(*self._run(group, "offset", Contacts._fields, sample))
+
+    def _sensors(self):
+        """The recorded sensors, as rows of throng/sensors."""
+        found = []
+        while f"throng/sensors/{len(found)}" in self._file:
+            about = self._file[f"throng/sensors/{len(found)}"].attrs
+            found.append(Sensor(*(_text(about[name]) for name in Sensor._fields)))
+        return found
+
+    def sensed(self, name, i):
+        """Whom the sensor of that name found in frame i, as a Sensed; None where it didn't look then."""
+        for k, sensor in enumerate(self.sensors):
+            if sensor.name == name:
+                group = f"throng/sensors/{k}"
+                sample = self._sample(group, i)
+                return None if sample is None else Sensed(*self._run(group, "offset", ("who", "count"), sample),
+                                                          *self._run(group, "whom_offset", ("whom",), sample))
+        raise KeyError(name)
 
     @property
     def observables(self):
@@ -304,11 +348,21 @@ class Recording:
         if "observables" not in self._file:
             return {}
         time = self.time[self._frames_of("observables")]
-        found = {name: self._all(f"observables/{name}/value") for name in self._file["observables"]}
+        found = {name: self._all(f"observables/{name}/value") for name in self._elements("observables")}
         for name, value in found.items():
             if len(value) < len(time):
                 raise ValueError(f"observables/{name} has too few rows")
         return {name: (value[:len(time)], time) for name, value in found.items()}
+
+    def _elements(self, path, before=""):
+        """What holds values below a group: paths, those of measures in groups of their own."""
+        for name in self._file[path]:
+            if not isinstance(self._file[path].get(name, getlink=True), h5py.HardLink):
+                raise ValueError(f"{path}/{name} is no hard link")
+            if "value" in self._file[f"{path}/{name}"]:
+                yield before + name
+            elif path.count("/") < 2:
+                yield from self._elements(f"{path}/{name}", f"{before}{name}/")
 
     def _get(self, path):
         """A dataset of the file's own; crafted files point at others."""

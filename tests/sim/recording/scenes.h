@@ -93,10 +93,35 @@ inline std::vector<ContactRow> contacts_at(std::int64_t step) {
   return rows;
 }
 
+/// Who has the sensor of `add_sensor`, of the first four bodies, and whom each finds: none to three.
+inline Sensed sensed_at(std::int64_t step) {
+  Sensed sensed;
+  for (std::uint32_t id = 1; id <= 4; ++id) {
+    sensed.who.push_back(id);
+    sensed.count.push_back(0);
+    for (std::uint32_t other = 1; other <= 4; ++other)
+      if (other != id && (step + id * other) % 3 == 0) sensed.whom.push_back(other), ++sensed.count.back();
+  }
+  return sensed;
+}
+
+/// A recorded sensor.
+inline void add_sensor(Scene& scene, int every) {
+  Sensor sensor;
+  sensor.name = "ears & <eyes>";
+  sensor.radius = 2.5, sensor.fov = 120.0, sensor.screens = Screens::walls;
+  sensor.every = every, sensor.record = true;
+  scene.sensors.push_back(sensor);
+  scene.record.sensors.push_back(every);
+}
+
 /// Adds each step from `first` to `last` at which a frame is due.
 inline void record_steps(Recorder& recorder, const Scene& scene, std::int64_t first, std::int64_t last) {
-  for (std::int64_t step = first; step <= last; ++step)
-    if (is_frame(scene.record, step)) recorder.record(state_at(scene, step), contacts_at(step));
+  for (std::int64_t step = first; step <= last; ++step) {
+    const Sensed sensed = sensed_at(step);
+    const std::vector<const Sensed*> all(scene.sensors.size(), &sensed);
+    if (is_frame(scene.record, step)) recorder.record(state_at(scene, step), contacts_at(step), all);
+  }
 }
 
 /// A recording of the steps up to `last`.

@@ -365,6 +365,60 @@ TEST(Selected, ContactsOfBodiesThatThereAreNotAreRefused) {
   }
 }
 
+TEST(Selected, SensedAreRowsOfTheirFrame) {
+  const Folder folder;
+  Scene scene = mixed_scene(9);
+  scene.record.every = 4;
+  add_sensor(scene, 3);
+  record_run(folder / "a.h5", scene, 24);
+  const Recording recording(folder / "a.h5");
+  const Sensor& sensor = recording.geometry().sensors.at(0);
+  EXPECT_EQ(sensor.name, scene.sensors[0].name);
+  EXPECT_EQ(std::tuple(sensor.radius, sensor.fov, sensor.every), std::tuple(2.5, 120.0, 3));
+  EXPECT_EQ(sensor.screens, Screens::walls);
+  std::size_t found = 0;
+  for (std::size_t i = recording.frames(); i-- > 0;) {
+    const Frame frame = recording.frame(i);
+    EXPECT_EQ(frame.sensed.at(0), frame.step % 3 == 0 ? sensed_at(frame.step) : Sensed{}) << frame.step;
+    EXPECT_EQ(recording.sensor_sample(0, i).has_value(), frame.step % 3 == 0);
+    found += frame.sensed[0].whom.size();
+  }
+  EXPECT_GT(found, 10u);
+}
+
+/// A file may say anything; ids index.
+TEST(Selected, SensedThatThereCannotBeAreRefused) {
+  const Folder folder;
+  Scene scene = mixed_scene(4);
+  add_sensor(scene, 1);
+  const std::tuple<Sensed, bool> cases[] = {{{{1, 4}, {1, 2}, {4, 1, 2}}, true},
+                                            {{{}, {}, {}}, true},
+                                            {{{1}, {0}, {}}, true},
+                                            {{{4, 1}, {0, 0}, {}}, false},
+                                            {{{1, 1}, {0, 0}, {}}, false},
+                                            {{{0}, {0}, {}}, false},
+                                            {{{5}, {0}, {}}, false},
+                                            {{{1}, {2}, {3, 2}}, false},
+                                            {{{1}, {1}, {5}}, false},
+                                            {{{1}, {1}, {0}}, false},
+                                            {{{1}, {2}, {3}}, false},
+                                            {{{1}, {1}, {2, 3}}, false},
+                                            {{{1, 2}, {0xffffffffu, 2}, {3, 4}}, false}};
+  for (std::size_t i = 0; i < std::size(cases); ++i) {
+    const auto& [sensed, fits] = cases[i];
+    const Sensed* const only = &sensed;
+    const std::string path = folder / (std::to_string(i) + ".h5");
+    Recorder recorder(path, scene, provenance());
+    recorder.record(state_at(scene, 0), {}, std::span(&only, 1));
+    recorder.finish();
+    const Recording recording(path);
+    if (fits)
+      EXPECT_EQ(recording.frame(0).sensed.at(0), sensed) << i;
+    else
+      EXPECT_THROW(recording.frame(0), InputError) << i;
+  }
+}
+
 TEST(Selected, ObservablesAreThoseOfTheState) {
   const Folder folder;
   Scene scene = mixed_scene(40);
@@ -392,6 +446,7 @@ TEST(Selected, GoesOnFromAnyFrameAsIfNeverStopped) {
   scene.record.contacts = true;
   scene.record.observables = 3;
   own_every(scene, RecordField::velocity) = 5;
+  add_sensor(scene, 7);
   for (const auto& [region, quantum] : {std::pair(false, 1e-3), {true, 0.0}, {true, 1e-3}}) {
     scene.record.quantum = quantum;
     if (region) scene.record.within = Eigen::AlignedBox2d(Vec(0, 0), Vec(9.2, 3));

@@ -59,6 +59,7 @@ class ChipmunkSimulation : public Simulation {
   bool restore(const State&) override { return false; }
   std::size_t contacts() const override { return 0; }
   void list_contacts(std::vector<ContactRow>& rows) const override { rows.clear(); }
+  std::span<const Sensed> sensed() const override { return {}; }
   std::vector<std::pair<std::string, double>> stage_times() const override { return {}; }
 
  private:

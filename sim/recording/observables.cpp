@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "sim/recording/observables.h"
+
+namespace throng::recording {
+
+namespace {
+
+constexpr std::size_t kOfBodies = 7;  // numbers
+
+}  // namespace
+
+std::vector<Observable> observables_of(bool crowd, std::span<const Measure> measures) {
+  std::vector<Observable> all{{"kinetic_energy"}, {"potential_energy"}, {"momentum", 2},
+                              {"contacts"},       {"max_overlap"},      {"mean_overlap"}};
+  if (!crowd) return all;
+  all.push_back({"agents"});
+  all.push_back({"arrived"});
+  for (const Measure& measure : measures)
+    for (const char* column : columns(measure))
+      all.push_back({"measure/" + measure.name + "/" + column, 1, std::string("count") != column});
+  return all;
+}
+
+std::vector<double> numbers_of(const Observables& of) {
+  std::vector<double> numbers{of.kinetic_energy, of.potential_energy, of.momentum.x(), of.momentum.y(),
+                              of.contacts,       of.max_overlap,      of.mean_overlap};
+  if (!of.crowd) return numbers;
+  numbers.push_back(of.crowd->agents);
+  numbers.push_back(of.crowd->arrived);
+  numbers.insert(numbers.end(), of.crowd->measures.begin(), of.crowd->measures.end());
+  return numbers;
+}
+
+Observables observables_from(std::span<const double> n) {
+  Observables result{n[0], n[1], {n[2], n[3]}, n[4], n[5], n[6]};
+  if (n.size() > kOfBodies)
+    result.crowd = CrowdObservables{n[kOfBodies], n[kOfBodies + 1], {n.begin() + kOfBodies + 2, n.end()}};
+  return result;
+}
+
+}  // namespace throng::recording

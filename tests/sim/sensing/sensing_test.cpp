@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+#include "sim/sensing/sensing.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "broadphase/brute_force.h"
+#include "sim/sensing/heading.h"
+#include "sim/sensing/sight.h"
+#include "sim/simulation.h"
+#include "tests/sim/scene_from.h"
+
+namespace throng {
+namespace {
+
+using testing::ElementsAre;
+
+const std::string kBall = "[shapes]\nball = { disc = { radius = 0.1 } }\n";
+
+/// Bodies at these places.
+std::string balls(const std::vector<Vec>& places, const std::string& more = "") {
+  std::string text;
+  for (const Vec& p : places)
+    text += "[[bodies]]\nshape = \"ball\"\nat = [" + std::to_string(p.x()) + ", " + std::to_string(p.y()) +
+            "]\n" + more;
+  return text;
+}
+
+std::string sensor(const std::string& fields) {
+  return "[[sensors]]\nname = \"s\"\n" + fields + "\n";
+}
+
+/// What the first sensor of a scene finds at its start.
+Sensed sensed_at_start(const Scene& scene, int threads = 1) {
+  Sensing sensing(scene, threads);
+  sensing.look(initial_state(scene));
+  return sensing.sensed()[0];
+}
+
+// 1, 2 and 3 stand 1 apart on a line, 4 is 2 above 3.
+const std::vector<Vec> kFour{{0, 0}, {1, 0}, {2, 0}, {2, 2}};
+
+TEST(Sensing, FindsWhoIsWithinTheRadiusItsEndIncluded) {
+  const Sensed found = sensed_at_start(scene_from(kBall + balls(kFour) + sensor("radius = 2")));
+  EXPECT_THAT(found.who, ElementsAre(1, 2, 3, 4));
+  EXPECT_THAT(found.count, ElementsAre(2, 2, 3, 1));
+  EXPECT_THAT(found.whom, ElementsAre(2, 3, 1, 3, 1, 2, 4, 3));
+}
+
+TEST(Sensing, IsOfThoseWhoHaveIt) {
+  const Sensed found =
+      sensed_at_start(scene_from(kBall + balls(kFour) + sensor("radius = 1\nof = { ids = [4, 2] }")));
+  EXPECT_THAT(found.who, ElementsAre(2, 4));
+  EXPECT_THAT(found.count, ElementsAre(2, 0));
+  EXPECT_THAT(found.whom, ElementsAre(1, 3));
+}
+
+TEST(Sensing, LooksAlongABodysAngle) {
+  const std::string turned = kBall + balls(kFour, "angle = 1.5707963267948966\n");
+  EXPECT_THAT(sensed_at_start(scene_from(turned + sensor("radius = 9\nfov_degrees = 50"))).whom,
+              ElementsAre(4));
+  const std::string ahead = kBall + balls(kFour, "angle = 0\n");
+  EXPECT_THAT(sensed_at_start(scene_from(ahead + sensor("radius = 9\nfov_degrees = 60"))).count,
+              ElementsAre(2, 1, 0, 0));
+  EXPECT_THAT(sensed_at_start(scene_from(ahead + sensor("radius = 9\nfov_degrees = 120"))).count,
+              ElementsAre(3, 1, 0, 0))
+      << "4 is 63.4 degrees to the left of 2, and 45 of 1";
+}
+
+const std::string kHall =
+    "walkable = \"POLYGON ((0 0, 20 0, 20 10, 0 10, 0 0))\"\n"
+    "areas.exit = [[19, 0], [20, 0], [20, 10], [19, 10]]\n";
+
+std::string agent(const Vec& at, double speed) {
+  return "[[agents]]\nat = [" + std::to_string(at.x()) + ", " + std::to_string(at.y()) +
+         "]\nmodel = \"constant_velocity\"\ngoal = \"exit\"\ndesired_speed = " + std::to_string(speed) + "\n";
+}
+
+TEST(Sensing, LooksWhereAnAgentWalksAndAllAroundWhereOneStands) {
+  const Scene scene = scene_from(kHall + agent({5, 5}, 1) + agent({3, 5}, 0) + agent({7, 5}, 1) +
+                                 sensor("radius = 4.5\nfov_degrees = 90"));
+  const auto run = simulation(scene);
+  run->step();
+  const Sensed& found = run->sensed()[0];
+  EXPECT_THAT(found.who, ElementsAre(1, 2, 3));
+  EXPECT_THAT(found.count, ElementsAre(1, 2, 0));
+  EXPECT_THAT(found.whom, ElementsAre(3, 1, 3));
+}
+
+TEST(Sensing, FindsNobodyBehindAWall) {
+  const std::string wall = "[[walls]]\nsegment = [[1.5, -1], [1.5, 0.5]]\n";
+  const Sensed found =
+      sensed_at_start(scene_from(kBall + balls(kFour) + wall + sensor("radius = 9\nsight = true")));
+  EXPECT_THAT(found.count, ElementsAre(2, 2, 1, 3));
+  EXPECT_THAT(found.whom, ElementsAre(2, 4, 1, 4, 4, 1, 2, 3));
+}
+
+TEST(Sensing, FindsNobodyBehindABodyThatTheLineTouches) {
+  const std::string sight = sensor("radius = 9\nsight = \"bodies\"");
+  const Sensed found = sensed_at_start(scene_from(kBall + balls(kFour) + sight));
+  EXPECT_THAT(found.count, ElementsAre(2, 3, 2, 3)) << "2 stands between 1 and 3";
+  EXPECT_THAT(found.whom, ElementsAre(2, 4, 1, 3, 4, 2, 4, 1, 2, 3));
+  const std::string touching = "[shapes]\nball = { disc = { radius = 0.25 } }\n";
+  EXPECT_THAT(sensed_at_start(scene_from(touching + balls({{0, 0}, {2, 0}, {1, 0.25}}) + sight)).count,
+              ElementsAre(1, 1, 2));
+  EXPECT_THAT(sensed_at_start(scene_from(touching + balls({{0, 0}, {2, 0}, {1, 0.26}}) + sight)).count,
+              ElementsAre(2, 2, 2));
+}
+
+/// A bar across hides, along it doesn't; in a disc round it, it does.
+TEST(Sensing, ShapesHideWhatTheyCoverAlone) {
+  const std::string bar =
+      "[shapes]\nball = { disc = { radius = 0.1 } }\nbar = { polygon = [[-1, -0.1], [1, -0.1], [1, 0.1], "
+      "[-1, "
+      "0.1]] }\n" +
+      balls({{-3, 0.5}, {3, 0.5}}) + "[[bodies]]\nshape = \"bar\"\nat = [0, 0]\n";
+  const std::string sight = sensor("radius = 9\nsight = \"bodies\"");
+  EXPECT_THAT(sensed_at_start(scene_from(bar + "angle = 0\n" + sight)).count, ElementsAre(2, 2, 2));
+  EXPECT_THAT(sensed_at_start(scene_from(bar + "angle = 1.5707963267948966\n" + sight)).count,
+              ElementsAre(1, 1, 2));
+}
+
+TEST(Sensing, LooksAtTheStepsThatAreDue) {
+  const Scene scene = scene_from(kBall + balls(kFour) + sensor("radius = 2\nevery = 3"));
+  const auto run = simulation(scene);
+  for (int step = 0; step < 7; ++step) {
+    EXPECT_EQ(run->sensed()[0].who.size(), step % 3 == 0 ? 4u : 0u) << step;
+    run->step();
+  }
+  EXPECT_EQ(run->state().sensed[0], (SensedSum{12, 24}));
+}
+
+TEST(Sensing, ChangesNothingOfTheMotion) {
+  const std::string text =
+      "time = { dt = 0.01, until = 1 }\n" + kHall + agent({5, 5}, 1) + agent({5, 5.5}, 1.2);
+  const Scene without = scene_from(text), with = scene_from(text + sensor("radius = 3\nfov_degrees = 100"));
+  const auto one = simulation(without), other = simulation(with);
+  for (int step = 0; step < 100; ++step) one->step(), other->step();
+  EXPECT_EQ(hash(one->state()), hash(other->state()));
+  EXPECT_TRUE(one->sensed().empty());
+}
+
+TEST(Sensing, GoesOnWithItsSumsWhereItWasRestored) {
+  const Scene scene = scene_from(kHall + agent({5, 5}, 1) + agent({3, 5}, 1.5) + sensor("radius = 3"));
+  const auto whole = simulation(scene), again = simulation(scene);
+  for (int step = 0; step < 10; ++step) whole->step();
+  ASSERT_TRUE(again->restore(whole->state()));
+  EXPECT_EQ(again->sensed()[0], whole->sensed()[0]);
+  whole->step(), again->step();
+  EXPECT_EQ(again->state().sensed[0], whole->state().sensed[0]);
+  EXPECT_EQ(whole->state().sensed[0].looks, 24);
+}
+
+/// 400 bodies that move and look anywhere, between walls, in a period or not; rows in any order.
+TEST(Sensing, IsWhatTheDefinitionSays) {
+  const unsigned seed = std::random_device{}();
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(seed);
+  for (const bool periodic : {false, true}) {
+    const Scene scene = scene_from(
+        "seed = " + std::to_string(seed % 1000) + "\n" +
+        (periodic ? "domain = { periodic = [[0, 0], [10, 10]] }\n" : "") +
+        "walls = [ { segment = [[2, 1], [3, 7]] }, { segment = [[6, 5], [9, 6]] } ]\n" + kBall +
+        "[[bodies]]\nshape = \"ball\"\ncount = 400\nplace = { random = { within = [[0, 0], [10, 10]] } }\n"
+        "angle = { uniform = [-3, 3] }\nvelocity = { maxwell = 1.0 }\n" +
+        sensor("radius = 2\nfov_degrees = 150\nsight = true\nof = { ids = [1, 7, 90, 91, 300, 399] }"));
+    State state = initial_state(scene);
+    std::vector<std::size_t> order(state.id.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::shuffle(order.begin(), order.end(), random);
+    const State straight = state;
+    for (std::size_t row = 0; row < order.size(); ++row) {
+      state.id[row] = straight.id[order[row]], state.position[row] = straight.position[order[row]];
+      state.angle[row] = straight.angle[order[row]];
+    }
+    const broadphase::Period period{{0, 0}, {10, 10}};
+    const broadphase::Period* its_period = periodic ? &period : nullptr;
+    const Sight sight(scene.walls, periodic ? std::optional(period) : std::nullopt, 2.0);
+    Sensed expected;
+    std::size_t hidden = 0;
+    for (const std::uint32_t id : scene.sensors[0].ids) {
+      std::vector<std::uint32_t> whom;
+      const Vec at = straight.position[id - 1], to = direction_of_angle(straight.angle[id - 1]);
+      for (const auto& n :
+           broadphase::brute_force::near(straight.position, broadphase::Place{at, to, id - 1},
+                                         {.radius = 2.0, .view = field_of_view(150.0)}, its_period)) {
+        sight.sees(at, straight.position[n.row]) ? whom.push_back(n.row + 1) : void(++hidden);
+      }
+      std::ranges::sort(whom);
+      expected.who.push_back(id);
+      expected.count.push_back(static_cast<std::uint32_t>(whom.size()));
+      expected.whom.insert(expected.whom.end(), whom.begin(), whom.end());
+    }
+    EXPECT_GT(expected.whom.size(), 20u);
+    EXPECT_GT(hidden, 0u);
+    for (const int threads : {1, 3}) {
+      Sensing sensing(scene, threads);
+      sensing.sense(state);
+      EXPECT_EQ(sensing.sensed()[0], expected) << threads;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace throng
