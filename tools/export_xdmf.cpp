@@ -104,17 +104,40 @@ class Pointers {
   /// The ids of a frame, where bodies come and go.
   void write_ids(std::size_t frame) const {
     begin_attribute("id");
-    out_ << "<DataItem ItemType=\"HyperSlab\" Dimensions=\"" << bodies_
-         << "\"><DataItem Format=\"XML\" Dimensions=\"3 2\">"
-         << std::to_string(recording_.id_sample(frame).value()) << " 0 1 1 1 " << bodies_
-         << "</DataItem><DataItem Format=\"HDF\" Dimensions=\"" << std::to_string(recording_.id_samples())
-         << " " << rows_ << "\" NumberType=\"UInt\" Precision=\"4\">" << path_
-         << ":/particles/trajectory/id/value</DataItem></DataItem></Attribute>\n";
+    write_id_slab(frame);
+    out_ << "</Attribute>\n";
+  }
+
+  /// The radii of those in a frame, found by their ids. Expects all bodies of the run to be recorded.
+  void write_radii_by_id(std::size_t frame) const {
+    begin_attribute("radius");
+    out_ << "<DataItem ItemType=\"Function\" Function=\"$0[$1 - 1]\" Dimensions=\"" << bodies_
+         << "\"><DataItem Format=\"HDF\" Dimensions=\"" << rows_ << "\" NumberType=\"Float\" Precision=\"8\">"
+         << path_ << ":/throng/bodies/radius</DataItem>";
+    write_id_slab(frame);
+    out_ << "</DataItem></Attribute>\n";
+  }
+
+  /// A frame of nobody. A grid of no points is read as an error, and without one ParaView shows the frame
+  /// before: a point at a place (m), of which no cell is made.
+  void write_nobody(const Vec& place) const {
+    out_ << "<Topology TopologyType=\"Polyvertex\" NumberOfElements=\"0\" NodesPerElement=\"1\"/>\n"
+         << "<Geometry GeometryType=\"XY\"><DataItem Format=\"XML\" Dimensions=\"1 2\">" << place.x() << " "
+         << place.y() << "</DataItem></Geometry>\n";
   }
 
  private:
   void begin_attribute(const char* name) const {
     out_ << "<Attribute Name=\"" << name << "\" AttributeType=\"Scalar\" Center=\"Node\">";
+  }
+
+  void write_id_slab(std::size_t frame) const {
+    out_ << "<DataItem ItemType=\"HyperSlab\" Dimensions=\"" << bodies_
+         << "\"><DataItem Format=\"XML\" Dimensions=\"3 2\">"
+         << std::to_string(recording_.id_sample(frame).value()) << " 0 1 1 1 " << bodies_
+         << "</DataItem><DataItem Format=\"HDF\" Dimensions=\"" << std::to_string(recording_.id_samples())
+         << " " << rows_ << "\" NumberType=\"UInt\" Precision=\"4\">" << path_
+         << ":/particles/trajectory/id/value</DataItem></DataItem>";
   }
 
   /// A selection, start, stride and count of each dimension, and all of what it is taken from.
@@ -140,6 +163,7 @@ class Pointers {
 void write_attributes(const Pointers& to, const Recording& recording, std::size_t frame) {
   if (recording.id_sample(frame)) {
     to.write_ids(frame);
+    if (recording.bodies() == recording.bodies_of_run()) to.write_radii_by_id(frame);
   } else {
     to.write_constant("id", "Int", "/particles/trajectory/id");
     to.write_constant("radius", "Float", "/throng/bodies/radius");
@@ -164,15 +188,14 @@ void export_xdmf(const Recording& recording, const std::string& file, std::span<
   Frame present;
   out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Xdmf Version=\"2.0\"><Domain>\n<Grid Name=\""
       << xml(recording.geometry().name) << "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
+  const auto& within = recording.geometry().record.within;
   for (std::size_t i : frames) {
-    if (recording.id_sample(i)) {
-      recording.read(i, present);
-      if (present.bodies() == 0) continue;  // XDMF knows no grid of nothing
-      to.show(present.bodies());
-    }
+    if (recording.id_sample(i)) recording.read(i, present);
+    const bool nobody = recording.id_sample(i) && present.bodies() == 0;
+    if (recording.id_sample(i)) to.show(present.bodies());
     out << "<Grid Name=\"bodies\"><Time Value=\"" << recording.times()[i] << "\"/>\n";
-    to.write_points(i);
-    write_attributes(to, recording, i);
+    nobody ? to.write_nobody(within ? within->min() : Vec(0.0, 0.0)) : to.write_points(i);
+    if (!nobody) write_attributes(to, recording, i);
     out << "</Grid>\n";
   }
   out << "</Grid>\n</Domain></Xdmf>\n";
