@@ -32,6 +32,22 @@ bool any_moving(const Scene& scene, F wanted) {
   return false;
 }
 
+/// Every surface at which a moving body may bounce keeps all energy.
+bool all_elastic(const Scene& scene, const Plan& plan) {
+  const std::size_t count = scene.materials.size();
+  std::vector<std::uint8_t> moves(count, 0), met(count, 0);
+  for (std::size_t row = 0; row < scene.bodies.size(); ++row) {
+    if (scene.bodies.kind[row] != BodyKind::fixed) moves[scene.bodies.material[row]] = 1;
+    met[scene.bodies.material[row]] = 1;
+  }
+  for (const Wall& wall : scene.walls) met[wall.material] = 1;
+  if (plan.box) met[0] = 1;
+  for (std::size_t a = 0; a < count; ++a)
+    for (std::size_t b = 0; b < count; ++b)
+      if (moves[a] && met[b] && plan.surfaces[a * count + b].restitution < 1.0) return false;
+  return true;
+}
+
 std::string counted(std::size_t n, const char* what) {
   return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
 }
@@ -61,9 +77,15 @@ std::vector<Stage> stages(const Scene& scene, const Plan& plan) {
                  : "nothing is dynamic"},
       {"integrate", moving > 0, moving > 0 ? bodies + ", " + substeps : "nothing moves"},
       {"gravity", plan.gravity, plan.gravity ? "bodies fall" : "gravity is zero, or nothing is dynamic"},
-      {"collide", plan.restitution, plan.restitution ? "some surface bounces" : "no surface bounces"},
+      {"collide", plan.restitution,
+       plan.flights
+           ? "all surfaces keep all energy and nothing pulls: one by one, in the order of their times"
+       : plan.restitution ? "some surface bounces"
+                          : "no surface bounces"},
       {"solve", plan.contacts(),
-       plan.contacts() ? "contacts, " + substeps : (off ? no_contact : "nothing to touch")},
+       plan.flights      ? "contacts, " + substeps + ", in steps that begin with overlaps only"
+       : plan.contacts() ? "contacts, " + substeps
+                         : (off ? no_contact : "nothing to touch")},
       {"friction", plan.friction, plan.friction ? "some surface rubs" : "no surface rubs"},
       {"crowd", plan.crowd,
        plan.crowd ? counted(scene.crowd.size(), "agent") + " look, steer, walk and leave at " +
@@ -107,6 +129,7 @@ Plan plan_for(const Scene& scene, ContactModel contact) {
                      std::ranges::any_of(plan.surfaces, [](const Surface& s) { return s.restitution > 0; });
   plan.elastic = plan.contacts() &&
                  std::ranges::any_of(plan.surfaces, [](const Surface& s) { return s.restitution >= 1.0; });
+  plan.flights = plan.elastic && !plan.gravity && !plan.polygons && all_elastic(scene, plan);
   plan.stages = stages(scene, plan);
   return plan;
 }

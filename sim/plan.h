@@ -34,6 +34,7 @@ struct Plan {
   bool friction = false;          ///< some surface rubs
   bool restitution = false;       ///< some surface bounces
   bool elastic = false;           ///< some surface keeps all energy
+  bool flights = false;           ///< discs alone, all surfaces keep all energy, and nothing pulls
   bool crowd = false;             ///< there are agents
   bool entrances = false;         ///< some agents appear in the course of time
   bool sensors = false;           ///< somebody senses others

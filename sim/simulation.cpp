@@ -40,10 +40,12 @@ class Native : public Simulation {
  private:
   std::vector<std::pair<std::string, double>> body_times(const StageTimes& times) const {
     if (!plan_.contacts()) return {{"integrate", times.solve}, {"store", times.store}};
-    return {{"find_pairs", times.find_pairs},
-            {"find_contacts", times.find_contacts},
-            {"solve", times.solve},
-            {"store", times.store}};
+    std::vector<std::pair<std::string, double>> all{{"find_pairs", times.find_pairs},
+                                                    {"find_contacts", times.find_contacts},
+                                                    {"solve", times.solve},
+                                                    {"store", times.store}};
+    if (plan_.flights) all.insert(all.begin() + 1, {"collide", times.collide});
+    return all;
   }
 
   std::vector<std::pair<std::string, double>> crowd_times(const StageTimes& times) const {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The step is the story. Of bodies: find pairs, find contacts, solve in substeps, store. Of agents: look,
-// steer, walk, leave. Of both: sense.
+// The step is the story. Of bodies: find pairs, then fly from collision to collision, or find contacts and
+// solve in substeps; store. Of agents: look, steer, walk, leave. Of both: sense.
 #include "sim/step.h"
 
 #include <algorithm>
@@ -127,6 +127,7 @@ double mean_radius(const Colliders& colliders) {
 Workspace::Workspace(const Scene& scene, const Plan& plan, int threads)
     : workers(threads),
       candidates(scene, plan),
+      flights(scene, plan),
       finder(scene, plan),
       bodies(scene.bodies.size() + 1),
       crowd(scene),
@@ -159,20 +160,38 @@ void step_crowd(const Plan& plan, State& state, Workspace& work) {
   clock.lap(work.times.appear);
 }
 
+/// Bodies that nothing but collisions turns aside. False where there is more to it.
+bool fly(const Scene& scene, const State& state, Workspace& work, StageClock& clock) {
+  if (!work.candidates.serve(state, scene.time.dt)) work.candidates.find(state, scene.time.dt);
+  clock.lap(work.times.find_pairs);
+  load(state, work.bodies);
+  work.contacts.clear();
+  const bool flown = work.flights.fly(work.candidates, work.bodies, work.workers);
+  clock.lap(work.times.collide);
+  return flown;
+}
+
 /// Bodies fall, meet and push each other.
+void push(const Scene& scene, const Plan& plan, const State& state, Workspace& work, StageClock& clock) {
+  load(state, work.bodies);
+  if (plan.contacts()) {
+    work.candidates.find(state, scene.time.dt);
+    clock.lap(work.times.find_pairs);
+    work.finder.find(work.candidates, state, work.bodies, work.contacts, work.workers);
+    clock.lap(work.times.find_contacts);
+  }
+  for (int i = 0; i < scene.time.substeps; ++i) substep(scene, plan, work);
+  clock.lap(work.times.solve);
+}
+
 void step_bodies(const Scene& scene, const Plan& plan, State& state, Workspace& work) {
   StageClock clock;
   for (int attempt = 1;; ++attempt) {
-    load(state, work.bodies);
-    if (plan.contacts()) {
-      work.candidates.find(state, scene.time.dt);
-      clock.lap(work.times.find_pairs);
-      work.finder.find(work.candidates, state, work.bodies, work.contacts, work.workers);
-      clock.lap(work.times.find_contacts);
-    }
-    for (int i = 0; i < scene.time.substeps; ++i) substep(scene, plan, work);
-    clock.lap(work.times.solve);
-    if (!plan.contacts() || !work.candidates.widen(state, work.bodies, attempt >= kLocalAttempts)) break;
+    const bool flown = plan.flights && fly(scene, state, work, clock);
+    if (!flown) push(scene, plan, state, work, clock);
+    if (!plan.contacts()) break;
+    const auto farthest = flown ? work.flights.farthest() : std::span<const double>();
+    if (!work.candidates.widen(work.bodies, farthest, attempt >= kLocalAttempts)) break;
     if (attempt == kAttempts) fail_at_chain(state);
   }
   ++state.step;

@@ -8,6 +8,7 @@
 
 #include "sim/contact/candidates.h"
 #include "sim/contact/find_contacts.h"
+#include "sim/contact/flights.h"
 #include "sim/contact/solve.h"
 #include "sim/crowd/walk.h"
 #include "sim/plan.h"
@@ -21,9 +22,9 @@ namespace throng {
 
 /// How long the stages took so far.
 struct StageTimes {
-  double find_pairs = 0.0, find_contacts = 0.0, solve = 0.0, store = 0.0;  ///< s
-  double look = 0.0, steer = 0.0, walk = 0.0, leave = 0.0, appear = 0.0;   ///< s, of crowds
-  double sense = 0.0;                                                      ///< s
+  double find_pairs = 0.0, collide = 0.0, find_contacts = 0.0, solve = 0.0, store = 0.0;  ///< s
+  double look = 0.0, steer = 0.0, walk = 0.0, leave = 0.0, appear = 0.0;                  ///< s, of crowds
+  double sense = 0.0;                                                                     ///< s
 };
 
 /// What a step needs besides the state and may forget: buffers, and indexes of what never moves.
@@ -32,6 +33,7 @@ struct Workspace {
 
   Workers workers;
   Candidates candidates;
+  Flights flights;
   ContactFinder finder;
   Contacts contacts;
   std::vector<SolverBody> bodies;  ///< a row per body, and one for all obstacles
@@ -42,7 +44,8 @@ struct Workspace {
 };
 
 /// Advances `state` by dt. Allocates nothing once its buffers have grown. Semi-implicit Euler in substeps:
-/// free fall is late by g h t / 2, h = dt / substeps; agents walk dt at once. Throws SimulationError where a
+/// free fall is late by g h t / 2, h = dt / substeps; discs that keep all energy and that nothing pulls fly
+/// and collide exactly; agents walk dt at once. Throws SimulationError where a
 /// body is no longer at a finite place, where so much happens within dt that contacts might be missed, and as
 /// `Candidates::find`; `state` is then that of the step's beginning, but where a place isn't finite.
 void step(const Scene& scene, const Plan& plan, State& state, Workspace& workspace);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "sim/periodic.h"
@@ -15,6 +16,10 @@ namespace {
 /// Where a body's velocity and gravity take a point of it within dt, and a little more: a slow body may be
 /// hit by the fastest one and hit a third within the same step, as in Newton's cradle.
 constexpr double kSkin = 0.1;  // of the radius, at most
+
+/// How far pairs are looked for that several steps of flights shall share.
+constexpr double kShared = 0.5;  // of the radius
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 std::vector<broadphase::Extent> extents(const Obstacles& obstacles) {
   std::vector<broadphase::Extent> result;
@@ -64,6 +69,8 @@ Candidates::Candidates(const Scene& scene, const Plan& plan)
 }
 
 void Candidates::find(const State& state, double dt) {
+  ++finds_;
+  found_at_ = state.position;
   place(state, dt);
   if (plan_.pairs) {
     disc_pairs_.find(centre_, reach_, plan_.periodic ? &period_ : nullptr, pairs_, colliders_.movable);
@@ -77,6 +84,7 @@ void Candidates::place(const State& state, double dt) {
   const std::size_t n = colliders_.size();
   const double fall = plan_.gravity ? scene_.gravity.norm() * dt * dt : 0.0;
   const double chain = fastest(state) * dt;
+  const double widest = plan_.periodic ? 0.249 * period_.size.minCoeff() : kUnbounded;
   centre_.resize(n), margin_.resize(n), reach_.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
     const std::uint32_t body = colliders_.body[i];
@@ -88,6 +96,7 @@ void Candidates::place(const State& state, double dt) {
       centre_[i] += offset;
       margin_[i] += std::abs(state.spin[body]) * offset.norm() * dt;
     }
+    if (plan_.flights) margin_[i] = std::max(margin_[i], std::min(kShared * radius, widest - radius));
     if (!widened_.empty()) margin_[i] = std::max(margin_[i], widened_[body]);
     reach_[i] = radius + margin_[i];
     if (!std::isfinite(reach_[i])) fail_at_infinity(state, body);
@@ -110,26 +119,43 @@ Vec Candidates::wrap(std::uint32_t collider) const {
   return wrap_.empty() ? Vec(0.0, 0.0) : wrap_[collider];
 }
 
-bool Candidates::widen(const State& state, std::span<const SolverBody> bodies, bool all) {
+double Candidates::squared_way(std::uint32_t body, const Vec& position) const {
+  const Vec way = position - found_at_[body];
+  if (!plan_.periodic || (2.0 * way.array().abs() < period_.size.array()).all()) return way.squaredNorm();
+  return nearest_image(way, period_.size).squaredNorm();
+}
+
+bool Candidates::serve(const State& state, double dt) const {
+  if (!plan_.flights || !widened_.empty() || found_at_.size() != state.position.size()) return false;
+  for (std::size_t i = 0; i < colliders_.size(); ++i) {
+    const std::uint32_t body = colliders_.body[i];
+    const double left = margin_[i] - state.velocity[body].norm() * dt;
+    if (!(left >= 0.0 && squared_way(body, state.position[body]) <= left * left)) return false;
+  }
+  return true;
+}
+
+bool Candidates::widen(std::span<const SolverBody> bodies, std::span<const double> farthest, bool all) {
   bool farther = false;
-  double farthest = 0.0;
+  double longest = 0.0;
   for (std::size_t i = 0; i < colliders_.size(); ++i) {
     if (!colliders_.movable[i]) continue;
     const std::uint32_t body = colliders_.body[i];
-    const Vec moved = bodies[body].position - state.position[body];
     const double turned =
         colliders_.centre.empty() ? 0.0 : std::abs(bodies[body].turn) * colliders_.centre[i].norm();
     const double looked = margin_[i] * (1.0 + 1e-9) - turned;
-    if (looked >= 0.0 && moved.squaredNorm() <= looked * looked) continue;
-    const double way = moved.norm() + turned;
+    const double before = farthest.empty() ? 0.0 : farthest[body];
+    const double moved = squared_way(body, bodies[body].position);
+    if (looked >= before && moved <= looked * looked) continue;
+    const double way = std::max(std::sqrt(moved), before) + turned;
     if (widened_.empty()) widened_.resize(bodies.size(), 0.0);
     widened_[body] = std::max(widened_[body], 1.5 * way);
-    farthest = std::max(farthest, 1.5 * way);
+    longest = std::max(longest, 1.5 * way);
     farther = true;
   }
   if (!farther) widened_.clear();
   if (all)
-    for (double& way : widened_) way = std::max(way, farthest);
+    for (double& way : widened_) way = std::max(way, longest);
   return farther;
 }
 

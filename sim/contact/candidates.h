@@ -23,10 +23,23 @@ class Candidates {
   /// could meet two images of another, and where nearly everybody could meet everybody in a large scene.
   void find(const State& state, double dt);
 
-  /// Whether some body got farther, in the step that began with `state` and brought `bodies` to where they
-  /// are, than find() looked. If so, the next find() looks far enough, round `all` bodies if asked for, and
-  /// the step must be taken again.
-  bool widen(const State& state, std::span<const SolverBody> bodies, bool all);
+  /// Whether the pairs that an earlier find() found serve as well for the dt that begins with `state`, unless
+  /// somebody is turned aside: where `plan` has flights, which don't mind pairs too many, find() looks
+  /// farther than a step. O(n).
+  bool serve(const State& state, double dt) const;
+
+  /// Whether some body got farther from where find() found it than find() looked, in a step that brought
+  /// `bodies` to where they are. If so, the next find() looks far enough, round `all` bodies if asked for,
+  /// and the step must be taken again. `farthest` (m): how far from there each was on its way, where that is
+  /// known; or empty.
+  bool widen(std::span<const SolverBody> bodies, std::span<const double> farthest, bool all);
+
+  /// How far `position` is from where find() found the body, squared (m²); by the shorter way where the
+  /// domain repeats.
+  double squared_way(std::uint32_t body, const Vec& position) const;
+
+  /// How often find() was called: pairs of one number are the same.
+  std::uint64_t finds() const { return finds_; }
 
   /// Rows of colliders, a < b, ascending. Parts of one body are no pair, nor are two bodies that nothing can
   /// push.
@@ -63,6 +76,8 @@ class Candidates {
   broadphase::BoxIndex index_;
   broadphase::MovingPairs disc_pairs_;
   broadphase::Period period_;
+  std::uint64_t finds_ = 0;
+  std::vector<Vec> found_at_;   ///< m, of each body
   std::vector<Vec> centre_;     ///< m, world, of each collider's bounding disc; inside a domain that repeats
   std::vector<Vec> wrap_;       ///< m, what that moved it by; empty where it moves nothing
   std::vector<double> margin_;  ///< m, how far it may get within the step

@@ -221,6 +221,11 @@ void ContactFinder::add_points(const Candidates& candidates, const State& state,
   }
 }
 
+void Contacts::clear() {
+  discs.clear(), disc_key.clear();
+  points.clear(), point_key.clear(), point_feature.clear();
+}
+
 void Contacts::save(State& state) const {
   state.disc_contacts.clear(), state.point_contacts.clear();
   for (std::size_t i = 0; i < discs.size(); ++i)

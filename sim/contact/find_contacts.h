@@ -20,6 +20,7 @@ struct Contacts {
   std::vector<std::uint64_t> point_key;
   std::vector<std::uint32_t> point_feature;
 
+  void clear();
   void save(State& state) const;  ///< the impulses of contacts that press, for the next step
 };
 
