@@ -64,40 +64,42 @@ void bounce(Workspace& work, const Vec& kick, int sweeps) {
   const double h = work.solver.h;
   const double threshold = kRestSpeed * kick.norm();
   for (int sweep = 0; sweep < sweeps; ++sweep) {
-    const bool discs = bounce(work.contacts.discs, work.bodies, h, threshold, kick);
-    const bool points = bounce(work.contacts.points, work.bodies, h, threshold, kick);
+    const bool discs = bounce(work.contacts.disc_bounces, work.bodies, h, threshold, kick);
+    const bool points = bounce(work.contacts.point_bounces, work.bodies, h, threshold, kick);
     if (!discs && !points) return;
   }
 }
 
-/// The discs' normals, each on its own.
-void prepare_all(const Scene& scene, const Plan& plan, Workspace& work) {
-  const Vec period = scene.domain.max - scene.domain.min;
-  const std::span<DiscContact> discs = work.contacts.discs;
+/// What bounces is looked at contact after contact. The discs' normals, each on its own.
+void prepare_bounce(Workspace& work, const Vec* period) {
+  const std::span<DiscContact> discs = work.contacts.disc_bounces;
   work.workers.for_ranges(discs.size(), [&](std::size_t begin, std::size_t end) {
-    prepare(discs.subspan(begin, end - begin), work.bodies, plan.periodic ? &period : nullptr);
+    prepare(discs.subspan(begin, end - begin), work.bodies, period);
   });
-  prepare(work.contacts.points, work.bodies);
+  prepare(work.contacts.point_bounces, work.bodies);
 }
 
 void substep(const Scene& scene, const Plan& plan, Workspace& work) {
   const Vec kick = work.solver.h * scene.gravity;
-  Contacts& contacts = work.contacts;
+  const Vec size = scene.domain.max - scene.domain.min, *period = plan.periodic ? &size : nullptr;
+  const std::span<DiscBlock> discs = work.contacts.discs.blocks();
+  const std::span<FaceBlock> faces = work.contacts.faces.blocks();
   const std::span<SolverBody> bodies = work.bodies;
-  if (plan.contacts()) prepare_all(scene, plan, work);
-  if (plan.restitution)
+  if (plan.restitution) {
+    prepare_bounce(work, period);
     bounce(work, plan.gravity ? kick : Vec(0.0, 0.0), plan.elastic ? kElasticSweeps : kBounceSweeps);
+  }
   if (plan.gravity) fall(bodies, kick);
   if (plan.contacts()) {
-    warm_start(contacts.discs, bodies);
-    warm_start(contacts.points, bodies);
-    push_apart(contacts.discs, bodies, work.solver);
-    push_apart(contacts.points, bodies, work.solver);
+    prepare_and_start(discs, bodies, period);
+    prepare_and_start(faces, bodies);
+    push_apart(discs, bodies, work.solver);
+    push_apart(faces, bodies, work.solver);
   }
   move(bodies, work.solver.h);
   if (plan.contacts()) {
-    relax(contacts.discs, bodies, work.solver);
-    relax(contacts.points, bodies, work.solver);
+    relax(discs, bodies, work.solver, plan.periodic);
+    relax(faces, bodies, work.solver);
   }
 }
 
@@ -132,7 +134,7 @@ Workspace::Workspace(const Scene& scene, const Plan& plan, int threads)
       bodies(scene.bodies.size() + 1),
       crowd(scene),
       sensing(scene, threads) {
-  for (SolverBody& body : bodies) body = {Vec(0.0, 0.0), Vec(0.0, 0.0), 0.0, 0.0, 0.0, 0.0};
+  for (SolverBody& body : bodies) body = {Vec(0.0, 0.0), 0.0, 0.0, Vec(0.0, 0.0), 0.0, 0.0};
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     if (scene.bodies.kind[i] != BodyKind::dynamic) continue;
     bodies[i].inverse_mass = 1.0 / mass(scene, i);
@@ -165,7 +167,7 @@ bool fly(const Scene& scene, const State& state, Workspace& work, StageClock& cl
   if (!work.candidates.serve(state, scene.time.dt)) work.candidates.find(state, scene.time.dt);
   clock.lap(work.times.find_pairs);
   load(state, work.bodies);
-  work.contacts.clear();
+  work.contacts.start(work.bodies.size());
   const bool flown = work.flights.fly(work.candidates, work.bodies, work.workers);
   clock.lap(work.times.collide);
   return flown;

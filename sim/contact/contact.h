@@ -19,14 +19,14 @@ inline double cross(const Vec& a, const Vec& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// One body in one cache line.
+/// One body in one cache line: what contacts change stands in its first half.
 struct alignas(64) SolverBody {
-  Vec position;            ///< m
   Vec velocity;            ///< m/s
   double spin;             ///< rad/s
-  double turn;             ///< rad, since the step began
   double inverse_mass;     ///< 1/kg, 0 for all but dynamic bodies
-  double inverse_inertia;  ///< 1/(kg m²), likewise
+  Vec position;            ///< m
+  double turn;             ///< rad, since the step began
+  double inverse_inertia;  ///< 1/(kg m²), as the inverse mass
 };
 static_assert(sizeof(SolverBody) == 64);
 

@@ -2,6 +2,7 @@
 #include "sim/contact/find_contacts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "narrowphase/half_plane.h"
@@ -108,8 +109,8 @@ ContactFinder::ContactFinder(const Scene& scene, const Plan& plan) : scene_(scen
 
 void ContactFinder::find(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
                          Contacts& contacts, Workers& workers) {
+  contacts.start(bodies.size());
   sort_out(candidates, state, bodies, contacts);
-  contacts.points.clear(), contacts.point_key.clear(), contacts.point_feature.clear();
   if (touches_.empty()) return;
   manifolds_.resize(touches_.size());
   if (plan_.polygons) {
@@ -132,18 +133,21 @@ void ContactFinder::sort_out(const Candidates& candidates, const State& state,
   const Colliders& colliders = candidates.colliders();
   const std::vector<std::uint32_t>& material = scene_.bodies.material;
   Memory memory(state.disc_contacts);
-  contacts.discs.clear(), contacts.disc_key.clear(), touches_.clear();
+  touches_.clear();
   for (const Pair& pair : candidates.pairs()) {
     if (!is_disc(colliders, pair.a) || !is_disc(colliders, pair.b)) {
       touches_.push_back({pair, false, candidates.shift(pair)});
       continue;
     }
     const std::size_t row = material[colliders.body[pair.a]] * scene_.materials.size();
-    DiscContact& contact = contacts.discs.emplace_back(
-        disc_contact(colliders, pair, bodies, plan_.surfaces[row + material[colliders.body[pair.b]]]));
+    DiscContact contact =
+        disc_contact(colliders, pair, bodies, plan_.surfaces[row + material[colliders.body[pair.b]]]);
     contacts.disc_key.push_back(key_of(pair, false));
     memory.recall(contacts.disc_key.back(), 0, contact);
+    contacts.discs.add(contact, bodies[contact.a], bodies[contact.b]);
+    if (plan_.restitution) contacts.disc_bounces.push_back(contact);
   }
+  contacts.discs.finish();
   for (const Pair& pair : candidates.obstacle_pairs())
     touches_.push_back({pair, true, candidates.obstacle_shift(pair.a)});
 }
@@ -210,31 +214,35 @@ void ContactFinder::add_points(const Candidates& candidates, const State& state,
     contact.normal = manifolds_[i].normal;
     const double radius_a = colliders.radius[touch.pair.a];
     const double radius_b = touch.obstacle ? 0.0 : colliders.radius[touch.pair.b];
-    for (int p = 0; p < manifolds_[i].count; ++p) {
-      const ManifoldPoint& point = manifolds_[i].points[static_cast<std::size_t>(p)];
-      place(contact, point, bodies[contact.a], bodies[contact.b], touch.shift, radius_a, radius_b);
-      memory.recall(key, point.feature, contact);
-      contacts.points.push_back(contact);
+    std::array<PointContact, 2> face;
+    const auto count = static_cast<std::size_t>(manifolds_[i].count);
+    for (std::size_t p = 0; p < count; ++p) {
+      const ManifoldPoint& point = manifolds_[i].points[p];
+      face[p] = contact;
+      place(face[p], point, bodies[contact.a], bodies[contact.b], touch.shift, radius_a, radius_b);
+      memory.recall(key, point.feature, face[p]);
       contacts.point_key.push_back(key);
       contacts.point_feature.push_back(point.feature);
+      if (plan_.restitution) contacts.point_bounces.push_back(face[p]);
     }
+    contacts.faces.add({face.data(), count}, bodies[contact.a], bodies[contact.b]);
   }
+  contacts.faces.finish();
 }
 
-void Contacts::clear() {
-  discs.clear(), disc_key.clear();
-  points.clear(), point_key.clear(), point_feature.clear();
+void Contacts::start(std::size_t bodies) {
+  discs.start(bodies), disc_key.clear(), disc_bounces.clear();
+  faces.start(bodies), point_key.clear(), point_feature.clear(), point_bounces.clear();
 }
 
 void Contacts::save(State& state) const {
   state.disc_contacts.clear(), state.point_contacts.clear();
   for (std::size_t i = 0; i < discs.size(); ++i)
-    if (discs[i].normal_impulse > 0.0)
-      state.disc_contacts.push_back({disc_key[i], 0, discs[i].normal_impulse, discs[i].tangent_impulse});
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (points[i].normal_impulse > 0.0)
-      state.point_contacts.push_back(
-          {point_key[i], point_feature[i], points[i].normal_impulse, points[i].tangent_impulse});
+    if (const double normal = discs.normal_impulse(i); normal > 0.0)
+      state.disc_contacts.push_back({disc_key[i], 0, normal, discs.tangent_impulse(i)});
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    if (const double normal = faces.normal_impulse(i); normal > 0.0)
+      state.point_contacts.push_back({point_key[i], point_feature[i], normal, faces.tangent_impulse(i)});
 }
 
 }  // namespace throng

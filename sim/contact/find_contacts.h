@@ -7,6 +7,8 @@
 #include "narrowphase/manifold.h"
 #include "sim/contact/candidates.h"
 #include "sim/contact/contact.h"
+#include "sim/contact/disc_blocks.h"
+#include "sim/contact/face_blocks.h"
 #include "sim/workers.h"
 
 namespace throng {
@@ -14,14 +16,16 @@ namespace throng {
 /// The contacts of one step, with the names under which `State` keeps their impulses. Ascending by key: the
 /// smaller collider, then the other; contacts with obstacles come after all pairs.
 struct Contacts {
-  std::vector<DiscContact> discs;
+  DiscBlocks discs;
   std::vector<std::uint64_t> disc_key;
-  std::vector<PointContact> points;
+  FaceBlocks faces;
   std::vector<std::uint64_t> point_key;
   std::vector<std::uint32_t> point_feature;
+  std::vector<DiscContact> disc_bounces;  ///< the same contacts once more; empty where no surface bounces
+  std::vector<PointContact> point_bounces;
 
-  void clear();
-  void save(State& state) const;  ///< the impulses of contacts that press, for the next step
+  void start(std::size_t bodies);  ///< forgets all; of so many rows of bodies the last never moves
+  void save(State& state) const;   ///< the impulses of contacts that press, for the next step
 };
 
 /// Narrowphase: what the solver must look at among the candidates, with the impulses of the step before. A

@@ -26,8 +26,8 @@ void list_contacts(const Scene& scene, const Contacts& contacts, const State& st
                     contact.normal_impulse,
                     scene.domain.kind == DomainKind::periodic ? wrapped(point, scene.domain) : point});
   };
-  for (const DiscContact& contact : contacts.discs) add(contact);
-  for (const PointContact& contact : contacts.points) add(contact);
+  for (std::size_t i = 0; i < contacts.discs.size(); ++i) add(contacts.discs[i]);
+  for (std::size_t i = 0; i < contacts.faces.size(); ++i) add(contacts.faces[i]);
 }
 
 }  // namespace throng

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "sim/contact/disc_blocks.h"
+
+namespace throng {
+
+namespace {
+
+constexpr std::size_t kWidth = BlockOrder::kWidth;
+
+void clear_lane(DiscBlock& block, std::size_t lane, std::uint32_t nobody) {
+  block.a[lane] = block.b[lane] = nobody;
+  for (DiscBlock::Row* row :
+       {&block.normal_x, &block.normal_y, &block.image, &block.separation, &block.normal_mass,
+        &block.tangent_mass, &block.friction, &block.normal_impulse, &block.tangent_impulse, &block.radius_a,
+        &block.radius_b, &block.turn_a, &block.turn_b})
+    (*row)[lane] = 0.0;
+}
+
+void fill_lane(DiscBlock& block, std::size_t lane, const DiscContact& contact, const SolverBody& a,
+               const SolverBody& b) {
+  block.a[lane] = contact.a, block.b[lane] = contact.b;
+  block.normal_mass[lane] = contact.normal_mass, block.tangent_mass[lane] = contact.tangent_mass;
+  block.friction[lane] = contact.friction;
+  block.normal_impulse[lane] = contact.normal_impulse, block.tangent_impulse[lane] = contact.tangent_impulse;
+  block.radius_a[lane] = contact.radius_a, block.radius_b[lane] = contact.radius_b;
+  block.turn_a[lane] = a.inverse_inertia * contact.radius_a;
+  block.turn_b[lane] = b.inverse_inertia * contact.radius_b;
+}
+
+}  // namespace
+
+void DiscBlocks::start(std::size_t bodies) {
+  nobody_ = static_cast<std::uint32_t>(bodies - 1);
+  order_.start(bodies);
+  lane_.clear();
+}
+
+void DiscBlocks::add(const DiscContact& contact, const SolverBody& a, const SolverBody& b) {
+  const std::uint32_t lane = order_.place(contact.a, a.inverse_mass > 0.0, contact.b, b.inverse_mass > 0.0);
+  lane_.push_back(lane);
+  if (blocks_.size() < order_.blocks()) blocks_.resize(order_.blocks());
+  fill_lane(blocks_[lane / kWidth], lane % kWidth, contact, a, b);
+}
+
+void DiscBlocks::finish() {
+  for (std::size_t i = 0; i < order_.blocks(); ++i)
+    for (std::size_t lane = order_.filled(i); lane < kWidth; ++lane) clear_lane(blocks_[i], lane, nobody_);
+}
+
+double DiscBlocks::normal_impulse(std::size_t i) const {
+  return blocks_[lane_[i] / kWidth].normal_impulse[lane_[i] % kWidth];
+}
+
+double DiscBlocks::tangent_impulse(std::size_t i) const {
+  return blocks_[lane_[i] / kWidth].tangent_impulse[lane_[i] % kWidth];
+}
+
+DiscContact DiscBlocks::operator[](std::size_t i) const {
+  const DiscBlock& block = blocks_[lane_[i] / kWidth];
+  const std::size_t lane = lane_[i] % kWidth;
+  DiscContact contact;
+  contact.a = block.a[lane], contact.b = block.b[lane];
+  contact.normal = {block.normal_x[lane], block.normal_y[lane]};
+  contact.radius_a = block.radius_a[lane], contact.radius_b = block.radius_b[lane];
+  contact.normal_impulse = block.normal_impulse[lane], contact.tangent_impulse = block.tangent_impulse[lane];
+  return contact;
+}
+
+}  // namespace throng

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "sim/contact/face_blocks.h"
+
+namespace throng {
+
+namespace {
+
+constexpr std::size_t kWidth = BlockOrder::kWidth;
+
+void clear_point(FaceBlock::Point& p, std::size_t lane) {
+  for (FaceBlock::Row* row :
+       {&p.arm_ax, &p.arm_ay, &p.arm_bx, &p.arm_by, &p.offset, &p.separation, &p.normal_mass, &p.tangent_mass,
+        &p.normal_impulse, &p.tangent_impulse, &p.first_ax, &p.first_ay, &p.first_bx, &p.first_by, &p.gap})
+    (*row)[lane] = 0.0;
+}
+
+void clear_lane(FaceBlock& block, std::size_t lane, std::uint32_t nobody) {
+  block.a[lane] = block.b[lane] = nobody;
+  for (FaceBlock::Row* row :
+       {&block.normal_x, &block.normal_y, &block.friction, &block.turns_a, &block.turns_b})
+    (*row)[lane] = 0.0;
+  clear_point(block.points[0], lane), clear_point(block.points[1], lane);
+}
+
+/// What both points of a face share.
+void fill_lane(FaceBlock& block, std::size_t lane, const PointContact& contact) {
+  block.a[lane] = contact.a, block.b[lane] = contact.b;
+  block.normal_x[lane] = contact.normal.x(), block.normal_y[lane] = contact.normal.y();
+  block.friction[lane] = contact.friction;
+  block.turns_a[lane] = contact.turns_a, block.turns_b[lane] = contact.turns_b;
+}
+
+void fill_point(FaceBlock::Point& point, std::size_t lane, const PointContact& contact) {
+  point.normal_mass[lane] = contact.normal_mass, point.tangent_mass[lane] = contact.tangent_mass;
+  point.normal_impulse[lane] = contact.normal_impulse, point.tangent_impulse[lane] = contact.tangent_impulse;
+  point.first_ax[lane] = contact.first_a.x(), point.first_ay[lane] = contact.first_a.y();
+  point.first_bx[lane] = contact.first_b.x(), point.first_by[lane] = contact.first_b.y();
+  point.gap[lane] = contact.gap;
+}
+
+}  // namespace
+
+void FaceBlocks::start(std::size_t bodies) {
+  nobody_ = static_cast<std::uint32_t>(bodies - 1);
+  order_.start(bodies);
+  seat_.clear();
+}
+
+void FaceBlocks::add(std::span<const PointContact> face, const SolverBody& a, const SolverBody& b) {
+  const std::uint32_t lane =
+      order_.place(face[0].a, a.inverse_mass > 0.0, face[0].b, b.inverse_mass > 0.0, face.size() - 1);
+  if (blocks_.size() < order_.blocks()) blocks_.resize(order_.blocks());
+  FaceBlock& block = blocks_[lane / kWidth];
+  block.count = face.size();
+  fill_lane(block, lane % kWidth, face[0]);
+  for (std::uint32_t p = 0; p < face.size(); ++p) {
+    fill_point(block.points[p], lane % kWidth, face[p]);
+    seat_.push_back({lane, p});
+  }
+}
+
+void FaceBlocks::finish() {
+  for (std::size_t i = 0; i < order_.blocks(); ++i) {
+    if (order_.filled(i) == 0) blocks_[i].count = 0;
+    for (std::size_t lane = order_.filled(i); lane < kWidth; ++lane) clear_lane(blocks_[i], lane, nobody_);
+  }
+}
+
+const FaceBlock::Point& FaceBlocks::point(std::size_t i) const {
+  return blocks_[seat_[i].lane / kWidth].points[seat_[i].point];
+}
+
+double FaceBlocks::normal_impulse(std::size_t i) const {
+  return point(i).normal_impulse[seat_[i].lane % kWidth];
+}
+
+double FaceBlocks::tangent_impulse(std::size_t i) const {
+  return point(i).tangent_impulse[seat_[i].lane % kWidth];
+}
+
+PointContact FaceBlocks::operator[](std::size_t i) const {
+  const FaceBlock& block = blocks_[seat_[i].lane / kWidth];
+  const FaceBlock::Point& p = point(i);
+  const std::size_t lane = seat_[i].lane % kWidth;
+  PointContact contact;
+  contact.a = block.a[lane], contact.b = block.b[lane];
+  contact.normal = {block.normal_x[lane], block.normal_y[lane]};
+  contact.arm_a = {p.arm_ax[lane], p.arm_ay[lane]}, contact.arm_b = {p.arm_bx[lane], p.arm_by[lane]};
+  contact.normal_impulse = p.normal_impulse[lane], contact.tangent_impulse = p.tangent_impulse[lane];
+  return contact;
+}
+
+}  // namespace throng

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "sim/contact/block_order.h"
+#include "sim/contact/solve.h"
+
+/// Points of manifolds, as many faces at a time as the machine has lanes. What they compute is what solve.h
+/// does, to the last bit.
+namespace throng {
+
+/// Eight faces of one point or eight of two, a row per quantity. A lane without a face has no mass and two
+/// bodies that don't move.
+struct alignas(64) FaceBlock {
+  using Row = double[BlockOrder::kWidth];
+
+  struct alignas(64) Point {
+    Row arm_ax, arm_ay, arm_bx, arm_by;               ///< m, in this substep
+    Row offset;                                       ///< m, as in ContactBase
+    Row separation;                                   ///< m, before bodies move
+    Row normal_mass, tangent_mass;                    ///< kg
+    Row normal_impulse, tangent_impulse;              ///< N s
+    Row first_ax, first_ay, first_bx, first_by, gap;  ///< m, as in PointContact
+  };
+
+  std::uint32_t a[BlockOrder::kWidth], b[BlockOrder::kWidth];  ///< rows of the bodies
+  Row normal_x, normal_y, friction;
+  Row turns_a, turns_b;  ///< 1 where the arm turns with the body, 0 for a disc
+  std::size_t count;     ///< points of each face
+  Point points[2];
+};
+
+class FaceBlocks {
+ public:
+  /// Forgets all contacts. `bodies`: how many rows there are, of which the last never moves.
+  void start(std::size_t bodies);
+
+  /// Adds the one or two points of a face between those bodies. Allocates only to grow.
+  void add(std::span<const PointContact> face, const SolverBody& a, const SolverBody& b);
+
+  /// To be called behind the last.
+  void finish();
+
+  std::size_t size() const { return seat_.size(); }  ///< points
+  double normal_impulse(std::size_t i) const;        ///< N s, of the i-th point that was added
+  double tangent_impulse(std::size_t i) const;       ///< N s
+
+  /// Its bodies, normal, arms and impulses as the solver left them; what else a contact has is not set.
+  PointContact operator[](std::size_t i) const;
+
+  std::span<FaceBlock> blocks() { return {blocks_.data(), order_.blocks()}; }
+
+ private:
+  struct Seat {
+    std::uint32_t lane;   // among all lanes
+    std::uint32_t point;  // 0 or 1
+  };
+
+  const FaceBlock::Point& point(std::size_t i) const;
+
+  BlockOrder order_;
+  std::uint32_t nobody_ = 0;
+  std::vector<Seat> seat_;         // of each point
+  std::vector<FaceBlock> blocks_;  // never shrinks
+};
+
+/// As the two of solve.h, one after the other.
+void prepare_and_start(std::span<FaceBlock> blocks, std::span<SolverBody> bodies);
+
+/// As those of solve.h.
+void push_apart(std::span<FaceBlock> blocks, std::span<SolverBody> bodies, const SolverSettings& settings);
+void relax(std::span<FaceBlock> blocks, std::span<SolverBody> bodies, const SolverSettings& settings);
+
+}  // namespace throng

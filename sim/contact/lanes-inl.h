@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// Eight contacts at a time: how their bodies get into lanes and back, and what all kinds of contact ask of an
+// impulse. Included once for each width of vectors.
+#if defined(THRONG_CONTACT_LANES_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef THRONG_CONTACT_LANES_INL
+#undef THRONG_CONTACT_LANES_INL
+#else
+#define THRONG_CONTACT_LANES_INL
+#endif
+
+#include <hwy/highway.h>
+
+#include <cstddef>
+#include <cstdint>
+
+#include "sim/contact/block_order.h"
+#include "sim/contact/solve.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace throng::HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using D = hn::CappedTag<double, BlockOrder::kWidth>;
+using Reals = hn::Vec<D>;
+using Mask = hn::Mask<D>;
+constexpr std::size_t kLanes = hn::MaxLanes(D());
+
+HWY_INLINE Reals load(const double* row) {
+  return hn::Load(D(), row);
+}
+HWY_INLINE void store(Reals v, double* row) {
+  hn::Store(v, D(), row);
+}
+
+/// Four numbers of one body in each lane.
+struct Four {
+  Reals first, second, third, fourth;
+};
+
+/// A body is two such halves: what contacts change, and what they look at.
+HWY_INLINE const double* half(const SolverBody& body, std::size_t which) {
+  return reinterpret_cast<const double*>(&body) + 4 * which;
+}
+HWY_INLINE double* half(SolverBody& body, std::size_t which) {
+  return reinterpret_cast<double*>(&body) + 4 * which;
+}
+
+#if HWY_TARGET != HWY_SCALAR
+/// Bodies j and, with eight lanes, j + 4.
+HWY_INLINE Reals two_halves(const SolverBody* bodies, const std::uint32_t* rows, std::size_t which,
+                            std::size_t j) {
+  if constexpr (kLanes == 8) {
+    const hn::Half<D> d4;
+    return hn::Combine(D(), hn::LoadU(d4, half(bodies[rows[j + 4]], which)),
+                       hn::LoadU(d4, half(bodies[rows[j]], which)));
+  } else {
+    return hn::LoadU(D(), half(bodies[rows[j]], which));
+  }
+}
+
+HWY_INLINE void put_halves(Reals v, SolverBody* bodies, const std::uint32_t* rows, std::size_t j) {
+  if constexpr (kLanes == 8) {
+    const hn::Half<D> d4;
+    hn::StoreU(hn::LowerHalf(d4, v), d4, half(bodies[rows[j]], 0));
+    hn::StoreU(hn::UpperHalf(d4, v), d4, half(bodies[rows[j + 4]], 0));
+  } else {
+    hn::StoreU(v, D(), half(bodies[rows[j]], 0));
+  }
+}
+#endif
+
+/// Of the bodies in `rows`, one a lane.
+HWY_INLINE Four gather(const SolverBody* bodies, const std::uint32_t* rows, std::size_t which) {
+#if HWY_TARGET != HWY_SCALAR
+  if constexpr (kLanes >= 4) {
+    const D d;
+    const Reals r0 = two_halves(bodies, rows, which, 0), r1 = two_halves(bodies, rows, which, 1);
+    const Reals r2 = two_halves(bodies, rows, which, 2), r3 = two_halves(bodies, rows, which, 3);
+    const Reals low01 = hn::InterleaveLower(d, r0, r1), high01 = hn::InterleaveUpper(d, r0, r1);
+    const Reals low23 = hn::InterleaveLower(d, r2, r3), high23 = hn::InterleaveUpper(d, r2, r3);
+    return {hn::OddEvenBlocks(hn::SwapAdjacentBlocks(low23), low01),
+            hn::OddEvenBlocks(hn::SwapAdjacentBlocks(high23), high01),
+            hn::OddEvenBlocks(low23, hn::SwapAdjacentBlocks(low01)),
+            hn::OddEvenBlocks(high23, hn::SwapAdjacentBlocks(high01))};
+  }
+#endif
+  alignas(64) double four[4][kLanes];
+  for (std::size_t lane = 0; lane < kLanes; ++lane)
+    for (std::size_t k = 0; k < 4; ++k) four[k][lane] = half(bodies[rows[lane]], which)[k];
+  return {load(four[0]), load(four[1]), load(four[2]), load(four[3])};
+}
+
+/// Back into the half that contacts change.
+HWY_INLINE void scatter(const Four& v, SolverBody* bodies, const std::uint32_t* rows) {
+#if HWY_TARGET != HWY_SCALAR
+  if constexpr (kLanes >= 4) {
+    const D d;
+    const Reals low12 = hn::InterleaveLower(d, v.first, v.second),
+                high12 = hn::InterleaveUpper(d, v.first, v.second);
+    const Reals low34 = hn::InterleaveLower(d, v.third, v.fourth),
+                high34 = hn::InterleaveUpper(d, v.third, v.fourth);
+    put_halves(hn::OddEvenBlocks(hn::SwapAdjacentBlocks(low34), low12), bodies, rows, 0);
+    put_halves(hn::OddEvenBlocks(hn::SwapAdjacentBlocks(high34), high12), bodies, rows, 1);
+    put_halves(hn::OddEvenBlocks(low34, hn::SwapAdjacentBlocks(low12)), bodies, rows, 2);
+    put_halves(hn::OddEvenBlocks(high34, hn::SwapAdjacentBlocks(high12)), bodies, rows, 3);
+    return;
+  }
+#endif
+  alignas(64) double four[4][kLanes];
+  store(v.first, four[0]), store(v.second, four[1]), store(v.third, four[2]), store(v.fourth, four[3]);
+  for (std::size_t lane = 0; lane < kLanes; ++lane)
+    for (std::size_t k = 0; k < 4; ++k) half(bodies[rows[lane]], 0)[k] = four[k][lane];
+}
+
+/// The halves by their names.
+struct Motion {
+  Reals velocity_x, velocity_y, spin, inverse_mass;
+};
+struct Place {
+  Reals x, y, turn, inverse_inertia;
+};
+
+HWY_INLINE Motion motion(const SolverBody* bodies, const std::uint32_t* rows) {
+  const Four v = gather(bodies, rows, 0);
+  return {v.first, v.second, v.third, v.fourth};
+}
+HWY_INLINE void keep(const Motion& m, SolverBody* bodies, const std::uint32_t* rows) {
+  scatter({m.velocity_x, m.velocity_y, m.spin, m.inverse_mass}, bodies, rows);
+}
+HWY_INLINE Place place(const SolverBody* bodies, const std::uint32_t* rows) {
+  const Four v = gather(bodies, rows, 1);
+  return {v.first, v.second, v.third, v.fourth};
+}
+
+HWY_INLINE Reals dot(Reals ax, Reals ay, Reals bx, Reals by) {
+  return hn::Add(hn::Mul(ax, bx), hn::Mul(ay, by));
+}
+
+/// What a sweep asks of a contact: a normal velocity of at least -bias, more or less softly.
+struct WideWish {
+  Reals bias;  ///< m/s
+  Reals mass_scale, impulse_scale;
+};
+
+/// What push_apart asks at that separation.
+class Pusher {
+ public:
+  explicit Pusher(const SolverSettings& settings)
+      : rate_(hn::Set(D(), 1.0 / settings.h)),
+        bias_rate_(hn::Set(D(), settings.softness.bias_rate)),
+        least_(hn::Set(D(), -settings.push_out)),
+        mass_scale_(hn::Set(D(), settings.softness.mass_scale)),
+        impulse_scale_(hn::Set(D(), settings.softness.impulse_scale)) {}
+
+  HWY_INLINE WideWish wish(Reals separation) const {
+    const Mask apart = hn::Gt(separation, hn::Zero(D()));
+    return {
+        hn::IfThenElse(apart, hn::Mul(separation, rate_), hn::Max(hn::Mul(separation, bias_rate_), least_)),
+        hn::IfThenElse(apart, hn::Set(D(), 1.0), mass_scale_), hn::IfThenZeroElse(apart, impulse_scale_)};
+  }
+
+ private:
+  Reals rate_, bias_rate_, least_, mass_scale_, impulse_scale_;
+};
+
+/// The change of the normal impulse that grants the wish; impulses only push.
+HWY_INLINE Reals press(Reals& impulse, Reals mass, Reals velocity, const WideWish& wish) {
+  const Reals old = impulse;
+  const Reals change = hn::Mul(hn::Mul(mass, wish.mass_scale), hn::Add(velocity, wish.bias));
+  const Reals wanted = hn::Sub(hn::Sub(old, change), hn::Mul(wish.impulse_scale, old));
+  impulse = hn::Max(wanted, hn::Zero(D()));
+  return hn::Sub(impulse, old);
+}
+
+/// The change of the tangential impulse that stops the slip, within friction times the normal one.
+HWY_INLINE Reals rub(Reals& impulse, Reals mass, Reals slip, Reals limit) {
+  const Reals old = impulse;
+  impulse = hn::Min(hn::Max(hn::Sub(old, hn::Mul(mass, slip)), hn::Neg(limit)), limit);
+  return hn::Sub(impulse, old);
+}
+
+}  // namespace
+}  // namespace throng::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "sim/contact/disc_blocks.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "sim/contact/solve_disc_blocks.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "sim/contact/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace throng::HWY_NAMESPACE {
+namespace {
+
+/// Calls f(block, first lane) for all lanes of all blocks.
+template <class F>
+HWY_INLINE void for_each_part(std::span<DiscBlock> blocks, F f) {
+  for (DiscBlock& block : blocks)
+    for (std::size_t k = 0; k < BlockOrder::kWidth; k += kLanes) f(block, k);
+}
+
+/// Impulses on both bodies of each lane: along the normal, and across at the arms that discs have.
+HWY_INLINE void apply(Motion& a, Motion& b, const DiscBlock& c, std::size_t k, Reals normal, Reals tangent) {
+  const Reals nx = load(c.normal_x + k), ny = load(c.normal_y + k);
+  const Reals x = hn::Sub(hn::Mul(normal, nx), hn::Mul(tangent, ny));
+  const Reals y = hn::Add(hn::Mul(normal, ny), hn::Mul(tangent, nx));
+  a.velocity_x = hn::Sub(a.velocity_x, hn::Mul(a.inverse_mass, x));
+  a.velocity_y = hn::Sub(a.velocity_y, hn::Mul(a.inverse_mass, y));
+  a.spin = hn::Sub(a.spin, hn::Mul(load(c.turn_a + k), tangent));
+  b.velocity_x = hn::Add(b.velocity_x, hn::Mul(b.inverse_mass, x));
+  b.velocity_y = hn::Add(b.velocity_y, hn::Mul(b.inverse_mass, y));
+  b.spin = hn::Sub(b.spin, hn::Mul(load(c.turn_b + k), tangent));
+}
+
+/// The change of the impulses that grants the wish and stops the slip, applied where `pressing`.
+HWY_INLINE void respond(DiscBlock& c, std::size_t k, Motion& a, Motion& b, const WideWish& wish,
+                        Mask pressing, bool friction) {
+  const Reals nx = load(c.normal_x + k), ny = load(c.normal_y + k);
+  const Reals dx = hn::Sub(b.velocity_x, a.velocity_x), dy = hn::Sub(b.velocity_y, a.velocity_y);
+  Reals impulse = load(c.normal_impulse + k), tangent = hn::Zero(D());
+  const Reals normal =
+      hn::IfThenElseZero(pressing, press(impulse, load(c.normal_mass + k), dot(dx, dy, nx, ny), wish));
+  store(hn::IfThenElse(pressing, impulse, load(c.normal_impulse + k)), c.normal_impulse + k);
+  if (friction) {
+    const Reals turning = dot(a.spin, b.spin, load(c.radius_a + k), load(c.radius_b + k));
+    const Reals slip = hn::Sub(hn::Sub(hn::Mul(dy, nx), hn::Mul(dx, ny)), turning);
+    Reals across = load(c.tangent_impulse + k);
+    tangent = hn::IfThenElseZero(
+        pressing, rub(across, load(c.tangent_mass + k), slip, hn::Mul(load(c.friction + k), impulse)));
+    store(hn::IfThenElse(pressing, across, load(c.tangent_impulse + k)), c.tangent_impulse + k);
+  }
+  apply(a, b, c, k, normal, tangent);
+}
+
+/// `way` less the whole periods that make it shortest.
+HWY_INLINE Reals nearest(Reals way, double period) {
+  const Reals p = hn::Set(D(), period);
+  return hn::Sub(way, hn::Mul(p, hn::Floor(hn::Add(hn::Div(way, p), hn::Set(D(), 0.5)))));
+}
+
+/// Of discs whose centres are (x, y) apart.
+HWY_INLINE Reals separation(const DiscBlock& c, std::size_t k, Reals nx, Reals ny, Reals x, Reals y,
+                            bool periodic) {
+  const Reals width = hn::Add(load(c.radius_a + k), load(c.radius_b + k));
+  const Reals offset = periodic ? hn::Sub(load(c.image + k), width) : hn::Neg(width);
+  return hn::Add(offset, dot(nx, ny, x, y));
+}
+
+HWY_INLINE void prepare(DiscBlock& c, std::size_t k, const SolverBody* bodies, const Vec* period) {
+  const D d;
+  const Place a = place(bodies, c.a + k), b = place(bodies, c.b + k);
+  const Reals x = hn::Sub(b.x, a.x), y = hn::Sub(b.y, a.y);
+  const Reals near_x = period ? nearest(x, period->x()) : x, near_y = period ? nearest(y, period->y()) : y;
+  const Reals distance = hn::Sqrt(dot(near_x, near_y, near_x, near_y));
+  const Mask same = hn::Not(hn::Gt(distance, hn::Zero(d)));
+  const Reals nx = hn::IfThenElse(same, hn::Set(d, 1.0), hn::Div(near_x, distance));
+  const Reals ny = hn::IfThenZeroElse(same, hn::Div(near_y, distance));
+  store(nx, c.normal_x + k), store(ny, c.normal_y + k);
+  if (period) store(dot(nx, ny, hn::Sub(near_x, x), hn::Sub(near_y, y)), c.image + k);
+  store(separation(c, k, nx, ny, x, y, period), c.separation + k);
+}
+
+void prepare_and_start(std::span<DiscBlock> blocks, SolverBody* bodies, const Vec* period) {
+  for_each_part(blocks, [=](DiscBlock& c, std::size_t k) HWY_ATTR {
+    prepare(c, k, bodies, period);
+    Motion a = motion(bodies, c.a + k), b = motion(bodies, c.b + k);
+    const Reals impulse = load(c.normal_impulse + k);
+    const Mask pressing = hn::Gt(impulse, hn::Zero(D()));
+    apply(a, b, c, k, hn::IfThenElseZero(pressing, impulse),
+          hn::IfThenElseZero(pressing, load(c.tangent_impulse + k)));
+    keep(a, bodies, c.a + k), keep(b, bodies, c.b + k);
+  });
+}
+
+void push_apart(std::span<DiscBlock> blocks, SolverBody* bodies, const SolverSettings& settings) {
+  const Pusher pusher(settings);
+  const Mask all = hn::FirstN(D(), kLanes);
+  for_each_part(blocks, [=, friction = settings.friction](DiscBlock& c, std::size_t k) HWY_ATTR {
+    Motion a = motion(bodies, c.a + k), b = motion(bodies, c.b + k);
+    respond(c, k, a, b, pusher.wish(load(c.separation + k)), all, friction);
+    keep(a, bodies, c.a + k), keep(b, bodies, c.b + k);
+  });
+}
+
+void relax(std::span<DiscBlock> blocks, SolverBody* bodies, const SolverSettings& settings, bool periodic) {
+  const Reals rate = hn::Set(D(), 1.0 / settings.h);
+  for_each_part(blocks, [=, friction = settings.friction](DiscBlock& c, std::size_t k) HWY_ATTR {
+    const D d;
+    const Mask pressing = hn::Ne(load(c.normal_impulse + k), hn::Zero(d));
+    if (hn::AllFalse(d, pressing)) return;
+    const Place at_a = place(bodies, c.a + k), at_b = place(bodies, c.b + k);
+    const Reals s = separation(c, k, load(c.normal_x + k), load(c.normal_y + k), hn::Sub(at_b.x, at_a.x),
+                               hn::Sub(at_b.y, at_a.y), periodic);
+    const WideWish wish{hn::Mul(hn::Max(s, hn::Zero(d)), rate), hn::Set(d, 1.0), hn::Zero(d)};
+    Motion a = motion(bodies, c.a + k), b = motion(bodies, c.b + k);
+    respond(c, k, a, b, wish, pressing, friction);
+    keep(a, bodies, c.a + k), keep(b, bodies, c.b + k);
+  });
+}
+
+}  // namespace
+}  // namespace throng::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace throng {
+
+namespace {
+HWY_EXPORT(prepare_and_start);
+HWY_EXPORT(push_apart);
+HWY_EXPORT(relax);
+}  // namespace
+
+void prepare_and_start(std::span<DiscBlock> blocks, std::span<SolverBody> bodies, const Vec* period) {
+  HWY_DYNAMIC_DISPATCH(prepare_and_start)(blocks, bodies.data(), period);
+}
+void push_apart(std::span<DiscBlock> blocks, std::span<SolverBody> bodies, const SolverSettings& settings) {
+  HWY_DYNAMIC_DISPATCH(push_apart)(blocks, bodies.data(), settings);
+}
+void relax(std::span<DiscBlock> blocks, std::span<SolverBody> bodies, const SolverSettings& settings,
+           bool periodic) {
+  HWY_DYNAMIC_DISPATCH(relax)(blocks, bodies.data(), settings, periodic);
+}
+
+}  // namespace throng
+#endif

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "sim/contact/face_blocks.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "sim/contact/solve_face_blocks.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "sim/contact/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace throng::HWY_NAMESPACE {
+namespace {
+
+/// Calls f(block, first lane) for all lanes of all blocks.
+template <class F>
+HWY_INLINE void for_each_part(std::span<FaceBlock> blocks, F f) {
+  for (FaceBlock& block : blocks)
+    for (std::size_t k = 0; k < BlockOrder::kWidth; k += kLanes) f(block, k);
+}
+
+HWY_INLINE Reals cross(Reals ax, Reals ay, Reals bx, Reals by) {
+  return hn::Sub(hn::Mul(ax, by), hn::Mul(ay, bx));
+}
+
+/// The two bodies of each lane and the normal between them, while their points are solved.
+struct Pair {
+  Motion a, b;
+  Reals turns_easily_a, turns_easily_b;  ///< 1/(kg m²), inverse moments of inertia
+  Reals nx, ny;
+
+  HWY_INLINE Reals velocity_x(const FaceBlock::Point& p, std::size_t k) const {
+    return hn::Add(hn::Sub(hn::Sub(b.velocity_x, hn::Mul(b.spin, load(p.arm_by + k))), a.velocity_x),
+                   hn::Mul(a.spin, load(p.arm_ay + k)));
+  }
+  HWY_INLINE Reals velocity_y(const FaceBlock::Point& p, std::size_t k) const {
+    return hn::Sub(hn::Sub(hn::Add(b.velocity_y, hn::Mul(b.spin, load(p.arm_bx + k))), a.velocity_y),
+                   hn::Mul(a.spin, load(p.arm_ax + k)));
+  }
+
+  HWY_INLINE void apply(const FaceBlock::Point& p, std::size_t k, Reals x, Reals y) {
+    a.velocity_x = hn::Sub(a.velocity_x, hn::Mul(a.inverse_mass, x));
+    a.velocity_y = hn::Sub(a.velocity_y, hn::Mul(a.inverse_mass, y));
+    a.spin = hn::Sub(a.spin, hn::Mul(turns_easily_a, cross(load(p.arm_ax + k), load(p.arm_ay + k), x, y)));
+    b.velocity_x = hn::Add(b.velocity_x, hn::Mul(b.inverse_mass, x));
+    b.velocity_y = hn::Add(b.velocity_y, hn::Mul(b.inverse_mass, y));
+    b.spin = hn::Add(b.spin, hn::Mul(turns_easily_b, cross(load(p.arm_bx + k), load(p.arm_by + k), x, y)));
+  }
+};
+
+HWY_INLINE Pair pair(const FaceBlock& c, std::size_t k, const SolverBody* bodies, const Place& a,
+                     const Place& b) {
+  return {motion(bodies, c.a + k), motion(bodies, c.b + k), a.inverse_inertia,
+          b.inverse_inertia,       load(c.normal_x + k),    load(c.normal_y + k)};
+}
+
+HWY_INLINE void keep(const Pair& pair, const FaceBlock& c, std::size_t k, SolverBody* bodies) {
+  keep(pair.a, bodies, c.a + k), keep(pair.b, bodies, c.b + k);
+}
+
+/// The change of one point's impulses that grants the wish, then stops the slip; applied where `pressing`.
+HWY_INLINE void respond(FaceBlock::Point& p, std::size_t k, Pair& pair, Reals rough, const WideWish& wish,
+                        Mask pressing, bool friction) {
+  Reals impulse = load(p.normal_impulse + k);
+  const Reals speed = dot(pair.velocity_x(p, k), pair.velocity_y(p, k), pair.nx, pair.ny);
+  const Reals normal = hn::IfThenElseZero(pressing, press(impulse, load(p.normal_mass + k), speed, wish));
+  store(hn::IfThenElse(pressing, impulse, load(p.normal_impulse + k)), p.normal_impulse + k);
+  pair.apply(p, k, hn::Mul(normal, pair.nx), hn::Mul(normal, pair.ny));
+  if (!friction) return;
+  Reals across = load(p.tangent_impulse + k);
+  const Reals slip =
+      hn::Sub(hn::Mul(pair.velocity_y(p, k), pair.nx), hn::Mul(pair.velocity_x(p, k), pair.ny));
+  const Reals tangent =
+      hn::IfThenElseZero(pressing, rub(across, load(p.tangent_mass + k), slip, hn::Mul(rough, impulse)));
+  store(hn::IfThenElse(pressing, across, load(p.tangent_impulse + k)), p.tangent_impulse + k);
+  pair.apply(p, k, hn::Neg(hn::Mul(tangent, pair.ny)), hn::Mul(tangent, pair.nx));
+}
+
+/// The vector after a turn by a small angle, as in solve.cpp.
+HWY_INLINE void turn(Reals x, Reals y, Reals angle, double* turned_x, double* turned_y) {
+  const Reals shrink = hn::Mul(hn::Mul(hn::Set(D(), 0.5), angle), angle);
+  store(hn::Sub(hn::Sub(x, hn::Mul(angle, y)), hn::Mul(shrink, x)), turned_x);
+  store(hn::Sub(hn::Add(y, hn::Mul(angle, x)), hn::Mul(shrink, y)), turned_y);
+}
+
+/// Arms and offset at the bodies' present positions, and what the last sweep left, once more.
+HWY_INLINE void start(FaceBlock::Point& p, std::size_t k, const FaceBlock& c, Pair& pair, const Place& a,
+                      const Place& b) {
+  turn(load(p.first_ax + k), load(p.first_ay + k), hn::Mul(load(c.turns_a + k), a.turn), p.arm_ax + k,
+       p.arm_ay + k);
+  turn(load(p.first_bx + k), load(p.first_by + k), hn::Mul(load(c.turns_b + k), b.turn), p.arm_bx + k,
+       p.arm_by + k);
+  const Reals offset =
+      hn::Add(load(p.gap + k), dot(pair.nx, pair.ny, hn::Sub(load(p.arm_bx + k), load(p.arm_ax + k)),
+                                   hn::Sub(load(p.arm_by + k), load(p.arm_ay + k))));
+  store(offset, p.offset + k);
+  store(hn::Add(offset, dot(pair.nx, pair.ny, hn::Sub(b.x, a.x), hn::Sub(b.y, a.y))), p.separation + k);
+  const Reals impulse = load(p.normal_impulse + k);
+  const Mask pressing = hn::Gt(impulse, hn::Zero(D()));
+  const Reals normal = hn::IfThenElseZero(pressing, impulse);
+  const Reals tangent = hn::IfThenElseZero(pressing, load(p.tangent_impulse + k));
+  pair.apply(p, k, hn::Sub(hn::Mul(normal, pair.nx), hn::Mul(tangent, pair.ny)),
+             hn::Add(hn::Mul(normal, pair.ny), hn::Mul(tangent, pair.nx)));
+}
+
+void prepare_and_start(std::span<FaceBlock> blocks, SolverBody* bodies) {
+  for_each_part(blocks, [=](FaceBlock& c, std::size_t k) HWY_ATTR {
+    const Place a = place(bodies, c.a + k), b = place(bodies, c.b + k);
+    Pair bound = pair(c, k, bodies, a, b);
+    for (FaceBlock::Point& point : std::span(c.points, c.count)) start(point, k, c, bound, a, b);
+    keep(bound, c, k, bodies);
+  });
+}
+
+void push_apart(std::span<FaceBlock> blocks, SolverBody* bodies, const SolverSettings& settings) {
+  const Pusher pusher(settings);
+  const Mask all = hn::FirstN(D(), kLanes);
+  for_each_part(blocks, [=, friction = settings.friction](FaceBlock& c, std::size_t k) HWY_ATTR {
+    Pair bound = pair(c, k, bodies, place(bodies, c.a + k), place(bodies, c.b + k));
+    for (FaceBlock::Point& point : std::span(c.points, c.count))
+      respond(point, k, bound, load(c.friction + k), pusher.wish(load(point.separation + k)), all, friction);
+    keep(bound, c, k, bodies);
+  });
+}
+
+void relax(std::span<FaceBlock> blocks, SolverBody* bodies, const SolverSettings& settings) {
+  const Reals rate = hn::Set(D(), 1.0 / settings.h);
+  for_each_part(blocks, [=, friction = settings.friction](FaceBlock& c, std::size_t k) HWY_ATTR {
+    const D d;
+    const Place a = place(bodies, c.a + k), b = place(bodies, c.b + k);
+    Pair bound = pair(c, k, bodies, a, b);
+    const Reals way = dot(bound.nx, bound.ny, hn::Sub(b.x, a.x), hn::Sub(b.y, a.y));
+    for (FaceBlock::Point& point : std::span(c.points, c.count)) {
+      const Mask pressing = hn::Ne(load(point.normal_impulse + k), hn::Zero(d));
+      const Reals separation = hn::Add(load(point.offset + k), way);
+      const WideWish wish{hn::Mul(hn::Max(separation, hn::Zero(d)), rate), hn::Set(d, 1.0), hn::Zero(d)};
+      respond(point, k, bound, load(c.friction + k), wish, pressing, friction);
+    }
+    keep(bound, c, k, bodies);
+  });
+}
+
+}  // namespace
+}  // namespace throng::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace throng {
+
+namespace {
+HWY_EXPORT(prepare_and_start);
+HWY_EXPORT(push_apart);
+HWY_EXPORT(relax);
+}  // namespace
+
+void prepare_and_start(std::span<FaceBlock> blocks, std::span<SolverBody> bodies) {
+  HWY_DYNAMIC_DISPATCH(prepare_and_start)(blocks, bodies.data());
+}
+void push_apart(std::span<FaceBlock> blocks, std::span<SolverBody> bodies, const SolverSettings& settings) {
+  HWY_DYNAMIC_DISPATCH(push_apart)(blocks, bodies.data(), settings);
+}
+void relax(std::span<FaceBlock> blocks, std::span<SolverBody> bodies, const SolverSettings& settings) {
+  HWY_DYNAMIC_DISPATCH(relax)(blocks, bodies.data(), settings);
+}
+
+}  // namespace throng
+#endif

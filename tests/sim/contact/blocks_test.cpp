@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: MIT
+// The wide solver against its definition, contact after contact in solve.cpp: equal bits on every machine.
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include <algorithm>
+#include <random>
+
+#include "sim/contact/disc_blocks.h"
+#include "sim/contact/face_blocks.h"
+#include "sim/periodic.h"
+
+namespace throng {
+namespace {
+
+constexpr std::uint32_t kBodies = 90;  // the last stands for all obstacles
+const Vec kPeriod(12.0, 11.0);
+
+/// What both ways begin with.
+class Blocks : public ::testing::TestWithParam<std::int64_t> {
+ protected:
+  Blocks() {
+    SCOPED_TRACE(seed_);
+    hwy::SetSupportedTargetsForTest(GetParam());
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    for (std::uint32_t i = 0; i < kBodies; ++i) bodies_.push_back(body(i));
+  }
+  ~Blocks() override {
+    hwy::SetSupportedTargetsForTest(0);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  }
+
+  double uniform(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random_);
+  }
+  Vec vec(double most) { return {uniform(-most, most), uniform(-most, most)}; }
+
+  SolverBody body(std::uint32_t row) {
+    SolverBody result{};
+    if (row + 1 == kBodies) return result;
+    result.position = row == 4 ? bodies_[3].position : Vec(uniform(0.0, 12.0), uniform(0.0, 11.0));
+    result.velocity = vec(2.0), result.spin = uniform(-3.0, 3.0), result.turn = uniform(-0.1, 0.1);
+    const bool moves = row % 7 != 0;
+    result.inverse_mass = moves ? uniform(0.1, 10.0) : 0.0;
+    result.inverse_inertia = moves ? uniform(0.1, 10.0) : 0.0;
+    return result;
+  }
+
+  /// Two bodies of which one moves; now and then the second is an obstacle.
+  void choose(ContactBase& contact) {
+    do {
+      contact.a = static_cast<std::uint32_t>(random_() % (kBodies - 1));
+      contact.b = random_() % 9 == 0 ? kBodies - 1 : static_cast<std::uint32_t>(random_() % kBodies);
+    } while (contact.a == contact.b ||
+             (bodies_[contact.a].inverse_mass == 0.0 && bodies_[contact.b].inverse_mass == 0.0));
+    const SolverBody &a = bodies_[contact.a], &b = bodies_[contact.b];
+    // Not more than what they feel with arms of 1.4 m: else impulses grow from sweep to sweep.
+    contact.normal_mass =
+        1.0 / (a.inverse_mass + b.inverse_mass + 2.0 * (a.inverse_inertia + b.inverse_inertia));
+    contact.tangent_mass = uniform(0.5, 1.0) * contact.normal_mass;
+    contact.friction = uniform(0.0, 0.8);
+    const bool pressed = random_() % 3 != 0;
+    contact.normal_impulse = pressed ? uniform(0.0, 0.1) : 0.0;
+    contact.tangent_impulse = pressed ? uniform(-0.05, 0.05) : 0.0;
+  }
+
+  SolverSettings settings(bool friction) const {
+    return {0.0025, softness(0.18 / 0.0025, 10.0, 0.0025), 4.0, friction};
+  }
+
+  void move(std::vector<SolverBody>& bodies) const {
+    for (SolverBody& body : bodies) body.position += 0.0025 * body.velocity, body.turn += 0.0025 * body.spin;
+  }
+
+  void expect_same(std::span<const SolverBody> one, std::span<const SolverBody> other) const {
+    for (std::size_t i = 0; i < one.size(); ++i) {
+      EXPECT_EQ(one[i].velocity, other[i].velocity) << "body " << i;
+      EXPECT_EQ(one[i].position, other[i].position) << "body " << i;
+      EXPECT_EQ(one[i].spin, other[i].spin) << "body " << i;
+      EXPECT_EQ(one[i].inverse_mass, other[i].inverse_mass) << "body " << i;
+    }
+  }
+
+  static void expect_same(const ContactBase& one, const ContactBase& other) {
+    EXPECT_EQ(one.normal, other.normal);
+    EXPECT_EQ(one.normal_impulse, other.normal_impulse);
+    EXPECT_EQ(one.tangent_impulse, other.tangent_impulse);
+  }
+
+  /// Both kinds of answer must be among the contacts, or little was tested.
+  template <class Contact>
+  static void expect_some_press(const std::vector<Contact>& contacts) {
+    const auto pressing =
+        std::ranges::count_if(contacts, [](const Contact& c) { return c.normal_impulse > 0.0; });
+    EXPECT_GT(pressing, static_cast<std::ptrdiff_t>(contacts.size() / 8));
+    EXPECT_LT(pressing, static_cast<std::ptrdiff_t>(contacts.size() * 9 / 10));
+  }
+
+  const unsigned seed_ = std::random_device()();
+  std::mt19937 random_{seed_};
+  std::vector<SolverBody> bodies_;
+};
+
+class DiscBlocksOnEachTarget : public Blocks {
+ protected:
+  std::vector<DiscContact> contacts(const Vec* period) {
+    std::vector<DiscContact> result(250);
+    for (DiscContact& contact : result) {
+      choose(contact);
+      if (&contact == &result[0]) contact.a = 3, contact.b = 4;  // in one place
+      reach(contact, period);
+    }
+    return result;
+  }
+
+  /// As wide as the two are apart, nearly.
+  void reach(DiscContact& contact, const Vec* period) {
+    const SolverBody &a = bodies_[contact.a], &b = bodies_[contact.b];
+    const Vec between = b.position - a.position;
+    const double width = (period ? nearest_image(between, *period) : between).norm() + uniform(0.0, 0.3);
+    contact.radius_a = uniform(0.2, 0.8) * width, contact.radius_b = width - contact.radius_a - 0.1;
+    contact.normal_mass = 1.0 / (a.inverse_mass + b.inverse_mass);
+    contact.tangent_mass =
+        1.0 / (1.0 / contact.normal_mass + a.inverse_inertia * contact.radius_a * contact.radius_a +
+               b.inverse_inertia * contact.radius_b * contact.radius_b);
+  }
+
+  void fill(DiscBlocks& blocks, const std::vector<DiscContact>& contacts) const {
+    blocks.start(bodies_.size());
+    for (const DiscContact& contact : contacts) blocks.add(contact, bodies_[contact.a], bodies_[contact.b]);
+    blocks.finish();
+  }
+
+  void compare(const Vec* period, bool friction) {
+    std::vector<DiscContact> one = contacts(period);
+    std::vector<SolverBody> bodies = bodies_;
+    const SolverSettings how = settings(friction);
+    DiscBlocks blocks;
+    fill(blocks, contacts(period));  // forgotten, and then other lanes are left over
+    fill(blocks, one);
+    for (int i = 0; i < 3; ++i) {
+      prepare(one, bodies_, period), warm_start(one, bodies_);
+      push_apart(one, bodies_, how);
+      expect_some_press(one);
+      move(bodies_), relax(one, bodies_, how);
+      prepare_and_start(blocks.blocks(), bodies, period);
+      push_apart(blocks.blocks(), bodies, how), move(bodies), relax(blocks.blocks(), bodies, how, period);
+    }
+    expect_same(bodies_, bodies);
+    for (std::size_t i = 0; i < one.size(); ++i) expect_same(one[i], blocks[i]);
+  }
+};
+
+TEST_P(DiscBlocksOnEachTarget, GiveTheBitsOfContactAfterContact) {
+  SCOPED_TRACE("seed " + std::to_string(seed_));
+  compare(nullptr, true);
+}
+
+TEST_P(DiscBlocksOnEachTarget, GiveThemWithoutFriction) {
+  SCOPED_TRACE("seed " + std::to_string(seed_));
+  compare(nullptr, false);
+}
+
+TEST_P(DiscBlocksOnEachTarget, GiveThemInADomainThatRepeats) {
+  SCOPED_TRACE("seed " + std::to_string(seed_));
+  compare(&kPeriod, true);
+}
+
+class FaceBlocksOnEachTarget : public Blocks {
+ protected:
+  /// Faces of one or two points: those of the same bodies that follow each other.
+  std::vector<PointContact> contacts() {
+    std::vector<PointContact> result;
+    while (result.size() < 400) {
+      PointContact point;
+      choose(point);
+      const double angle = uniform(-3.0, 3.0);
+      point.normal = {std::cos(angle), std::sin(angle)};
+      point.turns_a = random_() % 4 ? 1.0 : 0.0, point.turns_b = random_() % 4 ? 1.0 : 0.0;
+      for (std::uint64_t n = 1 + random_() % 2; n > 0; --n) {
+        point.first_a = vec(1.0), point.first_b = vec(1.0);
+        point.gap =
+            uniform(-0.1, 0.1) - point.normal.dot(bodies_[point.b].position - bodies_[point.a].position +
+                                                  point.first_b - point.first_a);
+        point.normal_impulse *= uniform(0.5, 1.0);
+        result.push_back(point);
+      }
+    }
+    return result;
+  }
+
+  void fill(FaceBlocks& blocks, std::span<const PointContact> points) const {
+    blocks.start(bodies_.size());
+    for (std::size_t i = 0, next; i < points.size(); i = next) {
+      const bool two = i + 1 < points.size() && points[i + 1].normal == points[i].normal;
+      next = i + (two ? 2 : 1);
+      blocks.add(points.subspan(i, next - i), bodies_[points[i].a], bodies_[points[i].b]);
+    }
+    blocks.finish();
+  }
+
+  void compare(bool friction) {
+    std::vector<PointContact> one = contacts();
+    std::vector<SolverBody> bodies = bodies_;
+    const SolverSettings how = settings(friction);
+    FaceBlocks blocks;
+    fill(blocks, contacts());  // forgotten, and then other lanes are left over
+    fill(blocks, one);
+    for (int i = 0; i < 3; ++i) {
+      prepare(one, bodies_), warm_start(one, bodies_);
+      push_apart(one, bodies_, how);
+      expect_some_press(one);
+      move(bodies_), relax(one, bodies_, how);
+      prepare_and_start(blocks.blocks(), bodies);
+      push_apart(blocks.blocks(), bodies, how), move(bodies), relax(blocks.blocks(), bodies, how);
+    }
+    expect_same(bodies_, bodies);
+    for (std::size_t i = 0; i < one.size(); ++i) {
+      expect_same(one[i], blocks[i]);
+      EXPECT_EQ(one[i].arm_a, blocks[i].arm_a);
+      EXPECT_EQ(one[i].arm_b, blocks[i].arm_b);
+    }
+  }
+};
+
+TEST_P(FaceBlocksOnEachTarget, GiveTheBitsOfContactAfterContact) {
+  SCOPED_TRACE("seed " + std::to_string(seed_));
+  compare(true);
+}
+
+TEST_P(FaceBlocksOnEachTarget, GiveThemWithoutFriction) {
+  SCOPED_TRACE("seed " + std::to_string(seed_));
+  compare(false);
+}
+
+std::vector<std::int64_t> targets() {
+  std::vector<std::int64_t> list;
+  for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) list.push_back(left & -left);
+  return list;
+}
+
+const auto name_of = [](const auto& target) { return std::string(hwy::TargetName(target.param)); };
+INSTANTIATE_TEST_SUITE_P(, DiscBlocksOnEachTarget, ::testing::ValuesIn(targets()), name_of);
+INSTANTIATE_TEST_SUITE_P(, FaceBlocksOnEachTarget, ::testing::ValuesIn(targets()), name_of);
+
+}  // namespace
+}  // namespace throng
