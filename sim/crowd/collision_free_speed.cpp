@@ -11,6 +11,7 @@
 
 #include "sim/crowd/exponential.h"
 #include "sim/crowd/near-inl.h"
+#include "sim/random.h"
 
 #ifndef THRONG_COLLISION_FREE_SPEED
 #define THRONG_COLLISION_FREE_SPEED
@@ -18,7 +19,9 @@ namespace throng {
 
 /// In the order of the parameters.
 struct FreeSpeed {
-  double time_gap, strength, range, wall_strength, wall_range, cutoff;
+  double time_gap, strength, range, wall_strength, wall_range, cutoff, noise;
+
+  Vec doubt(const CrowdView& crowd, std::uint32_t place) const;
 };
 
 }  // namespace throng
@@ -56,14 +59,22 @@ Vec away_from_walls(const FreeSpeed& model, const CrowdView& crowd, std::uint32_
   return sum;
 }
 
+/// m, beyond which nobody turns the agent nor slows him down.
+HWY_INLINE double reach_of(const FreeSpeed& model, const CrowdView& crowd, std::uint32_t place) {
+  const double matters =
+      std::max(kNegligibleRanges * model.range, model.time_gap * crowd.desired_speed[place]);
+  return std::min(model.cutoff, crowd.radius[place] + crowd.largest_radius + matters);
+}
+
 void WalkFreely(const FreeSpeed& model, const CrowdView& crowd, std::span<const std::uint32_t> places,
                 std::span<Vec> velocity) {
   thread_local Others others;  // kept: a step allocates nothing
   thread_local std::vector<double> gap;
   for (const std::uint32_t place : places) {
-    others.gather(crowd, place, model.cutoff);
+    others.gather(crowd, place, reach_of(model, crowd, place));
     Vec heading = crowd.towards(place) + away_from_walls(model, crowd, place);
     heading += repulsion(model.strength, model.range, others, gap);
+    if (model.noise > 0.0) heading += model.doubt(crowd, place);
     const double length = heading.norm();
     if (length > 0.0) heading /= length;
     const double speed =
@@ -89,11 +100,15 @@ constexpr ModelParameter kParameters[] = {
     {"neighbour_range", 0.1, 1e-3, 1e2, "m", "Over which that falls by e, m."},
     {"wall_strength", 5.0, 0.0, 1e3, "", "Of the turning away from barriers that are touched."},
     {"wall_range", 0.02, 1e-3, 1e2, "m", "Over which that falls by e, m."},
-    {"cutoff", 3.0, 0.0, 1e3, "m", "How far others are looked at, centre to centre, m."}};
+    {"cutoff", 3.0, 0.0, 1e3, "m", "How far others are looked at, centre to centre, m."},
+    {"noise", 0.0, 0.0, 10.0, "",
+     "Added to each component of the direction, where the way is 1: up to this, at random in each step by "
+     "seed and "
+     "id; who blocks one another part."}};
 
 class CollisionFreeSpeed : public WalkingModel {
  public:
-  explicit CollisionFreeSpeed(std::span<const double> v) : model_{v[0], v[1], v[2], v[3], v[4], v[5]} {}
+  explicit CollisionFreeSpeed(std::span<const double> v) : model_{v[0], v[1], v[2], v[3], v[4], v[5], v[6]} {}
 
   void steer(const CrowdView& crowd, std::span<const std::uint32_t> places,
              std::span<Vec> velocity) const override {
@@ -113,6 +128,13 @@ class CollisionFreeSpeed : public WalkingModel {
 };
 
 }  // namespace
+
+Vec FreeSpeed::doubt(const CrowdView& crowd, std::uint32_t place) const {
+  Random random(crowd.seed, static_cast<std::uint64_t>(crowd.step),
+                static_cast<std::uint32_t>(crowd.id[place]), Purpose::doubt);
+  const double x = random.uniform(-noise, noise);
+  return {x, random.uniform(-noise, noise)};
+}
 
 ModelKind collision_free_speed() {
   return {"collision_free_speed", "Speed by the gap ahead, of Tordeux, Chraibi and Seyfried (2016).",

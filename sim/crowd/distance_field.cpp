@@ -52,6 +52,24 @@ Vec unit(const Vec& v) {
 DistanceField::DistanceField(const FloorPlan& plan, const Barriers& barriers, const Region& goal)
     : plan_(&plan), barriers_(&barriers), goal_(goal), per_cell_(1.0 / plan.cell) {
   distance_ = march(plan, barriers, seeds_for(plan, barriers, goal));
+  mark_broken();
+}
+
+void DistanceField::mark_broken() {
+  const auto columns = static_cast<std::size_t>(plan_->columns);
+  for (std::size_t node = 0; node < distance_.size(); ++node)
+    for (const std::size_t corner : {node, node + 1, node + columns, node + columns + 1}) {
+      const bool is_good = corner < distance_.size() && plan_->footing[corner] >= Footing::close &&
+                           std::abs(distance_[corner]) < kFar;
+      if (!is_good) distance_[node] = -std::abs(distance_[node]);
+    }
+}
+
+void DistanceField::prefetch(const Vec& p) const {
+  Cell cell;
+  if (!locate(p, cell)) return;
+  __builtin_prefetch(&distance_[cell.node]);
+  __builtin_prefetch(&distance_[cell.node + static_cast<std::size_t>(plan_->columns)]);
 }
 
 bool DistanceField::locate(const Vec& p, Cell& cell) const {
@@ -65,13 +83,6 @@ bool DistanceField::locate(const Vec& p, Cell& cell) const {
   return true;
 }
 
-/// Whether the cell's four corners are known and no barrier crosses it.
-bool DistanceField::is_whole(std::size_t node) const {
-  for (const std::size_t corner : {node, node + 1, node + plan_->columns, node + plan_->columns + 1})
-    if (plan_->footing[corner] < Footing::close || !(distance_[corner] < kFar)) return false;
-  return true;
-}
-
 double DistanceField::distance(const Vec& p) const {
   Cell cell;
   if (contains(goal_, p)) return 0.0;
@@ -81,13 +92,14 @@ double DistanceField::distance(const Vec& p) const {
     nearest_way(p, cell, 0.0, distance);
     return distance;
   }
-  const float *low = &distance_[cell.node], *high = low + plan_->columns;
-  return (1.0 - cell.v) * ((1.0 - cell.u) * low[0] + cell.u * low[1]) +
-         cell.v * ((1.0 - cell.u) * high[0] + cell.u * high[1]);
+  const std::size_t low = cell.node, high = low + static_cast<std::size_t>(plan_->columns);
+  return (1.0 - cell.v) * ((1.0 - cell.u) * at(low) + cell.u * at(low + 1)) +
+         cell.v * ((1.0 - cell.u) * at(high) + cell.u * at(high + 1));
 }
 
 Vec DistanceField::downhill(const Cell& cell) const {
-  const float *low = &distance_[cell.node], *high = low + plan_->columns;
+  const std::size_t node = cell.node, above = node + static_cast<std::size_t>(plan_->columns);
+  const float low[] = {at(node), at(node + 1)}, high[] = {at(above), at(above + 1)};
   return {(1.0 - cell.v) * (low[0] - low[1]) + cell.v * (high[0] - high[1]),
           (1.0 - cell.u) * (low[0] - high[0]) + cell.u * (low[1] - high[1])};
 }
@@ -100,9 +112,9 @@ std::size_t DistanceField::nearest_way(const Vec& p, const Cell& cell, double ne
   for (std::size_t y = row - (row > 0); y < std::min<std::size_t>(row + 3, plan_->rows); ++y)
     for (std::size_t x = column - (column > 0); x < std::min(column + 3, columns); ++x) {
       const std::size_t node = y * columns + x;
-      if (!(distance_[node] < kFar)) continue;
+      if (!(at(node) < kFar)) continue;
       const Vec to = plan_->node(node);
-      const double way = (to - p).norm(), length = distance_[node] + way;
+      const double way = (to - p).norm(), length = at(node) + way;
       if (!(way >= nearest && length < distance) || barriers_->block(p, to)) continue;
       best = node, distance = length;
     }

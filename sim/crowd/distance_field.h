@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -28,13 +29,19 @@ class DistanceField {
   /// barriers.
   Vec direction(const Vec& p) const;
 
+  /// Asks for the memory that `direction` will read of `p`.
+  void prefetch(const Vec& p) const;
+
  private:
   struct Cell {
     std::size_t node;  ///< its lower left
     double u, v;       ///< 0 to 1: where in it
   };
   bool locate(const Vec& p, Cell& cell) const;
-  bool is_whole(std::size_t node) const;
+  float at(std::size_t node) const { return std::abs(distance_[node]); }
+  /// Whether the four corners of the cell are known and no barrier crosses it.
+  bool is_whole(std::size_t node) const { return !std::signbit(distance_[node]); }
+  void mark_broken();
   Vec downhill(const Cell& cell) const;
   /// The node round `p`, at least `nearest` away, over which the goal is nearest, and how far it is that way;
   /// size() where there is none.
@@ -43,8 +50,10 @@ class DistanceField {
   const FloorPlan* plan_;
   const Barriers* barriers_;
   Region goal_;
-  double per_cell_;              ///< 1/m
-  std::vector<float> distance_;  ///< m, of the nodes
+  double per_cell_;  ///< 1/m
+  /// m, of the nodes; below zero, or -0, where the cell up and right of the node isn't whole: one place in
+  /// memory says both.
+  std::vector<float> distance_;
 };
 
 }  // namespace throng

@@ -83,6 +83,12 @@ constexpr ModelParameter kParameters[] = {
     {"friction", 2.4e5, 0.0, 1e9, "kg/(m s)", "Of bodies in touch, kg/(m s)."},
     {"cutoff", 2.5, 0.0, 1e3, "m", "How far others are looked at, centre to centre, m."}};
 
+/// Found by throng bench validation: IMO 4, 8 and 9, and the bottlenecks of Seyfried (2009).
+constexpr double kCalibrated[] = {80.0, 0.922, 185.0, 0.0731, 3.48e4, 3.18e5, 2.5};
+constexpr ModelPreset kPresets[] = {
+    {"calibrated", "for people in rooms and at exits, by throng bench validation", kCalibrated}};
+static_assert(std::size(kCalibrated) == std::size(kParameters));
+
 constexpr double kTouching = 6.0;  // as many discs of one size may touch one
 
 class SocialForce : public WalkingModel {
@@ -126,7 +132,8 @@ ModelKind social_force() {
   return {"social_force", "Forces of Helbing, Farkas and Vicsek (2000).", kParameters,
           [](std::span<const double> values) -> std::unique_ptr<WalkingModel> {
             return std::make_unique<SocialForce>(values);
-          }};
+          },
+          kPresets};
 }
 
 }  // namespace throng

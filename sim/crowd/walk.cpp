@@ -14,6 +14,8 @@ namespace throng {
 
 namespace {
 
+constexpr std::size_t kAhead = 16;  // agents, in whose time memory comes
+
 double largest_radius(const Scene& scene) {
   double largest = 0.0;
   for (std::size_t agent = 0; agent < scene.crowd.size(); ++agent)
@@ -119,11 +121,19 @@ void Walk::rank(const State& state, std::size_t place) {
   ranks_.id[place] = state.id[row];
 }
 
+void Walk::prefetch(const State& state, std::size_t place) const {
+  const std::size_t row = cells_.row()[place];
+  goals_[goal(state, row)].field->prefetch(state.position[row]);
+}
+
 void Walk::look(const State& state, Workers& workers) {
   cells_.sort(state.position, reach_);
   ranks_.resize(state.id.size());
   workers.for_ranges(state.id.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t place = begin; place < end; ++place) rank(state, place);
+    for (std::size_t place = begin; place < end; ++place) {
+      prefetch(state, std::min(place + kAhead, end - 1));
+      rank(state, place);
+    }
   });
 }
 

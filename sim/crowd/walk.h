@@ -61,6 +61,7 @@ class Walk {
   void expect_ways() const;
   bool leads(std::uint32_t goal, const Vec& place) const;  // a way, from there
   void rank(const State& state, std::size_t place);
+  void prefetch(const State& state, std::size_t place) const;  // of its goal's field
   void measure_all(State& state);
   std::size_t agent(const State& state, std::size_t row) const { return state.id[row] - std::size_t{1}; }
   const Journey& journey(std::size_t agent) const {

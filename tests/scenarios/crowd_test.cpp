@@ -56,6 +56,20 @@ TEST(Crowd, IsReadWithItsFloorItsAreasAndItsAgents) {
   }
 }
 
+TEST(Crowd, StartsFromAPresetOfItsModel) {
+  const Loaded loaded = load_text(kFloor + kGroup + kRandom +
+                                  "social_force = { preset = \"calibrated\", reaction_time = 0.7 }\n");
+  ASSERT_EQ(loaded.errors(), 0) << faults(loaded);
+  const AgentGroup& group = loaded.scene.crowd.groups.at(0);
+  const ModelKind& kind = walking_models()[group.model];
+  ASSERT_EQ(kind.presets.size(), 1u);
+  for (std::size_t i = 0; i < kind.parameters.size(); ++i)
+    EXPECT_EQ(group.parameters[i],
+              std::string(kind.parameters[i].key) == "reaction_time" ? 0.7 : kind.presets[0].values[i]);
+  expect_fault(kFloor + kGroup + kRandom + "social_force = { preset = \"calibrate\" }\n",
+               "agents[0].social_force.preset");
+}
+
 TEST(Crowd, WalksOnTheDomainsBoxWhereNoFloorIsGiven) {
   const Loaded loaded =
       load_text("throng = 1\ndomain.box = [[0, 0], [9, 9]]\nareas.exit = [[8, 0], [9, 0], [9, 9]]\n" +

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <random>
 
@@ -30,7 +31,8 @@ struct Group {
 
   Vec ask(const std::string& name, std::uint32_t row = 0) {
     std::vector<double> values;
-    for (const ModelParameter& p : kind(name).parameters) values.push_back(p.preset);
+    for (const ModelParameter& p : kind(name).parameters)
+      values.push_back(set.contains(p.key) ? set.at(p.key) : p.preset);
     const auto model = kind(name).make(values);
     cells.sort(position, model->reach(0.25));
     const auto by_place = [&](auto value) {
@@ -55,6 +57,7 @@ struct Group {
   }
 
   double dt = 0.01;
+  std::map<std::string, double> set;  // of the model's parameters
   std::vector<Vec> position, velocity, towards;
   std::vector<double> radius, desired_speed;
   CrowdCells cells;
@@ -159,6 +162,38 @@ TEST(CollisionFreeSpeed, TurnsAwayByTheSumOfItsNeighbours) {
 }
 
 /// Both must give way by half of what brings them past each other: their half planes by the paper, by hand.
+TEST(CollisionFreeSpeed, LeavesOutWhoIsTooFarToSlowItDown) {
+  Group group({{0, 0}, {1.52, 0}});
+  group.set = {{"neighbour_strength", 0.0}, {"time_gap", 1.0}};
+  EXPECT_EQ(group.ask("collision_free_speed"), Vec(1, 0)) << "a gap of 1.02 m at 1 m/s and 1 s";
+  group.position[1] = Vec(1.45, 0);
+  EXPECT_NEAR(group.ask("collision_free_speed").x(), 0.95, 1e-12);
+  group.desired_speed[0] = 2.0;
+  group.position[1] = Vec(2.4, 0);
+  EXPECT_NEAR(group.ask("collision_free_speed").x(), 1.9, 1e-12) << "who is faster looks farther";
+}
+
+TEST(CollisionFreeSpeed, NoiseTurnsItTheSameWayEachTime) {
+  Group group({{0, 0}});
+  group.set = {{"noise", 0.1}};
+  const Vec v = group.ask("collision_free_speed");
+  EXPECT_NEAR(v.norm(), 1.0, 1e-15);
+  EXPECT_NE(v, Vec(1, 0));
+  EXPECT_LE(std::abs(v.y()), 0.1 / 0.9);
+  EXPECT_EQ(group.ask("collision_free_speed"), v) << "by seed, step and id";
+}
+
+TEST(Models, PresetsHaveAValueInRangeForEachParameter) {
+  for (const ModelKind& one : walking_models())
+    for (const ModelPreset& preset : one.presets) {
+      ASSERT_EQ(preset.values.size(), one.parameters.size()) << one.name << " " << preset.name;
+      for (std::size_t i = 0; i < one.parameters.size(); ++i) {
+        EXPECT_GE(preset.values[i], one.parameters[i].low) << one.parameters[i].key;
+        EXPECT_LE(preset.values[i], one.parameters[i].high) << one.parameters[i].key;
+      }
+    }
+}
+
 TEST(Orca, TwoWhoMeetShareTheWayRound) {
   Group group({{0, 0}, {4, 0.3}});
   group.velocity = {{1, 0}, {-1, 0}}, group.towards = {{1, 0}, {-1, 0}};
