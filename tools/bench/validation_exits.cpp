@@ -107,6 +107,53 @@ Finding half_the_exits(const Trials& trials) {
           {{"four", four.last_arrival()}, {"two", two.last_arrival()}}};
 }
 
+/// How many times as long it takes people who want 5 m/s as those who want 1.5 m/s.
+Finding hurry(const Trials& trials) {
+  double last[2] = {};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Walked walked =
+        trials.walk("panic", {"time.dt=0.01", std::string("agents[0].desired_speed=") + (i ? "5" : "1.5")});
+    if (walked.crossings[0].size() < walked.arrival.size()) return {{}, unfinished(walked)};
+    last[i] = walked.crossings[0].back();
+  }
+  return {last[1] / last[0], "", {{"at_1.5", last[0]}, {"at_5", last[1]}}};
+}
+
+std::string behind_exit(double distance) {
+  const std::string from = number(8.2 + distance), to = number(9.2 + distance);
+  return "areas.beyond=POLYGON ((" + from + " 0, " + to + " 0, " + to + " 5, " + from + " 5, " + from +
+         " 0))";
+}
+
+/// s, how much later the last one arrives 10 m behind the exit than at once behind it.
+Finding farther_goal(const Trials& trials) {
+  const std::string floor =
+      "walkable=POLYGON ((0 0, 8 0, 8 2, 8.2 2, 8.2 0, 20 0, 20 5, 8.2 5, 8.2 3, 8 3, 8 5, 0 5, 0 0))";
+  double last[2] = {};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Walked walked = trials.walk("exit", {floor, behind_exit(i ? 10.0 : 0.0)});
+    if (walked.missing() > 0) return {{}, unfinished(walked)};
+    last[i] = walked.last_arrival();
+  }
+  return {last[1] - last[0]};
+}
+
+/// The flow (kDraws of the crowd) into a bottleneck 5 m long over that into one of 0.2 m.
+Finding longer_bottleneck(const Trials& trials) {
+  double sum[2] = {};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::string end = number(i ? 13.0 : 8.2);
+    const std::string floor = "walkable=POLYGON ((0 0, 8 0, 8 3.5, " + end + " 3.5, " + end +
+                              " 0, 16 0, 16 8, " + end + " 8, " + end + " 4.5, 8 4.5, 8 8, 0 8, 0 0))";
+    for (int seed = 1; seed <= kDraws; ++seed) {
+      const Walked walked = trials.walk("seyfried", {floor, "seed=" + std::to_string(seed)});
+      if (walked.missing() > 0) return {{}, unfinished(walked)};
+      sum[i] += flow(walked.crossings[0]) / kDraws;
+    }
+  }
+  return {sum[1] / sum[0], "", {{"short", sum[0]}, {"long", sum[1]}}};
+}
+
 }  // namespace
 
 std::span<const ValidationCase> exit_cases() {
@@ -119,6 +166,11 @@ std::span<const ValidationCase> exit_cases() {
        linear_in_width},
       {"IMO 9, RiMEA 9: half the exits", "time to leave the hall, over that by all four exits", "", 1.6, 2.4,
        half_the_exits},
+      {"RiMEA 12a: goal behind an exit", "how much later the last arrives 10 m behind it than at it", "s",
+       0.0, kNever, farther_goal},
+      {"RiMEA 12b: length of a bottleneck", "flow through 5 m over that through 0.2 m", "", 0.0, 1.0,
+       longer_bottleneck},
+      {"faster is slower", "time to leave at 5 m/s over that at 1.5 m/s", "", 1.0, kNever, hurry},
   };
   return all;
 }

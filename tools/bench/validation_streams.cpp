@@ -27,12 +27,87 @@ Finding delay_by_counterflow(const Trials& trials) {
   return {least, "", {{"last", last}}};
 }
 
+/// Speed (m/s) at a density (1/m²): Weidmann, "Transporttechnik der Fussgänger" (1993).
+double weidmann(double density) {
+  return 1.34 * (1.0 - std::exp(-1.913 * (1.0 / density - 1.0 / 5.4)));
+}
+
+/// m/s, the worst difference from Weidmann's curve, of crowds of 0.5 to 3 a m².
+Finding off_weidmann(const Trials& trials) {
+  std::vector<double> densities, speeds;
+  double worst = 0.0;
+  for (const int people : {90, 180, 360, 540}) {
+    const Walked walked = trials.walk("fundamental", {"agents[0].count=" + std::to_string(people)});
+    const Reading read = reading(walked.scene.crowd.measures[0], walked.measured[0], walked.scene.time.dt);
+    if (!read.density || !read.speed) return {{}, "nobody was in the middle"};
+    densities.push_back(*read.density), speeds.push_back(*read.speed);
+    worst = std::max(worst, std::abs(*read.speed - std::max(0.0, weidmann(*read.density))));
+  }
+  return {worst, "", {{"density", densities}, {"speed", speeds}}};
+}
+
+/// Of the rows (0.5 m of the corridor's width each) with two people or more in the middle, the mean of
+/// ((a - b) / (a + b))^2, a and b of them to the east and to the west: 1 where each is one stream's own.
+double order(const Scene& scene, const State& state) {
+  constexpr int kRows = 8;
+  double to_east[kRows] = {}, to_west[kRows] = {}, sum = 0.0, rows = 0.0;
+  for (std::size_t row = 0; row < state.id.size(); ++row) {
+    const Vec& p = state.position[row];
+    if (p.x() < 12.0 || p.x() > 28.0) continue;
+    const int lane = std::clamp(static_cast<int>(2.0 * p.y()), 0, kRows - 1);
+    (scene.crowd.group[state.id[row] - 1] == 0 ? to_east : to_west)[lane] += 1.0;
+  }
+  for (int lane = 0; lane < kRows; ++lane) {
+    const double all = to_east[lane] + to_west[lane];
+    if (all < 2.0) continue;
+    sum += (to_east[lane] - to_west[lane]) * (to_east[lane] - to_west[lane]) / (all * all);
+    rows += 1.0;
+  }
+  return rows > 0.0 ? sum / rows : 0.0;
+}
+
+Finding lane_order(const Trials& trials) {
+  double sum = 0.0, samples = 0.0;
+  trials.walk("lanes", {}, [&](const Scene& scene, const State& state) {
+    if (static_cast<double>(state.step) * scene.time.dt < 30.0) return;
+    sum += order(scene, state), samples += 1.0;
+  });
+  return {sum / std::max(samples, 1.0)};
+}
+
+/// The density of the second measure over that of the first.
+Finding second_over_first(const Trials& trials, const char* scenario) {
+  const Walked walked = trials.walk(scenario);
+  double density[2] = {};
+  for (std::size_t i = 0; i < 2; ++i)
+    density[i] = reading(walked.scene.crowd.measures[i], walked.measured[i], walked.scene.time.dt)
+                     .density.value_or(0.0);
+  if (!(density[0] > 0.0)) return {{}, "nobody was there"};
+  return {density[1] / density[0], "", {{"first", density[0]}, {"second", density[1]}}};
+}
+
+Finding second_door(const Trials& trials) {
+  return second_over_first(trials, "twice");
+}
+
+Finding corridor_behind(const Trials& trials) {
+  return second_over_first(trials, "congestion");
+}
+
 }  // namespace
 
 std::span<const ValidationCase> stream_cases() {
   static const ValidationCase all[] = {
       {"IMO 8, NIST 2.8: counterflow", "least delay of the last of 100 by 10, 50, 100 against them", "s",
        0.02, kNever, delay_by_counterflow},
+      {"Weidmann, RiMEA 4: fundamental diagram", "worst difference of speed, at 0.5 to 3 people a m^2", "m/s",
+       0.0, 0.3, off_weidmann},
+      {"lane formation", "order of two streams, from 1/n where mixed to 1 where apart", "", 0.8, 1.0,
+       lane_order},
+      {"RiMEA 12c: two doors", "density before the second, over that before the first", "", 0.0, 0.7,
+       second_door},
+      {"NIST 5.1: congestion", "density in the corridor, over that before the room's exit", "", 0.0, 0.99,
+       corridor_behind},
   };
   return all;
 }
