@@ -173,6 +173,12 @@ HWY_INLINE Reals press(Reals& impulse, Reals mass, Reals velocity, const WideWis
   return hn::Sub(impulse, old);
 }
 
+/// Whether both are zero in all lanes.
+HWY_INLINE bool idle(Reals impulse, Reals old) {
+  const Reals zero = hn::Zero(D());
+  return hn::AllFalse(D(), hn::Or(hn::Ne(impulse, zero), hn::Ne(old, zero)));
+}
+
 /// The change of the tangential impulse that stops the slip, within friction times the normal one.
 HWY_INLINE Reals rub(Reals& impulse, Reals mass, Reals slip, Reals limit) {
   const Reals old = impulse;

@@ -32,14 +32,16 @@ HWY_INLINE void apply(Motion& a, Motion& b, const DiscBlock& c, std::size_t k, R
   b.spin = hn::Sub(b.spin, hn::Mul(load(c.turn_b + k), tangent));
 }
 
-/// The change of the impulses that grants the wish and stops the slip, applied where `pressing`.
-HWY_INLINE void respond(DiscBlock& c, std::size_t k, Motion& a, Motion& b, const WideWish& wish,
+/// The change of the impulses that grants the wish and stops the slip, applied where `pressing`. False where
+/// there was no impulse in any lane and is none: then nothing has changed.
+HWY_INLINE bool respond(DiscBlock& c, std::size_t k, Motion& a, Motion& b, const WideWish& wish,
                         Mask pressing, bool friction) {
   const Reals nx = load(c.normal_x + k), ny = load(c.normal_y + k);
   const Reals dx = hn::Sub(b.velocity_x, a.velocity_x), dy = hn::Sub(b.velocity_y, a.velocity_y);
   Reals impulse = load(c.normal_impulse + k), tangent = hn::Zero(D());
   const Reals normal =
       hn::IfThenElseZero(pressing, press(impulse, load(c.normal_mass + k), dot(dx, dy, nx, ny), wish));
+  if (idle(impulse, load(c.normal_impulse + k))) return false;
   store(hn::IfThenElse(pressing, impulse, load(c.normal_impulse + k)), c.normal_impulse + k);
   if (friction) {
     const Reals turning = dot(a.spin, b.spin, load(c.radius_a + k), load(c.radius_b + k));
@@ -50,6 +52,7 @@ HWY_INLINE void respond(DiscBlock& c, std::size_t k, Motion& a, Motion& b, const
     store(hn::IfThenElse(pressing, across, load(c.tangent_impulse + k)), c.tangent_impulse + k);
   }
   apply(a, b, c, k, normal, tangent);
+  return true;
 }
 
 /// `way` less the whole periods that make it shortest.
@@ -83,9 +86,10 @@ HWY_INLINE void prepare(DiscBlock& c, std::size_t k, const SolverBody* bodies, c
 void prepare_and_start(std::span<DiscBlock> blocks, SolverBody* bodies, const Vec* period) {
   for_each_part(blocks, [=](DiscBlock& c, std::size_t k) HWY_ATTR {
     prepare(c, k, bodies, period);
-    Motion a = motion(bodies, c.a + k), b = motion(bodies, c.b + k);
     const Reals impulse = load(c.normal_impulse + k);
     const Mask pressing = hn::Gt(impulse, hn::Zero(D()));
+    if (hn::AllFalse(D(), pressing)) return;
+    Motion a = motion(bodies, c.a + k), b = motion(bodies, c.b + k);
     apply(a, b, c, k, hn::IfThenElseZero(pressing, impulse),
           hn::IfThenElseZero(pressing, load(c.tangent_impulse + k)));
     keep(a, bodies, c.a + k), keep(b, bodies, c.b + k);
@@ -97,7 +101,7 @@ void push_apart(std::span<DiscBlock> blocks, SolverBody* bodies, const SolverSet
   const Mask all = hn::FirstN(D(), kLanes);
   for_each_part(blocks, [=, friction = settings.friction](DiscBlock& c, std::size_t k) HWY_ATTR {
     Motion a = motion(bodies, c.a + k), b = motion(bodies, c.b + k);
-    respond(c, k, a, b, pusher.wish(load(c.separation + k)), all, friction);
+    if (!respond(c, k, a, b, pusher.wish(load(c.separation + k)), all, friction)) return;
     keep(a, bodies, c.a + k), keep(b, bodies, c.b + k);
   });
 }

@@ -59,14 +59,16 @@ HWY_INLINE void keep(const Pair& pair, const FaceBlock& c, std::size_t k, Solver
 }
 
 /// The change of one point's impulses that grants the wish, then stops the slip; applied where `pressing`.
-HWY_INLINE void respond(FaceBlock::Point& p, std::size_t k, Pair& pair, Reals rough, const WideWish& wish,
+/// False where there was no impulse in any lane and is none: then nothing has changed.
+HWY_INLINE bool respond(FaceBlock::Point& p, std::size_t k, Pair& pair, Reals rough, const WideWish& wish,
                         Mask pressing, bool friction) {
   Reals impulse = load(p.normal_impulse + k);
   const Reals speed = dot(pair.velocity_x(p, k), pair.velocity_y(p, k), pair.nx, pair.ny);
   const Reals normal = hn::IfThenElseZero(pressing, press(impulse, load(p.normal_mass + k), speed, wish));
+  if (idle(impulse, load(p.normal_impulse + k))) return false;
   store(hn::IfThenElse(pressing, impulse, load(p.normal_impulse + k)), p.normal_impulse + k);
   pair.apply(p, k, hn::Mul(normal, pair.nx), hn::Mul(normal, pair.ny));
-  if (!friction) return;
+  if (!friction) return true;
   Reals across = load(p.tangent_impulse + k);
   const Reals slip =
       hn::Sub(hn::Mul(pair.velocity_y(p, k), pair.nx), hn::Mul(pair.velocity_x(p, k), pair.ny));
@@ -74,6 +76,7 @@ HWY_INLINE void respond(FaceBlock::Point& p, std::size_t k, Pair& pair, Reals ro
       hn::IfThenElseZero(pressing, rub(across, load(p.tangent_mass + k), slip, hn::Mul(rough, impulse)));
   store(hn::IfThenElse(pressing, across, load(p.tangent_impulse + k)), p.tangent_impulse + k);
   pair.apply(p, k, hn::Neg(hn::Mul(tangent, pair.ny)), hn::Mul(tangent, pair.nx));
+  return true;
 }
 
 /// The vector after a turn by a small angle, as in solve.cpp.
@@ -117,9 +120,11 @@ void push_apart(std::span<FaceBlock> blocks, SolverBody* bodies, const SolverSet
   const Mask all = hn::FirstN(D(), kLanes);
   for_each_part(blocks, [=, friction = settings.friction](FaceBlock& c, std::size_t k) HWY_ATTR {
     Pair bound = pair(c, k, bodies, place(bodies, c.a + k), place(bodies, c.b + k));
+    bool changed = false;
     for (FaceBlock::Point& point : std::span(c.points, c.count))
-      respond(point, k, bound, load(c.friction + k), pusher.wish(load(point.separation + k)), all, friction);
-    keep(bound, c, k, bodies);
+      changed |= respond(point, k, bound, load(c.friction + k), pusher.wish(load(point.separation + k)), all,
+                         friction);
+    if (changed) keep(bound, c, k, bodies);
   });
 }
 
@@ -130,13 +135,14 @@ void relax(std::span<FaceBlock> blocks, SolverBody* bodies, const SolverSettings
     const Place a = place(bodies, c.a + k), b = place(bodies, c.b + k);
     Pair bound = pair(c, k, bodies, a, b);
     const Reals way = dot(bound.nx, bound.ny, hn::Sub(b.x, a.x), hn::Sub(b.y, a.y));
+    bool changed = false;
     for (FaceBlock::Point& point : std::span(c.points, c.count)) {
       const Mask pressing = hn::Ne(load(point.normal_impulse + k), hn::Zero(d));
       const Reals separation = hn::Add(load(point.offset + k), way);
       const WideWish wish{hn::Mul(hn::Max(separation, hn::Zero(d)), rate), hn::Set(d, 1.0), hn::Zero(d)};
-      respond(point, k, bound, load(c.friction + k), wish, pressing, friction);
+      changed |= respond(point, k, bound, load(c.friction + k), wish, pressing, friction);
     }
-    keep(bound, c, k, bodies);
+    if (changed) keep(bound, c, k, bodies);
   });
 }
 
