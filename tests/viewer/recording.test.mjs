@@ -255,6 +255,28 @@ describe("of agents", () => {
     assert.deepEqual(charts(agents.description, 0.5, 0).map(({ title }) => title), ["Overlap", "Counts"]);
   });
 
+  test("what was measured of them has curves, up to the numbers of the summary", () => {
+    const run = record("counterflow", scenario("counterflow"), ["--until", "12", "--every", "10", "--set", "record.observables=20"]);
+    const recording = open(library, "counterflow.h5"), { description } = recording;
+    assert.deepEqual(description.observed, ["arrived", "measure/middle/count", "measure/middle/density", "measure/middle/speed",
+                                            "measure/line/count", "measure/line/flow", "measure/line/speed"]);
+    const last = Object.fromEntries(recording.observed(description.times.length - 1).map((value, k) => [description.observed[k], value]));
+    const { arrived, measure: { line, middle } } = run;
+    assert.deepEqual([last.arrived, last["measure/line/count"], last["measure/line/flow"], last["measure/middle/count"]],
+                     [arrived, line.count, line.flow, middle.count]);
+    assert.ok(line.count > 20 && recording.observed(0)[1] === 0 && Number.isNaN(recording.observed(0)[2]));
+    assert.deepEqual(recording.observed(3), recording.observed(2), "frames in between have the last row");
+    const shown = charts(description, 0.5, 0).slice(2), points = [...scan(recording, new ContactFinder(description), 0.5)];
+    assert.deepEqual(shown.map(({ title, curves }) => [title, curves.map(({ name }) => name)]),
+                     [["Counted", ["arrived", "middle", "line"]], ["Flow", ["line"]], ["Density", ["middle"]], ["Speed", ["middle", "line"]]]);
+    const end = points.find(({ frame }) => frame === description.times.length - 1);
+    assert.deepEqual(shown[0].curves.map(({ value }) => value(end)), [arrived, middle.count, line.count]);
+    recording.file.close();
+    copyFileSync(path("counterflow.h5"), path("short.h5"));
+    alter("short.h5", "f['observables/measure/line/count/value'].resize(3, 0)");
+    assert.match(refusal("short.h5"), /observables are missing/);
+  });
+
   test("they overlap as deep as the program measured", () => {
     record("bottleneck", scenario("bottleneck"), ["--until", "8", "--every", "20", "--set", "record.observables=20"]);
     const recording = open(library, "bottleneck.h5"), finder = new ContactFinder(recording.description);

@@ -2,6 +2,7 @@
 // A recording: its scene, and its frames one by one, that of a run still going or killed included.
 import { attribute, BadFile, damaged, dataset, numbers, OpenFile } from "./h5.js";
 import { everyOf, Quantized } from "./quantized.js";
+import { Observed } from "./observed.js";
 import { gather, Presence, scatter } from "./presence.js";
 import { readScene } from "./scene.js";
 
@@ -12,7 +13,8 @@ import { readScene } from "./scene.js";
  * @typedef {{frame: (sample: number, bodies: number, rows?: Int32Array) => Float32Array | Float64Array, extent: number, every: number}} Stored
  *   frame: of the first so many bodies of a sample
  * @typedef {import("./scene.js").Scene & {fields: Field[], rates: {[field in Field]?: number}, times: Float64Array,
- *   steps: Float64Array, complete: boolean}} Description  rates: steps from one sample of a field to the next
+ *   steps: Float64Array, complete: boolean, observed: string[]}} Description  rates: steps from one sample of a field to the next;
+ *   observed: the columns of what a crowd's measures count
  */
 
 /** @type {[Field, number][]} */
@@ -46,6 +48,7 @@ export class Recording {
   #steps = new Float64Array(0);  // of all frames
   #samples = /** @type {Map<number, {sample: Int32Array, frame: Int32Array}>} */ (new Map());  // by rate: the last up to each frame
   #presence = /** @type {Presence | null} */ (null);  // null: all bodies are in all frames
+  #observed = /** @type {Observed | null} */ (null);
   #chosen = /** @type {number[]} */ ([]);  // the frames of the file that hold positions, which alone are shown
   /** @type {Description} */
   description;
@@ -60,6 +63,8 @@ export class Recording {
       this.description = this.#describe();
       this.#readFields();
       this.#readRows();
+      this.#observed = new Observed(this.file, this.#steps);
+      this.description.observed = this.#observed.columns;
     } catch (error) {
       this.file.close();
       throw error;
@@ -69,7 +74,7 @@ export class Recording {
   /** @returns {Description} */
   #describe() {
     const scene = readScene(this.file);
-    return { ...scene, fields: [], rates: {}, times: new Float64Array(0), steps: new Float64Array(0),
+    return { ...scene, fields: [], observed: [], rates: {}, times: new Float64Array(0), steps: new Float64Array(0),
              complete: numbers(this.file, "throng/finished", "int", [])[0] !== 0 };
   }
 
@@ -157,6 +162,11 @@ export class Recording {
       if (values) frame[field] = values;
     }
     return frame;
+  }
+
+  /** What was observed of the crowd up to frame i, by description.observed; NaN where that isn't known. @param {number} i */
+  observed(i) {
+    return this.#observed?.at(this.description.steps[i]) ?? [];
   }
 
   /** The last up to frame i: which sample, and which frame of the file that was. @param {number} i @param {number} every */

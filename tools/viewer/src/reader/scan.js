@@ -18,7 +18,7 @@ export function coarseFirst(n) {
 
 /**
  * @typedef {{frame: number, time: number, kinetic: number, turning: number, potential: number, moving: number, present: number, contacts: number,
- *   largest: number, mean: number}} Point  as Measures and Contacts have them
+ *   largest: number, mean: number, observed: number[]}} Point  as Measures and Contacts have them; observed: by description.observed
  */
 
 /**
@@ -35,6 +35,6 @@ export function* scan(recording, finder, slow) {
     const i = rows[k], frame = recording.frame(i, ["position", "angle", "velocity", "spin"]);
     const contacts = done < withContacts && tellsContacts(description, i) ? finder.find(frame) : null;
     yield { frame: i, time: description.times[i], ...measure(description, frame, slow),
-            contacts: contacts ? contacts.pairs.length / 2 : NaN, largest: contacts?.largest ?? NaN, mean: contacts?.mean ?? NaN };
+            contacts: contacts ? contacts.pairs.length / 2 : NaN, largest: contacts?.largest ?? NaN, mean: contacts?.mean ?? NaN, observed: recording.observed(i) };
   }
 }

@@ -26,7 +26,20 @@ export function charts(d, slow, lowest) {
     { title: "Counts", unit: number, curves: [...(d.bodies.changes ? [{ name: "here", colour: "var(--ink)", value: (/** @type {Point} */ p) => p.present }] : []), { name: "touching", colour: "var(--curve-1)", value: p => p.contacts },
       ...(moves ? [{ name: `faster than ${short(slow, 2)} m/s`, colour: "var(--curve-2)", value: (/** @type {Point} */ p) => p.moving }] : [])] },
   ];
-  return all.filter(chart => chart.curves.length > 0);
+  return [...all, ...crowdCharts(d)].filter(chart => chart.curves.length > 0);
+}
+
+const COLOURS = ["var(--curve-1)", "var(--curve-2)", "var(--ink)"];
+
+/** What the scenario measured of its crowd; each kind of column is a chart. @param {import("../reader/recording.js").Description} d @returns {Chart[]} */
+function crowdCharts({ observed = [] }) {
+  const of = (/** @type {string} */ title, /** @type {(value: number) => string} */ unit, /** @type {string} */ column, /** @type {string[]} */ more = []) => {
+    const paths = [...more, ...observed.filter(path => path.startsWith("measure/") && path.endsWith(`/${column}`))].filter(path => observed.includes(path));
+    return { title, unit, curves: paths.map((path, i) => ({ name: path.split("/")[1] ?? path, colour: COLOURS[i % COLOURS.length],
+                                                            value: (/** @type {Point} */ p) => p.observed[observed.indexOf(path)] ?? NaN })) };
+  };
+  return [of("Counted", value => short(Math.round(value), 6), "count", ["arrived"]), of("Flow", value => `${short(value, 3)} /s`, "flow"),
+          of("Density", value => `${short(value, 3)} /m²`, "density"), of("Speed", value => si(value, "m/s"), "speed")];
 }
 
 /** Up to `most` + 1 round values from low to high. @param {number} low @param {number} high @param {number} [most] @returns {number[]} */

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// What a run observed of its crowd: who arrived, and what measures count, column by column.
+import { damaged, dataset, texts } from "./h5.js";
+import { everyOf } from "./quantized.js";
+
+const MOST = 64;  // columns that are shown
+const OF_LINES = ["count", "flow", "speed"], OF_AREAS = ["count", "density", "speed"];
+
+/** Paths below /observables, of those that there are. @param {import("./h5.js").OpenFile} file */
+function columnsOf(file) {
+  if (!file.get("observables/agents")) return [];
+  const names = file.get("throng/measures") ? texts(file, "throng/measures/name", [-1]) : [];
+  const has = (/** @type {string} */ path) => Boolean(file.get(`observables/${path}`));
+  const of = (/** @type {string} */ name) => (has(`measure/${name}/density`) ? OF_AREAS : OF_LINES).map(column => `measure/${name}/${column}`);
+  return ["arrived", ...names.flatMap(of)].slice(0, MOST);
+}
+
+export class Observed {
+  columns;
+  #every = 1;
+  #steps = new Float64Array(0);  // of the samples
+  #values = /** @type {ArrayLike<number>[]} */ ([]);
+
+  /** Throws BadFile. @param {import("./h5.js").OpenFile} file @param {Float64Array} steps  of all frames */
+  constructor(file, steps) {
+    this.columns = columnsOf(file);
+    if (this.columns.length === 0) return;
+    this.#every = everyOf(file.get("observables"));
+    this.#steps = steps.filter(step => step % this.#every === 0);
+    this.#values = this.columns.map(path => dataset(file, `observables/${path}/value`, "float", [-1]).value ?? []);
+    if (this.#values.some(values => values.length < this.#steps.length)) throw damaged("observables are missing that it says it holds");
+  }
+
+  /** The last row up to a step. @param {number} step */
+  at(step) {
+    let low = 0, high = this.#steps.length;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (this.#steps[middle] <= step) low = middle + 1; else high = middle;
+    }
+    return this.#values.map(values => low > 0 ? values[low - 1] : NaN);
+  }
+}
