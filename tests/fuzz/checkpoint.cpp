@@ -98,15 +98,22 @@ const std::array<Scene, 2>& scenes() {
   return both;
 }
 
+/// A run of each, made once: the way to the agents' goals takes seconds to find where all is watched.
+Simulation& run_of(const Scene& scene) {
+  static const std::array<std::unique_ptr<Simulation>, 2> runs{simulation(scenes()[0]),
+                                                               simulation(scenes()[1])};
+  return *runs[&scene == &scenes()[1]];
+}
+
 /// Contacts of the file may be of bodies that do not touch, or do not exist.
 void go_on(const State& state) {
   for (const Scene& scene : scenes()) {
     if (!fits(state, scene) || state.step > scene.time.steps()) continue;  // as `throng resume`
-    const std::unique_ptr<Simulation> run = simulation(scene);
-    if (!run->restore(state)) continue;
+    Simulation& run = run_of(scene);
+    if (!run.restore(state)) continue;
     try {
-      run->step();
-      run->step();
+      run.step();
+      run.step();
     } catch (const SimulationError&) {  // a body that runs away
     }
   }
