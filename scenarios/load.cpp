@@ -24,7 +24,7 @@ void warn_of_idle_borders(const toml::table& root, const Scene& scene, Report& r
   if (scene.domain.kind == DomainKind::box)
     report.warning(root["domain"]["box"].node()->source(), "domain.box",
                    "holds nobody: contact.model is \"none\", and the box is only drawn");
-  if (!scene.walls.empty())
+  if (!scene.walls.empty() && !root.contains("sensors"))  // which may heed them
     report.warning(root["walls"][0].node()->source(), "walls",
                    "hold nobody: contact.model is \"none\", and they are only drawn");
 }
