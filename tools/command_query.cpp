@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // throng query: who is near whom, in a scenario as it starts or in a frame of a recording.
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -8,6 +9,7 @@
 
 #include "broadphase/neighbours.h"
 #include "sim/input_error.h"
+#include "sim/sensing/body_screens.h"
 #include "sim/sensing/heading.h"
 #include "sim/sensing/sight.h"
 #include "tools/commands.h"
@@ -31,7 +33,7 @@ struct Options {
   std::optional<std::string> point, heading;
   std::optional<double> radius, at, fov;
   std::optional<std::int64_t> id, nearest;
-  bool all = false, sight = false;
+  bool all = false, sight = false, bodies_hide = false;
 };
 
 void check(const Options& options) {
@@ -46,6 +48,7 @@ void check(const Options& options) {
     throw InputError("query: --at must be a finite time in seconds, not " + text_of(*options.at));
   if (options.fov && !(*options.fov > 0.0 && *options.fov <= 360.0))
     throw InputError("query: --fov must be above 0 and at most 360 degrees, not " + text_of(*options.fov));
+  if (options.bodies_hide && !options.sight) throw InputError("query: --bodies-hide needs --sight");
   if (options.heading && !options.fov) throw InputError("query: --heading needs --fov DEG");
 }
 
@@ -154,7 +157,8 @@ using Neighbours = std::vector<broadphase::Neighbour>;
 struct Query {
   const Crowd& crowd;
   const ProximityTree& tree;
-  const Sight* sight;  ///< null: nobody looks
+  const Sight* sight;          ///< null: nobody looks
+  const BodyScreens* screens;  ///< null: bodies hide nobody
   const Near& near;
 
   /// Replaces `neighbours` by those of a place. Where some are out of sight asks for ever more, until as many
@@ -164,7 +168,10 @@ struct Query {
       find_near(tree, place, more, neighbours);
       if (!sight) return;
       const bool are_all = neighbours.size() < more.most;
-      std::erase_if(neighbours, [&](const auto& n) { return !sight->sees(place.at, crowd.position[n.row]); });
+      std::erase_if(neighbours, [&](const auto& n) {
+        return !sight->sees(place.at, crowd.position[n.row]) ||
+               (screens && screens->hide(place.at, place.except, n.row));
+      });
       if (neighbours.size() < near.most && !are_all) continue;
       if (neighbours.size() > near.most) neighbours.resize(near.most);
       return;
@@ -207,6 +214,20 @@ void print_all_in_sight(const Query& query, const std::vector<Vec>& heading, Pri
               printer);
 }
 
+/// Who hides others needs its angle, unless it is a disc.
+void place_screens(const Options& options, const Crowd& crowd, const ProximityTree& tree,
+                   std::optional<BodyScreens>& screens) {
+  const Bodies& bodies = crowd.scene.bodies;
+  const auto is_disc = [&](std::uint32_t row) {
+    return crowd.scene.shapes[bodies.shape[row - 1]].kind == ShapeKind::disc;
+  };
+  if (crowd.angle.size() != crowd.id.size() && !std::ranges::all_of(crowd.body, is_disc))
+    throw InputError(options.source +
+                     ": --bodies-hide needs angles, which were not recorded (record.fields)");
+  screens.emplace(crowd.scene);
+  screens->place(crowd.body, crowd.position, crowd.angle, tree);
+}
+
 void query(const Options& options) {
   check(options);
   Place place;
@@ -230,8 +251,10 @@ void query(const Options& options) {
   tree.build(crowd.position, period);
   Printer printer(options.format, crowd);
   std::optional<Sight> sight;
-  if (options.sight) sight.emplace(crowd.walls, crowd.period, near.radius);
-  const Query ask{crowd, tree, sight ? &*sight : nullptr, near};
+  if (options.sight) sight.emplace(crowd.scene.walls, crowd.period, near.radius);
+  std::optional<BodyScreens> screens;
+  if (options.bodies_hide) place_screens(options, crowd, tree, screens);
+  const Query ask{crowd, tree, sight ? &*sight : nullptr, screens ? &*screens : nullptr, near};
   if (!options.all)
     print_one(ask, place, printer);
   else if (sight)
@@ -278,9 +301,9 @@ void add_query(CLI::App& app, int&) {
                    "what the view is centred on: velocity (default; who rests sees all around), angle, or\n"
                    "degrees from the x axis, which --point needs")
       ->check(something());
-  command->add_flag(
-      "--sight", options->sight,
-      "only whom no wall hides: none that the line from centre to centre touches; bodies hide nobody");
+  command->add_flag("--sight", options->sight,
+                    "only whom no wall hides: none that the line from centre to centre touches");
+  command->add_flag("--bodies-hide", options->bodies_hide, "with --sight: nor whom another body hides");
   command
       ->add_option("--format", options->format,
                    "csv (id,neighbour,distance) or json ([{id, neighbours: [{id, distance}]}])")

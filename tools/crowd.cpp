@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <numeric>
 
 #include "sim/input_error.h"
 #include "sim/recording/recording.h"
@@ -38,16 +39,17 @@ Crowd crowd_of_scenario(const std::string& source, std::optional<double> at, Sce
   crowd.id = std::move(state.id);
   crowd.position = std::move(state.position), crowd.velocity = std::move(state.velocity);
   crowd.angle = std::move(state.angle);
+  crowd.body = crowd.id;
   return crowd;
 }
 
-/// Those whom the frame does not hold go.
-void leave_present(Frame& frame) {
+/// Those whom the frame does not hold go, of `rows` as of the frame.
+void leave_present(Frame& frame, std::vector<std::uint32_t>& rows) {
   const auto keep = [&](auto& all) {
     std::size_t row = 0;
     std::erase_if(all, [&](const auto&) { return !frame.has(row++); });
   };
-  keep(frame.position), keep(frame.velocity), keep(frame.angle), keep(frame.id);
+  keep(frame.position), keep(frame.velocity), keep(frame.angle), keep(frame.id), keep(rows);
 }
 
 /// The frame nearest to the time that is asked for, else the last one; says on stderr which.
@@ -58,7 +60,9 @@ Crowd crowd_of_recording(const std::string& source, std::optional<double> wanted
   Frame frame = recording.frame(index);
   if (frame.position.size() != frame.id.size())
     throw InputError(source + ": positions were not recorded (record.fields)");
-  leave_present(frame);
+  std::vector<std::uint32_t> body(frame.id.size());
+  std::iota(body.begin(), body.end(), 1u);
+  leave_present(frame, body);
   scene = recording.geometry();
   std::fprintf(stderr, "throng: %s: frame %zu (of 0 to %zu), at %s s\n", source.c_str(), index,
                recording.frames() - 1, text_of(recording.times()[index]).c_str());
@@ -67,7 +71,8 @@ Crowd crowd_of_recording(const std::string& source, std::optional<double> wanted
           .velocity = std::move(frame.velocity),
           .angle = std::move(frame.angle),
           .period = {},
-          .walls = {}};
+          .scene = {},
+          .body = std::move(body)};
 }
 
 }  // namespace
@@ -87,7 +92,7 @@ Crowd read_crowd(const std::string& source, std::optional<double> at) {
       is_recording(source) ? crowd_of_recording(source, at, scene) : crowd_of_scenario(source, at, scene);
   if (scene.domain.kind == DomainKind::periodic)
     crowd.period = {scene.domain.min, scene.domain.max - scene.domain.min};
-  crowd.walls = std::move(scene.walls);
+  crowd.scene = std::move(scene);
   for (std::size_t row = 0; row < crowd.id.size(); ++row) {
     if (!crowd.position[row].allFinite() || crowd.position[row].cwiseAbs().maxCoeff() > kFarthestBody)
       throw InputError(source + ": body " + std::to_string(crowd.id[row]) +

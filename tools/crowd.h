@@ -11,14 +11,15 @@
 
 namespace throng::tools {
 
-/// Where bodies stand, and where they go, a row each in order of id; and the walls between them.
+/// Where bodies stand, and where they go, a row each in order of id; and what is between them.
 struct Crowd {
   std::vector<std::uint32_t> id;
   std::vector<Vec> position;  ///< m, in the period where there is one
   std::vector<Vec> velocity;  ///< m/s; empty where it was not recorded
   std::vector<double> angle;  ///< rad; likewise
   std::optional<broadphase::Period> period;
-  std::vector<Wall> walls;
+  Scene scene;                      ///< its walls and shapes
+  std::vector<std::uint32_t> body;  ///< which row of its bodies each is, counted from 1
 };
 
 /// The bodies of a scenario as it starts, or of the frame of a recording that is nearest to time `at` (s),

@@ -24,16 +24,16 @@ Vec BodyScreens::apart(const Vec& from, const Vec& to) const {
   return domain.kind == DomainKind::periodic ? nearest_image(d, Vec(domain.max - domain.min)) : d;
 }
 
-bool BodyScreens::hide(std::uint32_t from, std::uint32_t to) const {
-  const Vec half = 0.5 * apart(position_[from], position_[to]);
+bool BodyScreens::hide(const Vec& from, std::optional<std::uint32_t> own, std::uint32_t to) const {
+  const Vec half = 0.5 * apart(from, position_[to]);
   const double reach = half.norm();
   if (reach == 0.0) return false;
-  Vec middle = position_[from] + half;
+  Vec middle = from + half;
   if (scene_.domain.kind == DomainKind::periodic) middle = wrapped(middle, scene_.domain);
   bool hidden = false;
   broadphase::for_each_near(*tree_, {.at = middle}, {.radius = reach + largest_},
                             [&](std::uint32_t row, double) {
-                              if (!hidden && row != from && row != to)
+                              if (!hidden && row != own && row != to)
                                 hidden = is_on(row, half, apart(middle, position_[row]));
                             });
   return hidden;
@@ -47,7 +47,7 @@ bool BodyScreens::is_on(std::uint32_t row, const Vec& half, const Vec& centre) c
   const Shape& shape = scene_.shapes[scene_.bodies.shape[body]];
   if (shape.kind == ShapeKind::disc) return true;
   const narrowphase::Convex line = narrowphase::segment(-half, half);
-  const narrowphase::Pose pose = narrowphase::pose(centre, angle_[row]);
+  const narrowphase::Pose pose = narrowphase::pose(centre, angle_.empty() ? 0.0 : angle_[row]);
   return std::ranges::any_of(shape.parts, [&](const narrowphase::Convex& part) {
     return narrowphase::separation(line, {}, part, pose).distance <= 0.0;
   });

@@ -109,7 +109,7 @@ void Sensing::Impl::find_lists(const Sensor& sensor) {
 bool Sensing::Impl::is_seen(const Sensor& sensor, std::uint32_t from, std::uint32_t to) const {
   if (sensor.screens == Screens::none) return true;
   if (!walls->sees(position[from], position[to])) return false;
-  return sensor.screens == Screens::walls || !screens->hide(from, to);
+  return sensor.screens == Screens::walls || !screens->hide(position[from], from, to);
 }
 
 /// Leaves each list in order of rows, with kNobody in place of those who are not sensed.

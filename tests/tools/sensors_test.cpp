@@ -122,6 +122,38 @@ TEST_F(Sensors, FindWhomQueryFinds) {
   EXPECT_GT(compare("pile.h5", 0, "--radius 1.5 --fov 90 --heading angle --sight"), 50u);
 }
 
+TEST_F(Sensors, FindNobodyWhomQueryFindsHiddenByBodies) {
+  const auto hidden = [](std::string scene) {
+    for (const std::string sight : {"sight = true", "sight = \"walls\""})
+      if (const std::size_t at = scene.find(sight); at != scene.npos)
+        scene.replace(at, sight.size(), "sight = \"bodies\"");
+    return scene;
+  };
+  const std::string sight = " --sight --bodies-hide";
+  run(hidden(kCrowd), "crowd.h5");
+  const std::size_t crowd = compare("crowd.h5", 0, "--radius 4 --fov 170" + sight);
+  run(hidden(kPile), "pile.h5");
+  const std::size_t pile = compare("pile.h5", 0, "--radius 1.5 --fov 90 --heading angle" + sight);
+  EXPECT_GT(crowd, 300u);
+  EXPECT_GT(pile, 30u);
+  run(kCrowd, "crowd.h5", "--force");
+  run(kPile, "pile.h5", "--force");
+  EXPECT_LT(crowd, compare("crowd.h5", 0, "--radius 4 --fov 170 --sight"));
+  EXPECT_LT(pile, compare("pile.h5", 0, "--radius 1.5 --fov 90 --heading angle --sight"));
+}
+
+// Bodies that are recorded have rows of their own.
+TEST_F(Sensors, BodiesHideWithoutAnglesWhereAllAreDiscs) {
+  const std::string bare = "--force --set 'record.fields=[\"position\"]' --set record.of.ids=";
+  const std::string ask = "query " + path("few.h5") + " --all --radius 20 --sight --bodies-hide";
+  run(kPile, "few.h5", bare + "[1,50]");
+  EXPECT_THAT(throng(ask).err, HasSubstr("--bodies-hide needs angles, which were not recorded"));
+  run(kPile, "few.h5", bare + "[50,60]");
+  EXPECT_EQ(throng(ask).exit_code, 0);
+  EXPECT_THAT(throng("query " + path("few.h5") + " --all --radius 2 --bodies-hide").err,
+              HasSubstr("--bodies-hide needs --sight"));
+}
+
 TEST_F(Sensors, AreSummedUpAndPlanned) {
   const std::string scene =
       write("s.toml", kPile + "[[sensors]]\nname = \"all\"\nradius = 100\nevery = 40\n");
