@@ -66,7 +66,8 @@ Type record_table() {
          "[\"position\", \"angle\", \"velocity\"]"},
         {"also", tables(also), "Further fields, at rates of their own.", "[]"},
         {"observables", integer(1, 1e9),
-         "Steps from one measurement to the next of energies, momentum, contacts, overlaps; absent: none."},
+         "Steps from one measurement to the next of energies, momentum, contacts, overlaps, and of what "
+         "measures count; absent: none."},
         {"precision", choice({"double", "single"}), "Width of recorded numbers.", "\"double\""},
         {"quantize", number(1e-9, 1e3, "m"),
          "Store positions rounded to whole multiples of this, m, and packed; absent: as they are."},
