@@ -47,7 +47,9 @@ const Case kCases[] = {
      "s.toml:3:1: error: walls[0].segmnt: unknown key, did you mean \"segment\"?"},
     {"domain.sphere = 1", "s.toml:2:8: error: domain.sphere: unknown key"},
     // not supported yet
-    {"[[sensors]]\nradius = 1", "error: sensors: not supported yet: sensors"},
+    {"[[sensors]]\nradius = 1", "s.toml:2:1: error: sensors[0].name: is missing"},
+    {"[[sensors]]\nname = \"a\"\nradius = 1\nsight = 3",
+     "s.toml:5:9: error: sensors[0].sight: must be true or false, or one of"},
     {"[[measure]]\nname = 'x'\nline = [[0, 0], [1, 0]]",
      "error: measure: counts agents, and there are none: it needs [[agents]]"},
     {"engine = 'event_driven'", "s.toml:2:10: error: engine: not supported yet: engine"},
