@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kContactHertz = 0.18;  // of the substep's rate: stiffer, tall pyramids tremble
 constexpr double kContactDamping = 10.0;
-constexpr double kPushOut = 10.0;   // radii a second: the fastest that overlap is undone
+constexpr double kPushOut = 2.0;    // radii a second: the fastest that overlap is undone
 constexpr int kElasticSweeps = 64;  // of bounces in a substep: what still meets then ends without bounce,
 constexpr int kBounceSweeps = 8;    // where each takes energy sooner, as dense clusters do anyway
 constexpr double kRestSpeed = 2.0;  // slower than what gravity gives in so many substeps, a contact rests

@@ -36,7 +36,7 @@ constexpr Golden kGallery[] = {
     {"polygons", 40, 0xafd4f107ecd47cb5},      {"pyramid", 10, 0x638ede55caa31237},
     {"hopper", 100, 0xd9a9662857617237},       {"gears", 100, 0xe5bc0003a2b65e0c},
     {"billiard", 1500, 0x8dd8bcba2d1db68a},    {"cradle", 2000, 0x7db3d1ee537b00be},
-    {"mixed", 200, 0x2346cda5a25d5a94},        {"corridor", 1200, 0x467109d56963dd86},
+    {"mixed", 200, 0x97d804c0c9b9d94c},        {"corridor", 1200, 0x467109d56963dd86},
     {"bottleneck", 1200, 0x63272d194aa09b18},  {"circle_swap", 300, 0x3098722b25df02fc},
     {"counterflow", 1200, 0x87d58b112226b61e}, {"evacuation", 1500, 0x71b94d48698eb127},
     {"crossing", 500, 0xcdf1ed6f937fea3d},

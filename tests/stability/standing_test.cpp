@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// What stands keeps standing: stacks, pyramids, an arch, houses of cards.
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "tests/less_when_watched.h"
+#include "tests/stability/masonry.h"
+
+namespace throng {
+namespace {
+
+int steps(int usual) {
+  return static_cast<int>(less_when_watched(static_cast<std::size_t>(usual)));
+}
+
+TEST(Standing, AStackOfTwentyBoxes) {
+  Masonry site(0.01);
+  for (int i = 0; i < 20; ++i) site.box({0.0, 0.5 + i}, 1, 1);
+  Trial run(site.text());
+  run.steps(steps(10000));
+  for (std::size_t i = 0; i < 20; ++i) {
+    EXPECT_NEAR(run.state.position[i].x(), 0.0, 0.005) << i;
+    EXPECT_NEAR(run.state.angle[i], 0.0, 0.001) << i;
+  }
+  EXPECT_NEAR(run.state.position[19].y(), 19.5, 0.05);
+  EXPECT_LT(overlap(run.scene, run.state).max, 0.005);
+  EXPECT_LT(fastest(run.state), 1e-3);
+}
+
+TEST(Standing, APyramidWithABaseOfThirty) {
+  Masonry site(0.01);
+  for (int row = 0; row < 30; ++row)
+    for (int i = 0; i < 30 - row; ++i) site.box({1.1 * (i + 0.5 * row), 0.5 + row}, 1, 1);
+  Trial run(site.text());
+  run.steps(steps(20000));
+  EXPECT_LT(farthest(run.scene, run.state), 0.05);
+  EXPECT_LT(std::abs(run.state.position.back().x() - run.scene.bodies.position.back().x()), 0.02);
+  EXPECT_LT(overlap(run.scene, run.state).max, 0.01);
+}
+
+TEST(Standing, ARoundArch) {
+  // Half a circle of 11 wedges, 4 m to 5 m from its middle: thicker than Milankovitch's least, 0.107 of the
+  // radius.
+  constexpr int kStones = 11;
+  Masonry site(0.01, 0.8);
+  for (int i = 0; i < kStones; ++i) {
+    const double from = std::numbers::pi * i / kStones, to = std::numbers::pi * (i + 1) / kStones;
+    const auto at = [](double radius, double angle) {
+      return Vec(radius * std::cos(angle), radius * std::max(0.0, std::sin(angle)));
+    };
+    site.stone({at(4, from), at(5, from), at(5, to), at(4, to)});
+  }
+  Trial run(site.text());
+  run.steps(steps(3000));
+  EXPECT_LT(farthest(run.scene, run.state), 0.05);
+  EXPECT_LT(fastest(run.state), 1e-2);
+}
+
+/// Two cards that lean on each other, their feet on `height`. Returns where their heads touch.
+double lean(Masonry& site, double middle, double height) {
+  constexpr double kLength = 1.0, kThick = 0.03, kAngle = 1.15;  // m, m, rad
+  const Vec along(std::cos(kAngle), std::sin(kAngle)), across(std::sin(kAngle), -std::cos(kAngle));
+  // The left card's lower right corner stands, its upper right corner touches the other one's.
+  const Vec foot(middle - kLength * along.x(), height);
+  const Vec left = foot + 0.5 * kLength * along - 0.5 * kThick * across + Vec(0, kThick * std::cos(kAngle));
+  site.box(left, kLength, kThick, kAngle);
+  site.box({2 * middle - left.x(), left.y()}, kLength, kThick, std::numbers::pi - kAngle);
+  return left.y() + 0.5 * kLength * along.y() + 0.5 * kThick * std::cos(kAngle);
+}
+
+TEST(Standing, AHouseOfCards) {
+  Masonry site(0.01, 0.8);
+  const double head = lean(site, -0.5, 0.0);
+  lean(site, 0.5, 0.0);
+  site.box({0.0, head + 0.015}, 1.6, 0.03);
+  lean(site, 0.0, head + 0.03);
+  Trial run(site.text());
+  run.steps(steps(3000));
+  EXPECT_LT(farthest(run.scene, run.state), 0.1);
+  EXPECT_LT(fastest(run.state), 1e-2);
+}
+
+TEST(Standing, HeavyBesideLight) {
+  Masonry site(0.01);
+  site.box({0, 0.5}, 1, 1);
+  site.box({1, 0.5}, 1, 1, 0.0, 1e5);
+  site.box({2, 0.5}, 1, 1);
+  Trial run(site.text());
+  run.steps(steps(3000));
+  EXPECT_LT(farthest(run.scene, run.state), 0.01);
+  EXPECT_LT(overlap(run.scene, run.state).max, 0.005);
+}
+
+}  // namespace
+}  // namespace throng
