@@ -180,15 +180,36 @@ Field model_parameters(const ModelKind& kind) {
   return {kind.name, table(std::move(parameters)), kind.doc};
 }
 
+Table leg_table() {
+  const auto some_of = [](const char* table, const char* called) { return list(name_in(table), 1, called); };
+  const Type time = number(0, 1e9, "s");
+  return {
+      {{"nearest", some_of("areas", "a list of names of areas"),
+        "To the nearest of these areas, by the way there."},
+       {"weights", named(number(0, 1e6)),
+        "Each agent to one of these areas, by chance in proportion to its weight."},
+       {"least_crowded", either({some_of("areas", "a list of names of areas"), named(number(0, 1e6, "1/s"))}),
+        "To that of these areas which is expected to be got through first, by the way and those who go "
+        "there too and are nearer: as many a second as the number says, without one 1.3."},
+       {"wait", name_in("areas"), "To a free place in this area, and stands there."},
+       {"for", distribution(time, "time, s,"),
+        "How long, s, from when it gets into the area; without this and `until`: for ever."},
+       {"until", distribution(time, "time, s,"), "Until when, s."},
+       {"queue", either({name_in("queues"), some_of("queues", "a list of names of queues")}),
+        "Lines up, of several queues in the least crowded, and goes on when it was served."}},
+      {"nearest", "weights", "least_crowded", "wait", "queue"}};
+}
+
 Type goal() {
-  const Type nearest = list(name_in("areas"), 1, "a list of names of areas");
-  const Type one =
-      table({{required({"nearest", nearest, "To the nearest of these areas, by the way there."})}});
-  const Type any = table({{{"nearest", nearest, "To the nearest of these areas, by the way there."},
-                           {"weights", named(number(0, 1e6)),
-                            "Each agent to one of these areas, by chance in proportion to its weight."}},
-                          {"nearest", "weights"}});
-  return either({name_in("areas"), list(either({name_in("areas"), one}), 1, "a list of goals"), any});
+  return either({name_in("areas"), list(either({name_in("areas"), table(leg_table())}), 1, "a list of goals"),
+                 table(leg_table())});
+}
+
+Type queue() {
+  return table({{required({"line", points(2, "a list of at least 2 points [x, y]"),
+                           "Where they stand, m: the first at the first point, the others behind along it."}),
+                 required({"service", number(0, 1e6, "s"), "How long each is served, s."}),
+                 {"spacing", number(1e-2, 1e3, "m"), "From place to place, m.", "0.6"}}});
 }
 
 Type appear_table() {
@@ -211,8 +232,8 @@ Table agent_table() {
       {required({"model", choice(names), "How agents decide how to walk."}),
        required(
            {"goal", goal(),
-            "Where they walk to, by the shortest way, and leave: an area, or a list of areas, one after the "
-            "other."}),
+            "Where they walk to, by the shortest way, and leave: an area, or a table as below, or a list of "
+            "such, one after the other."}),
        {"at", point(), "Where the agent stands, m."},
        {"place", table({{required({"random", random, "Anywhere that is free, uniformly at random."})}}),
         "How to place more than one agent."},
@@ -280,6 +301,7 @@ Table root_table() {
        {"walkable", area(),
         "Where agents may be, m: POLYGON with holes or MULTIPOLYGON, or one ring; its edges are walls."},
        {"areas", named(area()), "Named areas, m: POLYGON or MULTIPOLYGON, or a list of points [x, y]."},
+       {"queues", named(queue()), "Queues by name, in which agents line up."},
        {"agents", tables(agent_table()),
         "Agents, who walk to a goal and leave there; they need walkable or domain.box."},
        {"sensors", tables(sensor_table()), "Who senses whom; `throng run` sums it up. At most 8."},
@@ -305,6 +327,12 @@ std::string keys(const Table& table) {
   for (const Field& field : table.fields)
     if (!field.later) result += (&field == &table.fields.front() ? "" : ", ") + field.key;
   return result + " }";
+}
+
+std::string alternatives(const std::vector<Type>& types) {
+  std::string result;
+  for (const Type& type : types) result += (result.empty() ? "" : ", or ") + describe(type);
+  return result;
 }
 
 }  // namespace
@@ -336,7 +364,7 @@ std::string describe(const Type& type) {
     case Kind::named:
       return "a table of names";
     case Kind::either:
-      return describe(type.parts[0]) + ", or " + describe(type.parts[1]);
+      return alternatives(type.parts);
     case Kind::tuple:
     case Kind::list:
       break;

@@ -21,13 +21,6 @@ std::uint32_t disc_shape(Scene& scene) {
   return static_cast<std::uint32_t>(scene.shapes.size() - 1);
 }
 
-/// One of the entry's journeys, by chance in proportion to their weights.
-std::uint32_t draw_journey(const AgentEntry& entry, Random random) {
-  const double drawn = random.uniform() * entry.weights.back();
-  const auto row = std::upper_bound(entry.weights.begin(), entry.weights.end() - 1, drawn);
-  return entry.journeys[static_cast<std::size_t>(row - entry.weights.begin())];
-}
-
 void add_agent(const AgentEntry& entry, std::uint32_t group, std::uint32_t i, std::uint32_t shape,
                Scene& scene) {
   Bodies& bodies = scene.bodies;
@@ -43,11 +36,14 @@ void add_agent(const AgentEntry& entry, std::uint32_t group, std::uint32_t i, st
   bodies.spin.push_back(0.0);
   Crowd& crowd = scene.crowd;
   crowd.group.push_back(group);
-  crowd.journey.push_back(draw_journey(entry, Random(scene.seed, 0, id, Purpose::journey)));
   crowd.desired_speed.push_back(draw(entry.desired_speed, speed));
   crowd.due.push_back(entry.appears ? entry.appears->due(i) : 0.0);
   Random premovement(scene.seed, 0, id, Purpose::premovement);
   crowd.start.push_back(crowd.due.back() + draw(entry.premovement, premovement));
+  for (const Stay& stay : entry.stays) {
+    Random random(scene.seed, stay.leg, id, Purpose::stay);
+    crowd.groups[group].journey[stay.leg].times.push_back(draw(stay.time, random));
+  }
 }
 
 /// Random sequential addition, in the order of the ids.

@@ -2,11 +2,11 @@
 #include "scenarios/read_crowd.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "scenarios/limits.h"
 #include "scenarios/path.h"
 #include "scenarios/polygon_check.h"
-#include "scenarios/region_sets.h"
 #include "sim/crowd/model.h"
 
 namespace throng::scenarios {
@@ -39,14 +39,6 @@ Region region_of(const Eigen::AlignedBox2d& box) {
   return {{{low, {high.x(), low.y()}, high, {low.x(), high.y()}}}};
 }
 
-/// Row of the area of this name; behind the last one where there is none.
-std::uint32_t area_row(const std::string& name, const Scene& scene) {
-  const std::vector<Area>& areas = scene.crowd.areas;
-  const auto found =
-      std::find_if(areas.begin(), areas.end(), [&](const Area& area) { return area.name == name; });
-  return static_cast<std::uint32_t>(found - areas.begin());
-}
-
 class AgentReader {
  public:
   AgentReader(const toml::table& table, const Path& path, Scene& scene, Report& report)
@@ -60,7 +52,7 @@ class AgentReader {
     entry_.desired_speed = distribution("desired_speed", 1.34, 0.0, kFastest);
     entry_.premovement = distribution("premovement", 0.0, 0.0, 1e9);
     read_group(index);
-    read_goal();
+    std::tie(scene_.crowd.groups.back().journey, entry_.stays) = read_journey(table_, path_, scene_, report_);
     read_place();
     read_appearance();
     return entry_;
@@ -102,61 +94,6 @@ class AgentReader {
       values.push_back(number(table, own.key, preset == kind.presets.end() ? own.preset : preset->values[i]));
     }
     return values;
-  }
-
-  /// The row of the goal, which is made where it is new.
-  std::uint32_t goal_row(const toml::node& node) {
-    std::vector<std::string> names;
-    if (node.is_string())
-      names.push_back(node.as_string()->get());
-    else
-      for (const toml::node& name : *node.as_table()->get("nearest")->as_array())
-        names.push_back(name.as_string()->get());
-    Goal goal;
-    for (const std::string& name : names) {
-      goal.name += (goal.name.empty() ? "" : " or ") + in_quotes(name);
-      goal.areas.push_back(area_row(name, scene_));
-    }
-    std::ranges::sort(goal.areas);
-    goal.areas.erase(std::unique(goal.areas.begin(), goal.areas.end()), goal.areas.end());
-    std::vector<Goal>& goals = scene_.crowd.goals;
-    const auto found = std::ranges::find(goals, goal.areas, &Goal::areas);
-    const auto row = static_cast<std::uint32_t>(found - goals.begin());
-    if (found != goals.end()) return row;
-    std::vector<Region> regions;
-    for (const std::uint32_t area : goal.areas) regions.push_back(scene_.crowd.areas[area].region);
-    if (report_.errors() == 0) goal.region = united(regions);
-    goals.push_back(std::move(goal));
-    return row;
-  }
-
-  void add_journey(Journey journey, double weight) {
-    const double before = entry_.weights.empty() ? 0.0 : entry_.weights.back();
-    entry_.journeys.push_back(static_cast<std::uint32_t>(scene_.crowd.journeys.size()));
-    entry_.weights.push_back(before + weight);
-    scene_.crowd.journeys.push_back(std::move(journey));
-  }
-
-  void read_goal() {
-    const toml::node& node = *table_.get("goal");
-    const toml::node* weights = node.is_table() ? node.as_table()->get("weights") : nullptr;
-    Journey journey;
-    if (weights) return read_weights(*weights->as_table());
-    if (node.is_array())
-      for (const toml::node& goal : *node.as_array()) journey.push_back(goal_row(goal));
-    else
-      journey.push_back(goal_row(node));
-    add_journey(std::move(journey), 1.0);
-  }
-
-  void read_weights(const toml::table& weights) {
-    for (const auto& [name, weight] : weights) {
-      const toml::value<std::string> goal{std::string(name.str())};
-      if (area_row(goal.get(), scene_) == scene_.crowd.areas.size())
-        return fail(weight, "goal.weights." + goal.get(), "is not the name of an entry of [areas]");
-      if (number(weight) > 0.0) add_journey({goal_row(goal)}, number(weight));
-    }
-    if (entry_.journeys.empty()) fail(weights, "goal.weights", "must hold a weight above 0");
   }
 
   void read_appearance() {

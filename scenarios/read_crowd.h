@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scenarios/distribution.h"
+#include "scenarios/path.h"
 #include "scenarios/read.h"
 
 namespace throng::scenarios {
@@ -19,12 +20,17 @@ struct Appearance {
   double due(std::uint32_t agent) const;  ///< s, of the entry's agents counted from 0
 };
 
+/// How long the agents of an entry wait on a leg of their journey.
+struct Stay {
+  std::size_t leg = 0;
+  Distribution time;  ///< s
+};
+
 /// One [[agents]] entry.
 struct AgentEntry {
   std::uint32_t count = 0;
   Distribution radius, desired_speed, premovement;  ///< m, m/s, s
-  std::vector<std::uint32_t> journeys;              ///< rows of Crowd::journeys, of which each agent has one
-  std::vector<double> weights;                      ///< of each, added up
+  std::vector<Stay> stays;
   std::optional<Appearance> appears;
   bool random = false;
   Vec at{0.0, 0.0};  ///< m
@@ -37,7 +43,21 @@ struct AgentEntry {
 /// walkable and areas; the edges of the walkable area become walls. Call it after `read_walls`.
 void read_areas(const toml::table& root, Scene& scene, Report& report);
 
-/// The entries, and their groups in scene.crowd. Call it after `read_areas`.
+/// Queues by name, and the goals that they are. Call it after `read_areas`.
+void read_queues(const toml::table& root, Scene& scene, Report& report);
+
+/// Reports queues in which nobody could stand. Expects all walls in the scene.
+void check_queues(const toml::table& root, const Scene& scene, Report& report);
+
+/// Row of the area of this name; behind the last one where there is none.
+std::uint32_t area_row(const std::string& name, const Scene& scene);
+
+/// Where the agents of an entry go: its legs, but for the times that agents wait, and of which legs these
+/// are. Call it after `read_queues`.
+std::pair<Journey, std::vector<Stay>> read_journey(const toml::table& agents, const Path& path, Scene& scene,
+                                                   Report& report);
+
+/// The entries, and their groups in scene.crowd. Call it after `read_queues`.
 std::vector<AgentEntry> read_agents(const toml::table& root, Scene& scene, Report& report);
 
 /// What is measured of them. Call it after `read_agents`.

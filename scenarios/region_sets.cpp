@@ -5,6 +5,7 @@
 
 #include "scenarios/geos.h"
 #include "scenarios/polygon_check.h"
+#include "scenarios/report.h"
 
 namespace throng::scenarios {
 
@@ -58,6 +59,16 @@ double common_area(const Region& a, const Region& b) {
   double area = 0.0;
   GEOSArea_r(geos.handle, common.get(), &area);
   return area;
+}
+
+Region band(std::span<const Vec> line, double half) {
+  const Geos geos;
+  std::string wkt = "LINESTRING (";
+  for (const Vec& p : line) wkt += (&p == &line.front() ? "" : ", ") + to_text(p.x()) + " " + to_text(p.y());
+  const Geometry middle = read(geos, wkt + ")");
+  return region_of(geos, made(geos, GEOSBufferWithStyle_r(geos.handle, middle.get(), half, 1,
+                                                          GEOSBUF_CAP_FLAT, GEOSBUF_JOIN_MITRE, 2.0))
+                             .get());
 }
 
 Region united(std::span<const Region> regions) {

@@ -14,4 +14,7 @@ double common_area(const Region& a, const Region& b);
 /// What is in any of them.
 Region united(std::span<const Region> regions);
 
+/// What is at most `half` (m) to the left and the right of a line of different points.
+Region band(std::span<const Vec> line, double half);
+
 }  // namespace throng::scenarios

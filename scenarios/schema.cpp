@@ -99,7 +99,9 @@ ordered_json schema_of(const Type& type) {
     case Kind::either:
       break;
   }
-  return {{"anyOf", {schema_of(type.parts[0]), schema_of(type.parts[1])}}};
+  ordered_json any = ordered_json::array();
+  for (const Type& part : type.parts) any.push_back(schema_of(part));
+  return {{"anyOf", any}};
 }
 
 }  // namespace

@@ -48,8 +48,12 @@ bool all_elastic(const Scene& scene, const Plan& plan) {
   return true;
 }
 
+std::string counted(std::size_t n, const std::string& one, const std::string& more) {
+  return std::to_string(n) + " " + (n == 1 ? one : more);
+}
+
 std::string counted(std::size_t n, const char* what) {
-  return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+  return counted(n, what, std::string(what) + "s");
 }
 
 std::vector<Stage> stages(const Scene& scene, const Plan& plan) {
@@ -93,6 +97,9 @@ std::vector<Stage> stages(const Scene& scene, const Plan& plan) {
                   : "no agents"},
       {"appear", plan.entrances,
        plan.entrances ? "some agents appear when they are due" : "nobody appears in the course of time"},
+      {"measure", plan.measures,
+       plan.measures ? counted(scene.crowd.measures.size(), "line or area", "lines and areas")
+                     : "no line, no area is measured"},
       {"sense", plan.sensors, plan.sensors ? counted(scene.sensors.size(), "sensor") : "no sensors"},
       {"wrap", plan.periodic, plan.periodic ? "the domain is periodic" : "the domain is not periodic"},
   };
@@ -117,6 +124,7 @@ Plan plan_for(const Scene& scene, ContactModel contact) {
   plan.entrances = plan.crowd && std::ranges::any_of(scene.crowd.groups, [](const AgentGroup& group) {
                      return group.entrance.has_value();
                    });
+  plan.measures = plan.crowd && !scene.crowd.measures.empty();
   plan.sensors = !scene.sensors.empty();
   plan.periodic = scene.domain.kind == DomainKind::periodic;
   plan.polygons = any_moving(scene, [&](std::size_t row) { return !is_disc(scene, row); });

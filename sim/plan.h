@@ -37,6 +37,7 @@ struct Plan {
   bool flights = false;           ///< discs alone, all surfaces keep all energy, and nothing pulls
   bool crowd = false;             ///< there are agents
   bool entrances = false;         ///< some agents appear in the course of time
+  bool measures = false;          ///< something is counted while they walk
   bool sensors = false;           ///< somebody senses others
   std::vector<Surface> surfaces;  ///< of materials i, j at i * materials.size() + j
   std::vector<Stage> stages;      ///< in the order of the step, those that are skipped too

@@ -18,7 +18,9 @@ enum class Purpose : std::uint8_t {
   desired_speed,
   doubt,
   journey,
-  premovement
+  premovement,
+  stay,
+  spot
 };
 
 /// The block cipher Philox4x32-10 of Salmon et al., "Parallel random numbers: as easy as 1, 2, 3" (SC 2011).

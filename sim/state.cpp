@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/state.h"
 
+#include <algorithm>
 #include <bit>
 #include <numeric>
 
@@ -29,24 +30,33 @@ std::uint64_t bits(double x) {
 
 }  // namespace
 
+void add_agent(const Scene& scene, State& state, std::uint32_t agent, const Vec& place) {
+  state.id.push_back(scene.crowd.first + agent + 1);
+  state.position.push_back(place), state.velocity.push_back(Vec(0.0, 0.0));
+  state.angle.push_back(0.0), state.spin.push_back(0.0);
+  CrowdState& crowd = state.crowd;
+  crowd.stand.push_back(place), crowd.stand_step.push_back(state.step);
+  crowd.stage.push_back(0), crowd.option.push_back(scene.crowd.leg(agent, 0).first_option());
+  crowd.place.push_back(0), crowd.since.push_back(state.step);
+  crowd.spot.push_back(place);
+}
+
 State initial_state(const Scene& scene) {
   const Bodies& bodies = scene.bodies;
+  const Crowd& crowd = scene.crowd;
   State state;
-  const auto add = [&](std::size_t row) {
+  for (std::size_t row = 0; row < bodies.size() - crowd.size(); ++row) {
     state.id.push_back(static_cast<std::uint32_t>(row + 1));
     state.position.push_back(bodies.position[row]);
     state.angle.push_back(bodies.angle[row]);
     state.velocity.push_back(bodies.velocity[row]);
     state.spin.push_back(bodies.spin[row]);
-  };
+  }
   state.sensed.resize(scene.sensors.size());
-  const Crowd& crowd = scene.crowd;
-  for (std::size_t row = 0; row < bodies.size(); ++row)
-    if (crowd.size() == 0 || !crowd.groups[crowd.group[row]].entrance) add(row);
   if (crowd.size() == 0) return state;
-  state.crowd.stand = state.position;
-  state.crowd.stand_step.resize(state.id.size());
-  state.crowd.stage.resize(state.id.size());
+  for (std::uint32_t agent = 0; agent < crowd.size(); ++agent)
+    if (!crowd.groups[crowd.group[agent]].entrance)
+      add_agent(scene, state, agent, bodies.position[crowd.first + agent]);
   state.crowd.measured.resize(crowd.measures.size());
   for (const AgentGroup& group : crowd.groups)
     state.crowd.waiting.push_back(group.entrance ? group.count : 0);
@@ -57,26 +67,59 @@ std::uint64_t waiting(const CrowdState& crowd) {
   return std::accumulate(crowd.waiting.begin(), crowd.waiting.end(), std::uint64_t{0});
 }
 
+namespace {
+
+/// Whether the agent in that row of the crowd is one who has appeared, on a leg of its journey and an option
+/// of that.
+bool is_on_its_way(const State& state, const Crowd& of, std::size_t row) {
+  const CrowdState& crowd = state.crowd;
+  const std::size_t agent = state.id[of.first + row] - std::size_t{1} - of.first;
+  if (agent >= of.size()) return false;
+  const AgentGroup& group = of.groups[of.group[agent]];
+  if (agent >= group.first + group.count - crowd.waiting[of.group[agent]]) return false;
+  if (crowd.stage[row] >= group.journey.size()) return false;
+  const Leg& leg = group.journey[crowd.stage[row]];
+  if (crowd.option[row] == kUndecided) return leg.options.size() > 1 && crowd.place[row] == 0;
+  return crowd.option[row] < leg.options.size() && (leg.kind != Leg::Kind::pass || crowd.place[row] == 0) &&
+         (leg.kind != Leg::Kind::wait || crowd.place[row] <= 1);
+}
+
+/// Whether those in line have places 1 to as many as they are. Expects that all are on their way.
+bool are_in_line(const State& state, const Crowd& of) {
+  std::vector<std::vector<std::uint32_t>> places(of.queues.size());
+  for (std::size_t row = 0; row < state.crowd.place.size(); ++row) {
+    const std::size_t agent = state.id[of.first + row] - std::size_t{1} - of.first;
+    const Leg& leg = of.leg(agent, state.crowd.stage[row]);
+    if (leg.kind == Leg::Kind::queue && state.crowd.place[row] > 0)
+      places[leg.options[state.crowd.option[row]]].push_back(state.crowd.place[row]);
+  }
+  for (std::vector<std::uint32_t>& queue : places) {
+    std::ranges::sort(queue);
+    for (std::size_t i = 0; i < queue.size(); ++i)
+      if (queue[i] != i + 1) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
 bool fits(const State& state, const Scene& scene) {
   const CrowdState& crowd = state.crowd;
   const Crowd& of = scene.crowd;
   const bool agents = of.size() > 0;
   const std::size_t rows = state.id.size(), arrived = static_cast<std::size_t>(crowd.arrived);
   if (state.sensed.size() != scene.sensors.size() || rows + arrived + waiting(crowd) != scene.bodies.size() ||
-      crowd.stand.size() != (agents ? rows : 0) || crowd.waiting.size() != (agents ? of.groups.size() : 0) ||
+      (agents && rows < of.first) || crowd.stand.size() != (agents ? rows - of.first : 0) ||
+      crowd.waiting.size() != (agents ? of.groups.size() : 0) ||
       crowd.measured.size() != (agents ? of.measures.size() : 0) || (arrived > 0 && !agents))
     return false;
   for (std::size_t group = 0; group < crowd.waiting.size(); ++group)
     if (crowd.waiting[group] > (of.groups[group].entrance ? of.groups[group].count : 0)) return false;
-  const auto is_waiting = [&](std::size_t agent) {
-    const AgentGroup& group = of.groups[of.group[agent]];
-    return agent >= group.first + group.count - crowd.waiting[of.group[agent]];
-  };
+  for (std::size_t row = 0; agents && row < of.first; ++row)
+    if (state.id[row] != row + 1) return false;
   for (std::size_t row = 0; row < crowd.stage.size(); ++row)
-    if (is_waiting(state.id[row] - std::size_t{1}) ||
-        crowd.stage[row] >= of.journeys[of.journey[state.id[row] - 1]].size())
-      return false;
-  return true;
+    if (!is_on_its_way(state, of, row)) return false;
+  return are_in_line(state, of);
 }
 
 std::uint64_t hash(const State& state) {

@@ -20,7 +20,11 @@ struct ContactImpulse {
 struct CrowdState {
   std::vector<Vec> stand;                ///< m, a row per agent: a place that it hasn't gone far from since
   std::vector<std::int64_t> stand_step;  ///< this step
-  std::vector<std::uint32_t> stage;      ///< of its journey
+  std::vector<std::uint32_t> stage;      ///< leg of its journey
+  std::vector<std::uint32_t> option;     ///< of the leg: the one that it goes for, or kUndecided
+  std::vector<std::uint32_t> place;      ///< 0 on the way; in a queue from 1 at its head; 1 where it waits
+  std::vector<std::int64_t> since;       ///< step in which it got there, became first, or began the leg
+  std::vector<Vec> spot;                 ///< m, where it waits
   std::vector<std::uint32_t> waiting;    ///< as Crowd::groups: the last so many haven't appeared yet
   std::int64_t arrived = 0;              ///< agents that got to their goals and left
   std::int64_t last_arrival = 0;         ///< step in which the last of them did
@@ -40,6 +44,16 @@ struct State {
   CrowdState crowd;                            ///< empty where there are no agents
   std::vector<SensedSum> sensed;               ///< as Scene::sensors
 };
+
+/// Calls f(array) for each array of a crowd's state that has a row per agent.
+template <class Crowd, class F>
+void for_each_agent_array(Crowd& crowd, F f) {
+  f(crowd.stand), f(crowd.stand_step), f(crowd.stage), f(crowd.option), f(crowd.place), f(crowd.since);
+  f(crowd.spot);
+}
+
+/// The agent stands there at the beginning of its journey, behind all others of the state.
+void add_agent(const Scene& scene, State& state, std::uint32_t agent, const Vec& place);
 
 /// The state at time 0.
 State initial_state(const Scene& scene);

@@ -2,12 +2,9 @@
 #include "sim/crowd/walk.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <limits>
 
 #include "sim/crowd/entrance.h"
 #include "sim/crowd/slide.h"
-#include "sim/input_error.h"
 #include "sim/simulation_error.h"
 
 namespace throng {
@@ -23,12 +20,12 @@ double largest_radius(const Scene& scene) {
   return largest;
 }
 
-/// The place as people write it.
-std::string text(const Vec& p) {
-  char buffer[64];
-  std::snprintf(buffer, sizeof buffer, "[%.6g, %.6g]", p.x(), p.y());
-  return buffer;
+double least_radius(const Scene& scene, const AgentGroup& group) {
+  const auto first = scene.bodies.radius.begin() + group.first;
+  return *std::min_element(first, first + group.count);
 }
+
+constexpr double kSettle = 0.5;  // s: who wants to stand somewhere comes to a stop within about so long
 
 }  // namespace
 
@@ -46,60 +43,17 @@ Walk::Walk(const Scene& scene)
     : scene_(scene),
       barriers_(scene.crowd.size() > 0 ? barrier_lines(scene) : std::vector<BarrierLine>(),
                 2.0 * largest_radius(scene)),
+      entrances_(scene.crowd.groups.size()),
       largest_radius_(largest_radius(scene)) {
   if (scene.crowd.size() == 0) return;
   for (const AgentGroup& group : scene.crowd.groups) {
     models_.push_back(walking_models()[group.model].make(group.parameters));
     reach_ = std::max(reach_, models_.back()->reach(largest_radius_));
   }
-  build_goals();
-  expect_ways();
-}
-
-void Walk::build_goals() {
-  const Crowd& crowd = scene_.crowd;
-  std::vector<double> least(crowd.goals.size(), 0.0), largest(least);
-  for (std::size_t agent = 0; agent < crowd.size(); ++agent)
-    for (const std::uint32_t goal : journey(agent)) {
-      const double radius = scene_.bodies.radius[agent];
-      least[goal] = largest[goal] > 0.0 ? std::min(least[goal], radius) : radius;
-      largest[goal] = std::max(largest[goal], radius);
-    }
-  goals_.resize(crowd.goals.size());
-  for (std::uint32_t goal = 0; goal < goals_.size(); ++goal) {
-    if (largest[goal] == 0.0) continue;
-    const Resolution resolution = resolution_for(crowd.walkable, barriers_, least[goal], largest[goal]);
-    goals_[goal].plan =
-        std::make_unique<FloorPlan>(floor_plan(crowd.walkable, barriers_, resolution, 2.0 * least[goal]));
-    goals_[goal].field =
-        std::make_unique<DistanceField>(*goals_[goal].plan, barriers_, crowd.goals[goal].region);
-    goals_[goal].bounds = bounds(crowd.goals[goal].region);
-  }
-}
-
-bool Walk::leads(std::uint32_t goal, const Vec& place) const {
-  return goals_[goal].field->distance(place) < std::numeric_limits<double>::infinity();
-}
-
-/// Who appears later is checked at a place at random: of those who have his journey one must find a way.
-void Walk::expect_ways() const {
-  const Crowd& crowd = scene_.crowd;
-  std::vector<bool> is_possible(crowd.journeys.size());
-  const auto dead_end = [&](std::size_t agent) {
-    return std::ranges::find_if_not(
-        journey(agent), [&](std::uint32_t goal) { return leads(goal, scene_.bodies.position[agent]); });
-  };
-  for (std::size_t agent = 0; agent < crowd.size(); ++agent)
-    if (group(agent).entrance && dead_end(agent) == journey(agent).end())
-      is_possible[crowd.journey[agent]] = true;
-  for (std::size_t agent = 0; agent < crowd.size(); ++agent) {
-    const auto goal = dead_end(agent);
-    if (is_possible[crowd.journey[agent]] || goal == journey(agent).end()) continue;
-    throw InputError("agents[" + std::to_string(group(agent).index) + "]: no way wide enough leads from " +
-                     text(scene_.bodies.position[agent]) + ", where agent " + std::to_string(agent + 1) +
-                     (group(agent).entrance ? " may appear" : " stands") + ", to its goal " +
-                     crowd.goals[*goal].name);
-  }
+  for (std::size_t i = 0; i < scene.crowd.groups.size(); ++i)
+    if (const AgentGroup& group = scene.crowd.groups[i]; group.entrance && group.count > 0)
+      entrances_[i] = std::make_unique<Sampler>(group.entrance->within, least_radius(scene, group));
+  journeys_.emplace(scene, barriers_);
 }
 
 void Walk::Ranks::resize(std::size_t n) {
@@ -111,27 +65,23 @@ void Walk::Ranks::resize(std::size_t n) {
 void Walk::rank(const State& state, std::size_t place) {
   const std::size_t row = cells_.row()[place], its = agent(state, row);
   const Vec &p = state.position[row], &v = state.velocity[row];
-  const Vec towards = goals_[goal(state, row)].field->direction(p);
+  const auto [towards, distance] = journeys_->heading(state, row);
   ranks_.x[place] = p.x(), ranks_.y[place] = p.y();
   ranks_.velocity_x[place] = v.x(), ranks_.velocity_y[place] = v.y();
   ranks_.towards_x[place] = towards.x(), ranks_.towards_y[place] = towards.y();
   ranks_.radius[place] = scene_.bodies.radius[its];
   const bool stands = static_cast<double>(state.step) * scene_.time.dt < scene_.crowd.start[its];
-  ranks_.desired_speed[place] = stands ? 0.0 : scene_.crowd.desired_speed[its];
+  ranks_.desired_speed[place] = stands ? 0.0 : std::min(scene_.crowd.desired_speed[its], distance / kSettle);
   ranks_.id[place] = state.id[row];
 }
 
-void Walk::prefetch(const State& state, std::size_t place) const {
-  const std::size_t row = cells_.row()[place];
-  goals_[goal(state, row)].field->prefetch(state.position[row]);
-}
-
-void Walk::look(const State& state, Workers& workers) {
+void Walk::look(State& state, Workers& workers) {
+  journeys_->look(state);
   cells_.sort(state.position, reach_);
   ranks_.resize(state.id.size());
   workers.for_ranges(state.id.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t place = begin; place < end; ++place) {
-      prefetch(state, std::min(place + kAhead, end - 1));
+      journeys_->prefetch(state, cells_.row()[std::min(place + kAhead, end - 1)]);
       rank(state, place);
     }
   });
@@ -193,54 +143,61 @@ void Walk::measure_all(State& state) {
 }
 
 void Walk::leave(State& state) {
-  CrowdState& crowd = state.crowd;
-  std::size_t kept = 0;
-  for (std::size_t row = 0; row < state.id.size(); ++row) {
-    const Vec& p = state.position[row];
-    const std::uint32_t its = goal(state, row);
-    const bool there = goals_[its].bounds.contains(p) && contains(scene_.crowd.goals[its].region, p);
-    if (there && ++crowd.stage[row] == journey(agent(state, row)).size()) continue;
-    if (kept != row) {
-      state.id[kept] = state.id[row];
-      state.position[kept] = state.position[row], state.velocity[kept] = state.velocity[row];
-      state.angle[kept] = state.angle[row], state.spin[kept] = state.spin[row];
-      crowd.stand[kept] = crowd.stand[row], crowd.stand_step[kept] = crowd.stand_step[row];
-      crowd.stage[kept] = crowd.stage[row];
-    }
-    ++kept;
-  }
-  if (kept == state.id.size()) return;
-  crowd.arrived += static_cast<std::int64_t>(state.id.size() - kept);
-  crowd.last_arrival = state.step;
-  state.id.resize(kept), state.angle.resize(kept), state.spin.resize(kept);
-  state.position.resize(kept), state.velocity.resize(kept);
-  crowd.stand.resize(kept), crowd.stand_step.resize(kept), crowd.stage.resize(kept);
+  journeys_->advance(state, leaves_);
+  const auto count = std::ranges::count(leaves_, 1);
+  if (count == 0) return;
+  const auto keep = [&](auto& all) {
+    std::size_t row = 0;
+    std::erase_if(all, [&](const auto&) { return leaves_[row++] != 0; });
+  };
+  keep(state.id), keep(state.position), keep(state.velocity), keep(state.angle), keep(state.spin);
+  for_each_agent_array(state.crowd, keep);
+  state.crowd.arrived += count;
+  state.crowd.last_arrival = state.step;
+}
+
+/// Whether the next of the group is due.
+bool Walk::is_due(const State& state, std::size_t group) const {
+  const AgentGroup& its = scene_.crowd.groups[group];
+  const std::uint32_t waiting = state.crowd.waiting[group];
+  return waiting > 0 && scene_.crowd.due[its.first + its.count - waiting] <=
+                            static_cast<double>(state.step) * scene_.time.dt;
+}
+
+/// The next of the group, where there is room.
+bool Walk::bring_in(State& state, std::size_t group) {
+  const Crowd& crowd = scene_.crowd;
+  const AgentGroup& its = crowd.groups[group];
+  const std::uint32_t agent = its.first + its.count - state.crowd.waiting[group];
+  const std::optional<Vec> place =
+      free_place(scene_, barriers_, standing_, *entrances_[group], agent, state.step,
+                 [&](const Vec& p) { return journeys_->ways().lead_on(its, p); });
+  if (!place) return false;
+  add_agent(scene_, state, agent, *place);
+  standing_.add(*place, scene_.bodies.radius[agent]);
+  for (std::size_t k = 0; k < crowd.measures.size(); ++k)
+    measure_entry(crowd.measures[k], *place, state.step, state.crowd.measured[k]);
+  --state.crowd.waiting[group];
+  return true;
 }
 
 void Walk::appear(State& state) {
-  const Crowd& crowd = scene_.crowd;
-  const double now = static_cast<double>(state.step) * scene_.time.dt;
-  for (std::size_t i = 0; i < crowd.groups.size(); ++i) {
-    const AgentGroup& its = crowd.groups[i];
-    std::uint32_t& waiting = state.crowd.waiting[i];
-    for (; waiting > 0; --waiting) {
-      const std::uint32_t agent = its.first + its.count - waiting;
-      if (crowd.due[agent] > now) break;
-      const std::optional<Vec> place =
-          free_place(scene_, barriers_, state, *its.entrance, agent, [&](const Vec& p) {
-            return std::ranges::all_of(journey(agent), [&](std::uint32_t goal) { return leads(goal, p); });
-          });
-      if (!place) break;
-      add_agent(state, agent, *place);
-      for (std::size_t k = 0; k < crowd.measures.size(); ++k)
-        measure_entry(crowd.measures[k], *place, state.step, state.crowd.measured[k]);
+  bool known = false;
+  for (std::size_t group = 0; group < scene_.crowd.groups.size(); ++group) {
+    if (!known && is_due(state, group)) {
+      standing_.clear();
+      for (std::size_t row = 0; row < state.id.size(); ++row)
+        standing_.add(state.position[row], scene_.bodies.radius[agent(state, row)]);
+      known = true;
     }
+    while (is_due(state, group) && bring_in(state, group)) continue;
   }
 }
 
 std::vector<StuckAgent> stuck_agents(const Scene& scene, const State& state) {
   std::vector<StuckAgent> stuck;
   for (std::size_t row = 0; row < state.crowd.stand.size(); ++row) {
+    if (state.crowd.place[row] > 0) continue;
     const std::size_t agent = state.id[row] - std::size_t{1};
     const double dt = scene.time.dt, now = static_cast<double>(state.step) * dt;
     const double stood = static_cast<double>(state.crowd.stand_step[row]) * dt;

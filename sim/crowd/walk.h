@@ -2,11 +2,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "sim/crowd/barriers.h"
 #include "sim/crowd/crowd_cells.h"
-#include "sim/crowd/distance_field.h"
+#include "sim/crowd/journeys.h"
 #include "sim/crowd/model.h"
 #include "sim/scene.h"
 #include "sim/state.h"
@@ -21,13 +22,13 @@ std::vector<BarrierLine> barrier_lines(const Scene& scene);
 
 class Walk {
  public:
-  /// Builds each goal's distance field, one for all groups that have it. Throws InputError that names group,
-  /// agent and place where no way leads from an agent to its goal. Nothing happens where there are no agents.
-  /// Expects a scene whose bodies are agents or none, which must outlive this.
+  /// Throws as Ways. Nothing happens where there are no agents. Expects a scene whose bodies are agents or
+  /// none, which must outlive this.
   explicit Walk(const Scene& scene);
 
-  /// Brings the agents into the order in which they stand, and finds each one's way.
-  void look(const State& state, Workers& workers);
+  /// Brings the agents into the order in which they stand, lets choose who has a choice of goals, and finds
+  /// each one's way.
+  void look(State& state, Workers& workers);
 
   /// Asks the models for the agents' velocities, all from the state as it is.
   void steer(const State& state, Workers& workers);
@@ -36,20 +37,13 @@ class Walk {
   /// and what the scene measures.
   void walk(State& state, Workers& workers);
 
-  /// Sends those who are in their goal on to the next one of their journey; who is in the last one leaves the
-  /// state.
+  /// Moves the agents on in their journeys; who is at the end of his leaves the state.
   void leave(State& state);
 
   /// Brings in those who are due, where there is room: others of their group wait behind who finds none.
   void appear(State& state);
 
  private:
-  struct Goal {
-    std::unique_ptr<FloorPlan> plan;
-    std::unique_ptr<DistanceField> field;
-    Eigen::AlignedBox2d bounds;  ///< m, of its area
-  };
-
   /// Of the agents, by place in the cells.
   struct Ranks {
     std::vector<double> x, y, velocity_x, velocity_y, towards_x, towards_y, radius, desired_speed, id;
@@ -57,31 +51,24 @@ class Walk {
     void resize(std::size_t n);
   };
 
-  void build_goals();
-  void expect_ways() const;
-  bool leads(std::uint32_t goal, const Vec& place) const;  // a way, from there
   void rank(const State& state, std::size_t place);
-  void prefetch(const State& state, std::size_t place) const;  // of its goal's field
   void measure_all(State& state);
+  bool is_due(const State& state, std::size_t group) const;
+  bool bring_in(State& state, std::size_t group);
   std::size_t agent(const State& state, std::size_t row) const { return state.id[row] - std::size_t{1}; }
-  const Journey& journey(std::size_t agent) const {
-    return scene_.crowd.journeys[scene_.crowd.journey[agent]];
-  }
-  std::uint32_t goal(const State& state, std::size_t row) const {
-    return journey(agent(state, row))[state.crowd.stage[row]];
-  }
-  const AgentGroup& group(std::size_t agent) const { return scene_.crowd.groups[scene_.crowd.group[agent]]; }
 
   const Scene& scene_;
   Barriers barriers_;
-  std::vector<Goal> goals_;                            // as Crowd::goals; empty where no agent goes
+  std::optional<Journeys> journeys_;                   // where there are agents
   std::vector<std::unique_ptr<WalkingModel>> models_;  // as Crowd::groups
+  std::vector<std::unique_ptr<Sampler>> entrances_;    // likewise, where agents appear
   double largest_radius_ = 0.0, reach_ = 0.0;          // m
   CrowdCells cells_;
   Ranks ranks_;
   std::vector<std::uint32_t> places_;  // those of each model together
   std::vector<Vec> velocity_;          // by place
-  std::vector<std::uint8_t> corrected_;
+  std::vector<std::uint8_t> corrected_, leaves_;
+  Standing standing_;            // who is there when others appear
   std::vector<Stride> strides_;  // by place; where anything is measured
 };
 
@@ -92,8 +79,8 @@ struct StuckAgent {
 };
 inline constexpr double kStuckTime = 10.0;  ///< s
 
-/// Those of the state, by row: agents with a desired speed that for kStuckTime weren't farther than their
-/// radius from one place.
+/// Those of the state, by row: agents with a desired speed and on their way somewhere, not in line nor
+/// waiting, that for kStuckTime weren't farther than their radius from one place.
 std::vector<StuckAgent> stuck_agents(const Scene& scene, const State& state);
 
 }  // namespace throng

@@ -28,7 +28,7 @@ namespace {
 using Bytes = std::span<const std::byte>;
 
 constexpr std::array<char, 8> kMagic{'t', 'h', 'r', 'o', 'n', 'g', 'C', 'K'};
-constexpr std::uint64_t kLayout = 4;  // grows with every change of State
+constexpr std::uint64_t kLayout = 5;  // grows with every change of State
 
 struct Header {
   std::array<char, 8> magic = kMagic;
@@ -36,7 +36,7 @@ struct Header {
   std::array<char, 32> version{};
   std::int64_t step = 0;
   std::uint64_t scenario_bytes = 0, bodies = 0, disc_contacts = 0, point_contacts = 0;
-  std::uint64_t agents = 0;  // rows of CrowdState: as many as bodies, or none
+  std::uint64_t agents = 0;  // rows of CrowdState: the last of the bodies
   std::uint64_t groups = 0, measures = 0, sensors = 0;
   std::int64_t arrived = 0, last_arrival = 0, wall_corrections = 0;
   std::uint64_t frames = 0, frames_hash = 0;
@@ -84,13 +84,6 @@ void for_each_array(S& state, F visit) {
 }
 
 template <class C, class F>
-void for_each_crowd_array(C& crowd, F visit) {
-  auto& [stand, stand_step, stage, waiting, arrived, last_arrival, wall_corrections, measured] =
-      crowd;  // all
-  visit(stand), visit(stand_step), visit(stage);
-}
-
-template <class C, class F>
 void for_each_column(C& columns, F visit) {
   visit(columns.key), visit(columns.feature), visit(columns.normal), visit(columns.tangent);
 }
@@ -101,7 +94,7 @@ std::vector<Bytes> content(const std::string& scenario, const State& state, cons
   std::vector<Bytes> all{std::as_bytes(std::span(scenario))};
   const auto add = [&](const auto& array) { all.push_back(std::as_bytes(std::span(array))); };
   for_each_array(state, add);
-  for_each_crowd_array(state.crowd, add);
+  for_each_agent_array(state.crowd, add);
   add(state.crowd.waiting), add(state.crowd.measured), add(state.sensed);
   for_each_column(discs, add);
   for_each_column(points, add);
@@ -199,13 +192,13 @@ Header read_header(int fd, const std::string& path, std::uint64_t size) {
 /// against.
 void expect_size(const std::string& path, const Header& header, std::uint64_t size) {
   constexpr std::uint64_t body = sizeof(std::uint32_t) + 6 * sizeof(double);
-  constexpr std::uint64_t agent = 2 * sizeof(double) + sizeof(std::int64_t) + sizeof(std::uint32_t);
+  constexpr std::uint64_t agent = 4 * sizeof(double) + 2 * sizeof(std::int64_t) + 3 * sizeof(std::uint32_t);
   constexpr std::uint64_t contact = sizeof(std::uint64_t) + sizeof(std::uint32_t) + 2 * sizeof(double);
   const std::uint64_t counts[] = {header.scenario_bytes, header.bodies,        header.agents,
                                   header.groups,         header.measures,      header.sensors,
                                   header.disc_contacts,  header.point_contacts};
   const bool bounded = std::all_of(std::begin(counts), std::end(counts), [&](auto n) { return n <= size; });
-  const bool crowd = header.agents == 0 || header.agents == header.bodies;
+  const bool crowd = header.agents <= header.bodies;
   if (!bounded || !crowd ||
       size != sizeof header + header.scenario_bytes + body * header.bodies + agent * header.agents +
                   sizeof(std::uint32_t) * header.groups + sizeof(Measured) * header.measures +
@@ -247,7 +240,9 @@ bool is_sound(const SensedSum& sum) {
 bool is_sound(const CrowdState& crowd, std::int64_t step) {
   const auto past = [step](std::int64_t s) { return s >= 0 && s <= step; };
   return std::all_of(crowd.stand.begin(), crowd.stand.end(), is_near) &&
-         std::all_of(crowd.stand_step.begin(), crowd.stand_step.end(), past) && past(crowd.last_arrival) &&
+         std::all_of(crowd.spot.begin(), crowd.spot.end(), is_near) &&
+         std::all_of(crowd.stand_step.begin(), crowd.stand_step.end(), past) &&
+         std::all_of(crowd.since.begin(), crowd.since.end(), past) && past(crowd.last_arrival) &&
          is_count(crowd.arrived) && is_count(crowd.wall_corrections) &&
          std::all_of(crowd.measured.begin(), crowd.measured.end(),
                      [&](const Measured& measured) { return is_sound(measured, step); });
@@ -283,7 +278,7 @@ Checkpoint read_content(int fd, const std::string& path, const Header& header) {
     array.resize(header.bodies);
     read_array(array);
   });
-  for_each_crowd_array(state.crowd, [&](auto& array) {
+  for_each_agent_array(state.crowd, [&](auto& array) {
     array.resize(header.agents);
     read_array(array);
   });

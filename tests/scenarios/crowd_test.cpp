@@ -43,7 +43,7 @@ TEST(Crowd, IsReadWithItsFloorItsAreasAndItsAgents) {
   ASSERT_EQ(scene.bodies.size(), 20u);
   const AgentGroup& group = scene.crowd.groups.at(0);
   EXPECT_STREQ(walking_models()[group.model].name, "social_force");
-  EXPECT_EQ(scene.crowd.goals[scene.crowd.journeys[scene.crowd.journey[0]].back()].name, "\"exit\"");
+  EXPECT_EQ(scene.crowd.goals[group.journey.back().options.at(0)].name, "\"exit\"");
   EXPECT_EQ(group.parameters[0], 70.0);
   EXPECT_EQ(group.parameters[1], 0.5) << "what is absent has its default";
   for (std::size_t i = 0; i < 20; ++i) {
@@ -218,8 +218,10 @@ TEST(Crowd, MayAppearInTimeSetOutLateAndGoFromGoalToGoal) {
   EXPECT_EQ(crowd.start[8], 5.0);
   EXPECT_EQ(crowd.start[6], 17.0);
   ASSERT_EQ(crowd.goals.size(), 2u) << "the second group shares the first one's";
-  EXPECT_EQ(crowd.journeys, (std::vector<Journey>{{0, 1}, {0}}));
-  EXPECT_EQ(crowd.journey, (std::vector<std::uint32_t>{0, 0, 0, 0, 0, 0, 0, 1, 1}));
+  ASSERT_EQ(crowd.groups[0].journey.size(), 2u);
+  EXPECT_EQ(crowd.groups[0].journey[0], crowd.groups[1].journey[0]);
+  EXPECT_EQ(crowd.groups[0].journey[1].options, std::vector<std::uint32_t>{1});
+  EXPECT_EQ(crowd.groups[1].journey.size(), 1u);
   EXPECT_EQ(crowd.groups[1].first, 7u);
   EXPECT_EQ(crowd.groups[1].count, 2u);
   EXPECT_TRUE(contains(crowd.goals[1].region, Vec(1, 1)) && contains(crowd.goals[1].region, Vec(9.5, 2.5)));
@@ -247,7 +249,7 @@ TEST(Crowd, IsRefusedWhereItsGoalsOrTimesMakeNoSense) {
   expect_fault(agents + kRandom + "goal.weights = { exit = 1, nowhere = 2 }\n",
                "agents[0].goal.weights.nowhere: is not the name of an entry of [areas]");
   expect_fault(agents + kRandom + "goal.weights = { exit = 0 }\n",
-               "agents[0].goal.weights: must hold a weight above 0");
+               "agents[0].goal.weights: must hold a number above 0");
   const std::string timed = agents + kRandom + "goal = 'exit'\n";
   expect_fault(timed + "appear = { times = [5, 4] }\n", "agents[0].appear.times: must be ascending");
   expect_fault(timed + "count = 5\nappear = { times = [4, 5], together = 2 }\n",
@@ -262,6 +264,64 @@ TEST(Crowd, IsRefusedWhereItsGoalsOrTimesMakeNoSense) {
                "agents[0].appear: needs place.random");
   expect_fault(kFloor + kGroup + "count = 1\nradius = 2\nappear = { rate = 1 }\n" + kRandom,
                "found no free place");
+}
+
+TEST(Crowd, MayWaitLineUpAndChoose) {
+  const std::string queues =
+      "[queues]\ngate = { line = [[7, 4], [6, 4]], service = 2 }\nside = { line = [[7, 1], [6, 1]], service "
+      "= 0, "
+      "spacing = 0.5 }\n";
+  const Loaded loaded =
+      load_text(kFloor + queues + "[[agents]]\nmodel = 'orca'\ncount = 3\n" + kRandom +
+                "goal = [{ wait = 'start', for = { uniform = [1, 2] } }, { wait = 'start', until = 60 }, { "
+                "queue = 'gate' }, "
+                "{ queue = ['side', 'gate'] }, { least_crowded = { exit = 2.5, start = 1 } }, 'exit']\n");
+  ASSERT_EQ(loaded.errors(), 0) << faults(loaded);
+  const Crowd& crowd = loaded.scene.crowd;
+  ASSERT_EQ(crowd.queues.size(), 2u);
+  EXPECT_EQ(crowd.queues[0].spacing, 0.6);
+  EXPECT_TRUE(contains(crowd.goals[crowd.queues[0].goal].region, Vec(6.5, 4.1)));
+  EXPECT_FALSE(contains(crowd.goals[crowd.queues[0].goal].region, Vec(6.5, 4.2)));
+  const Journey& journey = crowd.groups[0].journey;
+  ASSERT_EQ(journey.size(), 6u);
+  ASSERT_EQ(journey[0].times.size(), 3u);
+  for (const double time : journey[0].times) EXPECT_TRUE(time >= 1 && time <= 2);
+  EXPECT_NE(journey[0].times[0], journey[0].times[1]);
+  EXPECT_TRUE(!journey[0].until && journey[1].until);
+  EXPECT_EQ(journey[1].times, (std::vector<double>{60, 60, 60}));
+  EXPECT_EQ(journey[2].options.size(), 1u);
+  EXPECT_EQ(journey[3].options, (std::vector<std::uint32_t>{1, 0}));
+  EXPECT_EQ(journey[3].capacity[1], 0.5);
+  EXPECT_EQ(journey[4].capacity, (std::vector<double>{2.5, 1}));
+}
+
+TEST(Crowd, IsRefusedWhereItsJourneyMakesNoSense) {
+  const std::string agents = kFloor + "[queues]\ngate = { line = [[7, 4], [6, 4]], service = 2 }\n" +
+                             "[[agents]]\nmodel = 'orca'\n" + kRandom + "goal = ";
+  expect_fault(agents + "[{ queue = 'gate' }]",
+               "agents[0].goal: must end with an area where the agents leave");
+  expect_fault(agents + "{ wait = 'start', for = 3 }", "agents[0].goal: must end with an area");
+  expect_fault(agents + "[{ wait = 'start' }, 'exit']",
+               "agents[0].goal: goes on after a `wait` that has no end: it needs `for` or `until`");
+  expect_fault(agents + "[{ wait = 'start', for = 3, until = 4 }, 'exit']",
+               "agents[0].goal[0].until: must not stand beside `for`");
+  expect_fault(agents + "[{ queue = 'gate', for = 3 }, 'exit']", "agents[0].goal[0].for: belongs to `wait`");
+  expect_fault(agents + "[{ queue = 'gaet' }, 'exit']", "did you mean \"gate\"?");
+  expect_fault(agents + "[{ queue = 'gate', wait = 'start' }, 'exit']",
+               "needs exactly one of nearest, weights");
+  expect_fault(agents + "{ least_crowded = { exit = 0 } }", "goal.least_crowded: must hold a number above 0");
+  expect_fault(agents + "{ least_crowded = { gate = 1 } }",
+               "goal.least_crowded.gate: is not the name of an entry");
+  const auto queue = [](const std::string& line) {
+    return kFloor + "[queues]\ngate = { service = 1, line = " + line + " }\n" + kGroup + kRandom;
+  };
+  expect_fault(queue("[[7, 4], [7, 4]]"), "queues.gate.line: must not hold a point twice in a row");
+  expect_fault(queue("[[7, 4], [7, 9]]"),
+               "queues.gate.line: its place 3 at [7, 5.2] is not on the walkable area");
+  expect_fault(queue("[[4.5, 1.7], [4.5, 3.2]]"), "queues.gate.line: its place 2 at [4.5, 2.3] is not on");
+  expect_fault(queue("[[5, 2.5], [7, 2.5]]"), "is o");
+  expect_fault(queue("[[7, 4], [6, 4]]") + "[[walls]]\nsegment = [[6.7, 0], [6.7, 5]]\n",
+               "queues.gate.line: its place 2 at [6.4, 4] is behind a wall, seen from the one before it");
 }
 
 }  // namespace throng

@@ -64,8 +64,14 @@ inline void expect_same(const Scene& a, const Scene& b) {
   EXPECT_EQ(a.crowd.walkable.rings, b.crowd.walkable.rings);
   EXPECT_EQ(a.crowd.group, b.crowd.group);
   EXPECT_EQ(a.crowd.desired_speed, b.crowd.desired_speed);
-  EXPECT_EQ(a.crowd.journey, b.crowd.journey);
-  EXPECT_EQ(a.crowd.journeys, b.crowd.journeys);
+  ASSERT_EQ(a.crowd.queues.size(), b.crowd.queues.size());
+  for (std::size_t i = 0; i < a.crowd.queues.size(); ++i) {
+    EXPECT_EQ(a.crowd.queues[i].name, b.crowd.queues[i].name);
+    EXPECT_EQ(a.crowd.queues[i].line, b.crowd.queues[i].line);
+    EXPECT_EQ(a.crowd.queues[i].spacing, b.crowd.queues[i].spacing);
+    EXPECT_EQ(a.crowd.queues[i].service, b.crowd.queues[i].service);
+    EXPECT_EQ(a.crowd.queues[i].goal, b.crowd.queues[i].goal);
+  }
   EXPECT_EQ(a.crowd.due, b.crowd.due);
   EXPECT_EQ(a.crowd.start, b.crowd.start);
   ASSERT_EQ(a.crowd.goals.size(), b.crowd.goals.size());
@@ -89,6 +95,7 @@ inline void expect_same(const Scene& a, const Scene& b) {
   for (std::size_t i = 0; i < a.crowd.groups.size(); ++i) {
     EXPECT_EQ(a.crowd.groups[i].model, b.crowd.groups[i].model);
     EXPECT_EQ(a.crowd.groups[i].parameters, b.crowd.groups[i].parameters);
+    EXPECT_EQ(a.crowd.groups[i].journey, b.crowd.groups[i].journey);
     EXPECT_EQ(a.crowd.groups[i].first, b.crowd.groups[i].first);
     EXPECT_EQ(a.crowd.groups[i].count, b.crowd.groups[i].count);
     ASSERT_EQ(a.crowd.groups[i].entrance.has_value(), b.crowd.groups[i].entrance.has_value());

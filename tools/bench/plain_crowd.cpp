@@ -82,7 +82,7 @@ const std::vector<double>& PlainCrowd::parameters(std::uint32_t agent) const {
 }
 
 Vec PlainCrowd::towards(std::uint32_t agent) const {
-  const std::uint32_t goal = scene_.crowd.journeys[scene_.crowd.journey[agent]].front();
+  const std::uint32_t goal = scene_.crowd.goal(scene_.crowd.leg(agent, 0), 0);
   return goals_[goal].field->direction(position_[agent]);
 }
 

@@ -89,7 +89,8 @@ Finding gone_astray(const Trials& trials) {
   const Walked walked = trials.walk("cabins");
   double astray = 0.0;
   for (std::size_t agent = 0; agent < walked.arrival.size(); ++agent) {
-    const std::uint32_t goal = walked.scene.crowd.journeys[walked.scene.crowd.journey[agent]].back();
+    const Crowd& crowd = walked.scene.crowd;
+    const std::uint32_t goal = crowd.goal(crowd.groups[crowd.group[agent]].journey.back(), 0);
     const bool there =
         walked.arrival[agent] < kNever &&
         (nearest_on_border(walked.scene.crowd.goals[goal].region, walked.last[agent]) - walked.last[agent])

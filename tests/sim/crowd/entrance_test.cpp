@@ -86,14 +86,16 @@ TEST(Entrance, PlacesAgentsWhollyWithinAndApart) {
       hall("goal = 'low'\ncount = 400\nradius = 0.2\nplace.random.gap = 0.1\nappear = { rate = 1 }\n"));
   State state = initial_state(scene);
   const Barriers barriers(barrier_lines(scene), 1.0);
-  const Entrance& entrance = *scene.crowd.groups[0].entrance;
+  const Sampler entrance(scene.crowd.groups[0].entrance->within, 0.2);
+  Standing others;
   std::uint32_t agent = 0;
-  for (std::optional<Vec> p; agent < 400 && (p = free_place(scene, barriers, state, entrance, agent,
+  for (std::optional<Vec> p; agent < 400 && (p = free_place(scene, barriers, others, entrance, agent, 0,
                                                             [](const Vec&) { return true; }));
        ++agent) {
     EXPECT_TRUE(p->x() >= 0.3 && p->x() <= 1.8 && p->y() >= 2.2 && p->y() <= 3.8) << p->transpose();
     for (const Vec& q : state.position) EXPECT_GE((*p - q).norm(), 0.5);
-    add_agent(state, agent, *p);
+    add_agent(scene, state, agent, *p);
+    others.add(*p, 0.2);
   }
   EXPECT_GT(agent, 4u);
   EXPECT_LT(agent, 20u);
@@ -135,8 +137,10 @@ TEST(Entrance, FitsOnlyTheCrowdThatItIsOf) {
   EXPECT_TRUE(refused([](State& s) { s.crowd.measured.resize(1); }));
   EXPECT_TRUE(refused([](State& s) { ++s.crowd.arrived; }));
   EXPECT_TRUE(refused([](State& s) { s.id.back() = 40; })) << "who is still to appear";
-  EXPECT_TRUE(
-      refused([](State& s) { s.crowd.stand.clear(), s.crowd.stand_step.clear(), s.crowd.stage.clear(); }));
+  EXPECT_TRUE(refused([](State& s) { for_each_agent_array(s.crowd, [](auto& all) { all.clear(); }); }));
+  EXPECT_TRUE(refused([](State& s) { s.crowd.option[0] = 1; }));
+  EXPECT_TRUE(refused([](State& s) { s.crowd.option[0] = kUndecided; })) << "there is no choice";
+  EXPECT_TRUE(refused([](State& s) { s.crowd.place[0] = 1; })) << "neither a queue nor a place to wait";
 }
 
 TEST(Journey, GoesFromGoalToGoalAndLeavesAtTheLast) {
@@ -166,13 +170,20 @@ TEST(Journey, LeadsToTheNearestOfSeveralAreas) {
 }
 
 TEST(Journey, IsDrawnByWeight) {
-  const Scene scene = scene_from(
-      hall("goal.weights = { low = 3, high = 1, middle = 0 }\ncount = 4000\nappear = { rate = 1 }\n"));
-  ASSERT_EQ(scene.crowd.journeys.size(), 2u);
-  std::size_t low = 0;
-  for (const std::uint32_t journey : scene.crowd.journey)
-    low += scene.crowd.goals[scene.crowd.journeys[journey].front()].name == "\"low\"";
-  EXPECT_NEAR(low / 4000.0, 0.75, 3 * std::sqrt(0.75 * 0.25 / 4000));
+  for (const char* goal : {"goal.weights = { low = 3, high = 1, middle = 0 }\n",
+                           "goal = [{ weights = { low = 3, high = 1, middle = 0 } }, 'middle']\n"}) {
+    Trial run(
+        hall("goal = 'low'\ncount = 0\n[[agents]]\nmodel = 'constant_velocity'\ncount = 2000\n"
+             "radius = 0.02\nplace.random.within = [[0, 0], [8, 6]]\n" +
+             std::string(goal)));
+    const Leg& leg = run.scene.crowd.groups[1].journey[0];
+    ASSERT_EQ(leg.options.size(), 2u) << "nobody goes to the middle";
+    run.steps(1);
+    std::size_t low = 0;
+    for (const std::uint32_t option : run.state.crowd.option)
+      low += run.scene.crowd.goals[leg.options[option]].name == "\"low\"";
+    EXPECT_NEAR(low / 2000.0, 0.75, 3 * std::sqrt(0.75 * 0.25 / 2000));
+  }
 }
 
 TEST(Premovement, LetsAgentsStandUntilTheirTime) {  // IMO MSC.1/Circ.1533, test 5

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "sim/crowd/least_crowded.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace throng {
+
+namespace {
+
+constexpr double kSlowest = 1e-3;  // m/s: who wants to stand takes the nearest
+
+}  // namespace
+
+LeastCrowded::LeastCrowded(const Scene& scene, const Ways& ways)
+    : scene_(scene),
+      ways_(ways),
+      is_counted_(scene.crowd.goals.size(), false),
+      going_(scene.crowd.goals.size()) {
+  for (const AgentGroup& group : scene.crowd.groups)
+    for (const Leg& leg : group.journey)
+      for (std::size_t option = 0; option < leg.capacity.size(); ++option)
+        is_counted_[scene.crowd.goal(leg, option)] = true;
+}
+
+void LeastCrowded::count(const State& state) {
+  const Crowd& crowd = scene_.crowd;
+  for (std::vector<double>& ways : going_) ways.clear();
+  for (std::size_t i = 0; i < state.crowd.stage.size(); ++i) {
+    if (state.crowd.option[i] == kUndecided) continue;
+    const std::size_t agent = state.id[crowd.first + i] - std::size_t{1} - crowd.first;
+    const std::uint32_t goal = crowd.goal(crowd.leg(agent, state.crowd.stage[i]), state.crowd.option[i]);
+    if (!is_counted_[goal]) continue;
+    const bool there = state.crowd.place[i] > 0;
+    going_[goal].push_back(there ? 0.0 : ways_.to(goal).distance(state.position[crowd.first + i]));
+  }
+  for (std::vector<double>& ways : going_) std::ranges::sort(ways);
+}
+
+std::uint32_t LeastCrowded::choose(const Leg& leg, const Vec& place, double desired_speed) {
+  const double speed = std::max(desired_speed, kSlowest);
+  double least = std::numeric_limits<double>::infinity(), its_way = 0.0;
+  std::uint32_t best = 0;
+  for (std::uint32_t option = 0; option < leg.options.size(); ++option) {
+    const std::uint32_t goal = scene_.crowd.goal(leg, option);
+    const double way = ways_.to(goal).distance(place);
+    const auto nearer = std::ranges::lower_bound(going_[goal], way) - going_[goal].begin();
+    const double time = way / speed + static_cast<double>(nearer) / leg.capacity[option];
+    if (time < least) least = time, its_way = way, best = option;
+  }
+  std::vector<double>& going = going_[scene_.crowd.goal(leg, best)];
+  going.insert(std::ranges::upper_bound(going, its_way), its_way);
+  return best;
+}
+
+}  // namespace throng

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "sim/crowd/ways.h"
+#include "sim/state.h"
+
+namespace throng {
+
+/// Which of several exits or queues an agent takes: the one that it expects to be through first, by the time
+/// of the way at its desired speed and that of all who go there too and are nearer, at the exit's capacity:
+/// Ehtamo, Heliovaara, Korhonen, Hostikka, "Game theoretic best-response dynamics for evacuees' exit
+/// selection" (Advances in Complex Systems 2010). Those who choose in the same step do so one after the other
+/// and know what the ones before them chose.
+class LeastCrowded {
+ public:
+  LeastCrowded(const Scene& scene, const Ways& ways);
+
+  /// Whom the state says to go where. O(agents).
+  void count(const State& state);
+
+  /// The option that the agent takes, of equally good ones the first; from then on it goes there. O(log
+  /// agents) and less than that for whom it moves in memory.
+  std::uint32_t choose(const Leg& leg, const Vec& place, double desired_speed);
+
+ private:
+  const Scene& scene_;
+  const Ways& ways_;
+  std::vector<bool> is_counted_;            // as Crowd::goals: some agent may choose it so
+  std::vector<std::vector<double>> going_;  // as Crowd::goals: m, ways of all who go there, ascending
+};
+
+}  // namespace throng

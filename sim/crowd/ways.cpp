@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "sim/crowd/ways.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <limits>
+
+#include "sim/input_error.h"
+
+namespace throng {
+
+namespace {
+
+/// Calls f(goal) for each option of each leg.
+template <class F>
+void for_each_goal(const Crowd& crowd, const Journey& journey, F f) {
+  for (const Leg& leg : journey)
+    for (std::size_t option = 0; option < leg.options.size(); ++option) f(crowd.goal(leg, option));
+}
+
+/// The place as people write it.
+std::string text(const Vec& p) {
+  char buffer[64];
+  std::snprintf(buffer, sizeof buffer, "[%.6g, %.6g]", p.x(), p.y());
+  return buffer;
+}
+
+}  // namespace
+
+Ways::Ways(const Scene& scene, const Barriers& barriers) : scene_(scene), goals_(scene.crowd.goals.size()) {
+  const Crowd& crowd = scene.crowd;
+  std::vector<double> least(goals_.size(), std::numeric_limits<double>::infinity()),
+      largest(goals_.size(), 0.0);
+  for (const AgentGroup& group : crowd.groups) {
+    if (group.count == 0) continue;
+    const auto first = scene.bodies.radius.begin() + crowd.first + group.first;
+    const auto [low, high] = std::minmax_element(first, first + group.count);
+    for_each_goal(crowd, group.journey, [&, low = *low, high = *high](std::uint32_t goal) {
+      least[goal] = std::min(least[goal], low), largest[goal] = std::max(largest[goal], high);
+    });
+  }
+  for (std::uint32_t goal = 0; goal < goals_.size(); ++goal) {
+    if (largest[goal] == 0.0) continue;
+    const Region& region = crowd.goals[goal].region;
+    goals_[goal].field =
+        std::make_unique<DistanceField>(plan(least[goal], largest[goal], barriers), barriers, region);
+    goals_[goal].bounds = bounds(region);
+  }
+  expect_ways();
+}
+
+const FloorPlan& Ways::plan(double least, double largest, const Barriers& barriers) {
+  for (const auto& known : plans_)
+    if (known->least == least && known->largest == largest) return known->floor;
+  const Region& walkable = scene_.crowd.walkable;
+  const Resolution resolution = resolution_for(walkable, barriers, least, largest);
+  plans_.push_back(
+      std::make_unique<Plan>(Plan{least, largest, floor_plan(walkable, barriers, resolution, 2.0 * least)}));
+  return plans_.back()->floor;
+}
+
+bool Ways::lead_on(const AgentGroup& group, const Vec& place) const {
+  bool all = true;
+  for_each_goal(scene_.crowd, group.journey, [&](std::uint32_t goal) { all = all && leads(goal, place); });
+  return all;
+}
+
+bool Ways::leads(std::uint32_t goal, const Vec& place) const {
+  return to(goal).distance(place) < std::numeric_limits<double>::infinity();
+}
+
+/// Who appears later is checked at a place at random: of his group one must find all ways.
+void Ways::expect_ways() const {
+  for (const AgentGroup& group : scene_.crowd.groups) {
+    std::uint32_t dead_ends = 0, first = 0;
+    for (std::uint32_t agent = group.first + group.count; agent-- > group.first;)
+      if (!lead_on(group, scene_.bodies.position[scene_.crowd.first + agent])) ++dead_ends, first = agent;
+    if (dead_ends > 0 && !(group.entrance && dead_ends < group.count)) fail_at(group, first);
+  }
+}
+
+void Ways::fail_at(const AgentGroup& group, std::uint32_t agent) const {
+  const Crowd& crowd = scene_.crowd;
+  const Vec& place = scene_.bodies.position[crowd.first + agent];
+  std::string name;
+  for_each_goal(crowd, group.journey, [&](std::uint32_t goal) {
+    if (name.empty() && !leads(goal, place)) name = crowd.goals[goal].name;
+  });
+  throw InputError("agents[" + std::to_string(group.index) + "]: no way wide enough leads from " +
+                   text(place) + ", where agent " + std::to_string(crowd.first + agent + 1) +
+                   (group.entrance ? " may appear" : " stands") + ", to its goal " + name);
+}
+
+}  // namespace throng

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "sim/crowd/barriers.h"
+#include "sim/crowd/distance_field.h"
+#include "sim/crowd/floor_plan.h"
+#include "sim/scene.h"
+
+namespace throng {
+
+/// The ways to all goals that a scene's agents have: a distance field each, shared by all who go there, on
+/// floor plans that goals of agents of the same sizes share.
+class Ways {
+ public:
+  /// Throws InputError that names group, agent and place where no way leads from an agent to one of its
+  /// goals. `scene` and `barriers` must outlive this.
+  Ways(const Scene& scene, const Barriers& barriers);
+
+  /// Expects a goal that some agent has.
+  const DistanceField& to(std::uint32_t goal) const { return *goals_[goal].field; }
+
+  /// Whether `p` is in the goal.
+  bool is_in(std::uint32_t goal, const Vec& p) const {
+    return goals_[goal].bounds.contains(p) && contains(scene_.crowd.goals[goal].region, p);
+  }
+
+  /// Whether ways lead from there to all goals of the group's journey.
+  bool lead_on(const AgentGroup& group, const Vec& place) const;
+
+ private:
+  struct Plan {
+    double least, largest;  ///< m, radii of those who walk on it
+    FloorPlan floor;
+  };
+  struct Goal {
+    std::unique_ptr<DistanceField> field;
+    Eigen::AlignedBox2d bounds;  ///< m, of its region
+  };
+
+  const FloorPlan& plan(double least, double largest, const Barriers& barriers);
+  bool leads(std::uint32_t goal, const Vec& place) const;
+  void expect_ways() const;
+  [[noreturn]] void fail_at(const AgentGroup& group, std::uint32_t agent) const;
+
+  const Scene& scene_;
+  std::vector<std::unique_ptr<Plan>> plans_;
+  std::vector<Goal> goals_;  // as Crowd::goals; empty where no agent goes
+};
+
+}  // namespace throng
