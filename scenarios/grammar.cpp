@@ -256,6 +256,9 @@ Table measure_table() {
            {"line", tuple({point(), point()}, "two points [[x, y], [x, y]]"),
             "A line, m: crossings from its left to its right, seen from its first point, and back."},
            {"area", name_in("areas"), "Name of an area: density and speed of those in it."},
+           {"voronoi",
+            table({{{"cutoff", number(1e-2, 1e3, "m"), "How far from its agent a cell ends, m.", "1.0"}}}),
+            "Of an area: its density by the Voronoi cells of agents too, as density_voronoi."},
            {"from", number(0, 1e12, "s"), "Measured from then on, s.", "0.0"},
            {"until", number(0, 1e12, "s"), "Measured up to then, s; absent: to the end."}},
           {"line", "area"}};

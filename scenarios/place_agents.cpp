@@ -53,8 +53,14 @@ class AgentPlacer {
       : scene_(scene),
         report_(report),
         barriers_(barrier_lines(scene), farthest),
+        movers_(scene),
         agents_(scene.domain, farthest, scene.crowd.size()),
-        tries_left_(kTries + kTriesEach * static_cast<std::int64_t>(scene.crowd.size())) {}
+        tries_left_(kTries + kTriesEach * static_cast<std::int64_t>(scene.crowd.size())) {
+    movers_.look(initial_state(scene));
+    std::vector<BarrierLine> moving;
+    movers_.add_lines(moving);
+    barriers_.set_moving(moving);
+  }
 
   void place(const AgentEntry& entry, std::uint32_t row) {
     entry.random ? place_at_random(entry, row) : place_by_hand(entry, row);
@@ -62,7 +68,7 @@ class AgentPlacer {
 
  private:
   bool stands(const Vec& p, double clear) const {
-    return contains(scene_.crowd.walkable, p) && !(barriers_.distance(p, clear) < clear);
+    return contains(scene_.crowd.walkable, p) && !movers_.cover(p) && !(barriers_.distance(p, clear) < clear);
   }
 
   void place_by_hand(const AgentEntry& entry, std::uint32_t row) {
@@ -70,7 +76,8 @@ class AgentPlacer {
     if (!stands(entry.at, radius))
       report_.error(*entry.node->as_table()->get("at"), entry.path + ".at",
                     "an agent of radius " + to_text(radius) + " m at [" + to_text(entry.at.x()) + ", " +
-                        to_text(entry.at.y()) + "] is not wholly on the walkable area, or overlaps a wall");
+                        to_text(entry.at.y()) +
+                        "] is not wholly on the walkable area, or overlaps a wall or a body");
     agents_.add(row, entry.at, radius);
   }
 
@@ -102,6 +109,7 @@ class AgentPlacer {
   Scene& scene_;
   Report& report_;
   Barriers barriers_;
+  Movers movers_;
   BodyGrid agents_;
   std::int64_t tries_left_;
 };
@@ -111,8 +119,8 @@ void check_step(const AgentEntry& entry, const AgentGroup& group, std::uint32_t 
   const auto model = walking_models()[group.model].make(group.parameters);
   double longest = std::numeric_limits<double>::infinity();
   for (std::uint32_t row = first; row < first + entry.count; ++row)
-    longest =
-        std::min(longest, model->longest_step(scene.bodies.radius[row], scene.crowd.desired_speed[row]));
+    longest = std::min(longest, model->longest_step(scene.bodies.radius[row],
+                                                    scene.crowd.desired_speed[row - scene.crowd.first]));
   if (scene.time.dt <= longest) return;
   report.error(
       *entry.node->as_table()->get("model"), entry.path + ".model",
@@ -124,13 +132,15 @@ void check_step(const AgentEntry& entry, const AgentGroup& group, std::uint32_t 
 void place_agents(std::span<const AgentEntry> entries, Scene& scene, Report& report) {
   if (entries.empty()) return;
   const std::uint32_t shape = disc_shape(scene);
-  std::vector<std::uint32_t> first;
+  scene.crowd.first = static_cast<std::uint32_t>(scene.bodies.size());
+  std::vector<std::uint32_t> first;  // rows of the bodies
   double farthest = 0.0;
   for (std::uint32_t group = 0; group < entries.size(); ++group) {
     first.push_back(static_cast<std::uint32_t>(scene.bodies.size()));
     for (std::uint32_t i = 0; i < entries[group].count; ++i)
       add_agent(entries[group], group, i, shape, scene);
-    scene.crowd.groups[group].first = first[group], scene.crowd.groups[group].count = entries[group].count;
+    scene.crowd.groups[group].first = first[group] - scene.crowd.first;
+    scene.crowd.groups[group].count = entries[group].count;
     for (std::uint32_t row = first[group]; row < scene.bodies.size(); ++row)
       farthest = std::max(farthest, scene.bodies.radius[row] + entries[group].gap);
     check_step(entries[group], scene.crowd.groups[group], first[group], scene, report);

@@ -158,8 +158,6 @@ class AgentReader {
 
 /// What agents can't do yet, and what they need.
 void check_ground(const toml::table& root, const toml::node& agents, const Scene& scene, Report& report) {
-  if (const toml::node* bodies = root.get("bodies"))
-    report.error(*bodies, "bodies", "not supported yet: bodies beside agents");
   if (scene.domain.kind == DomainKind::periodic)
     report.error(*root["domain"].node(), "domain", "not supported yet: agents in a periodic domain");
   if (scene.crowd.walkable.empty())

@@ -46,6 +46,10 @@ void read_areas(const toml::table& root, Scene& scene, Report& report);
 /// Queues by name, and the goals that they are. Call it after `read_areas`.
 void read_queues(const toml::table& root, Scene& scene, Report& report);
 
+/// Cuts static bodies out of the floor that agents walk on, and reports dynamic ones, which they can't bear
+/// yet. Expects all bodies placed.
+void add_bodies_to_floor(std::span<const Entry> entries, Scene& scene, Report& report);
+
 /// Reports queues in which nobody could stand. Expects all walls in the scene.
 void check_queues(const toml::table& root, const Scene& scene, Report& report);
 
@@ -59,6 +63,9 @@ std::pair<Journey, std::vector<Stay>> read_journey(const toml::table& agents, co
 
 /// The entries, and their groups in scene.crowd. Call it after `read_queues`.
 std::vector<AgentEntry> read_agents(const toml::table& root, Scene& scene, Report& report);
+
+/// What of a measured area is walkable.
+void find_ground(const Region& walkable, Measure& measure);
 
 /// What is measured of them. Call it after `read_agents`.
 void read_measures(const toml::table& root, Scene& scene, Report& report);

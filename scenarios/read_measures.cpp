@@ -46,6 +46,7 @@ class MeasureReader {
   void read_line() {
     const std::vector<Vec> ends = points(*table_.get("line"));
     measure_.line = {ends[0], ends[1]};
+    if (table_.contains("voronoi")) fail("voronoi", "belongs to an area");
     if (ends[0] == ends[1]) fail("line", "must have two different ends");
   }
 
@@ -54,7 +55,9 @@ class MeasureReader {
     for (const Area& area : scene_.crowd.areas)
       if (area.name == name) measure_.area = area.region;
     if (measure_.area.empty() || scene_.crowd.walkable.empty()) return;  // their faults were reported
-    measure_.size = common_area(measure_.area, scene_.crowd.walkable);
+    if (const toml::node* voronoi = table_.get("voronoi"))
+      measure_.cutoff = number(*voronoi->as_table(), "cutoff", 1.0);
+    find_ground(scene_.crowd.walkable, measure_);
     if (!(measure_.size > 0.0)) fail("area", "has nothing in common with the walkable area");
   }
 
@@ -71,6 +74,11 @@ class MeasureReader {
 };
 
 }  // namespace
+
+void find_ground(const Region& walkable, Measure& measure) {
+  measure.size = common_area(measure.area, walkable);
+  if (measure.cutoff > 0.0) measure.ground = common(measure.area, walkable);
+}
 
 void read_measures(const toml::table& root, Scene& scene, Report& report) {
   const toml::node* node = root.get("measure");

@@ -4,7 +4,6 @@
 #include <stdexcept>
 
 #include "scenarios/geos.h"
-#include "scenarios/polygon_check.h"
 #include "scenarios/report.h"
 
 namespace throng::scenarios {
@@ -17,14 +16,25 @@ Geometry made(const Geos& geos, GEOSGeometry* geometry) {
   return geos.keep(geometry);
 }
 
+std::string line_wkt(std::span<const Vec> line, bool closed) {
+  std::string text = "(";
+  const auto add = [&](const Vec& p) {
+    text += (text.size() > 1 ? ", " : "") + to_text(p.x()) + " " + to_text(p.y());
+  };
+  for (const Vec& p : line) add(p);
+  if (closed) add(line.front());
+  return text + ")";
+}
+
 /// What an odd number of rings encloses.
 Geometry solid(const Geos& geos, const Region& region) {
-  Geometry all = read(geos, "POLYGON EMPTY");
-  for (const std::vector<Vec>& ring : region.rings) {
-    const Geometry one = read(geos, polygon_wkt(ring));
-    all = made(geos, GEOSSymDifference_r(geos.handle, all.get(), one.get()));
-  }
-  return all;
+  if (region.empty()) return read(geos, "POLYGON EMPTY");
+  std::string rings = "MULTILINESTRING (";
+  for (const std::vector<Vec>& ring : region.rings)
+    rings += (&ring == &region.rings.front() ? "" : ", ") + line_wkt(ring, true);
+  const Geometry lines = read(geos, rings + ")");
+  const Geometry noded = made(geos, GEOSUnaryUnion_r(geos.handle, lines.get()));
+  return made(geos, GEOSBuildArea_r(geos.handle, noded.get()));
 }
 
 std::vector<Vec> points_of(const Geos& geos, const GEOSGeometry* ring) {
@@ -61,11 +71,21 @@ double common_area(const Region& a, const Region& b) {
   return area;
 }
 
+Region common(const Region& a, const Region& b) {
+  const Geos geos;
+  const Geometry one = solid(geos, a), other = solid(geos, b);
+  return region_of(geos, made(geos, GEOSIntersection_r(geos.handle, one.get(), other.get())).get());
+}
+
+Region without(const Region& region, const Region& other) {
+  const Geos geos;
+  const Geometry one = solid(geos, region), less = solid(geos, other);
+  return region_of(geos, made(geos, GEOSDifference_r(geos.handle, one.get(), less.get())).get());
+}
+
 Region band(std::span<const Vec> line, double half) {
   const Geos geos;
-  std::string wkt = "LINESTRING (";
-  for (const Vec& p : line) wkt += (&p == &line.front() ? "" : ", ") + to_text(p.x()) + " " + to_text(p.y());
-  const Geometry middle = read(geos, wkt + ")");
+  const Geometry middle = read(geos, "LINESTRING " + line_wkt(line, false));
   return region_of(geos, made(geos, GEOSBufferWithStyle_r(geos.handle, middle.get(), half, 1,
                                                           GEOSBUF_CAP_FLAT, GEOSBUF_JOIN_MITRE, 2.0))
                              .get());
@@ -74,12 +94,12 @@ Region band(std::span<const Vec> line, double half) {
 Region united(std::span<const Region> regions) {
   if (regions.size() == 1) return regions.front();
   const Geos geos;
-  Geometry all = read(geos, "POLYGON EMPTY");
-  for (const Region& region : regions) {
-    const Geometry one = solid(geos, region);
-    all = made(geos, GEOSUnion_r(geos.handle, all.get(), one.get()));
-  }
-  return region_of(geos, all.get());
+  std::vector<GEOSGeometry*> pieces;
+  for (const Region& region : regions) pieces.push_back(solid(geos, region).release());
+  const Geometry all =
+      made(geos, GEOSGeom_createCollection_r(geos.handle, GEOS_GEOMETRYCOLLECTION, pieces.data(),
+                                             static_cast<unsigned>(pieces.size())));
+  return region_of(geos, made(geos, GEOSUnaryUnion_r(geos.handle, all.get())).get());
 }
 
 }  // namespace throng::scenarios

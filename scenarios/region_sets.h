@@ -14,6 +14,12 @@ double common_area(const Region& a, const Region& b);
 /// What is in any of them.
 Region united(std::span<const Region> regions);
 
+/// What two regions have in common.
+Region common(const Region& a, const Region& b);
+
+/// What is in the one and not in the other.
+Region without(const Region& region, const Region& other);
+
 /// What is at most `half` (m) to the left and the right of a line of different points.
 Region band(std::span<const Vec> line, double half);
 

@@ -49,23 +49,33 @@ double obstacle_distance(const Convex& shape, const Pose& pose, const Obstacles&
   return narrowphase::separation(shape, pose, obstacles.part[row - sides], Pose{shift}).distance;
 }
 
-/// Of agents with each other and with what stops them.
+/// Of agents with each other, with what stops them and with bodies that move.
 Overlap crowd_overlap(const Scene& scene, const State& state) {
   Overlap result;
   double largest = 0.0, sum = 0.0;
-  for (const double r : scene.bodies.radius) largest = std::max(largest, r);
+  for (std::size_t row = scene.crowd.first; row < scene.bodies.size(); ++row)
+    largest = std::max(largest, scene.bodies.radius[row]);
   const auto count = [&](double depth) {
     if (!(depth > 0.0)) return;
     ++result.pairs;
     sum += depth;
     result.max = std::max(result.max, depth);
   };
-  const Barriers barriers(barrier_lines(scene), largest);
+  const std::size_t first = scene.crowd.first;
+  const std::span<const Vec> position = std::span(state.position).subspan(first);
+  Barriers barriers(barrier_lines(scene), largest);
+  Movers movers(scene);
+  movers.look(state);
+  std::vector<BarrierLine> moving;
+  movers.add_lines(moving);
+  barriers.set_moving(moving);
   broadphase::NeighbourLists near;
-  broadphase::AllLists().find(state.position, 2.0 * largest, nullptr, near);
-  const auto radius = [&](std::size_t row) { return scene.bodies.radius[state.id[row] - std::size_t{1}]; };
-  for (std::size_t row = 0; row < state.id.size(); ++row) {
-    const Vec& p = state.position[row];
+  broadphase::AllLists().find(position, 2.0 * largest, nullptr, near);
+  const auto radius = [&](std::size_t row) {
+    return scene.bodies.radius[state.id[first + row] - std::size_t{1}];
+  };
+  for (std::size_t row = 0; row < position.size(); ++row) {
+    const Vec& p = position[row];
     for (std::size_t k = near.begin[row]; k < near.begin[row + 1]; ++k)
       if (near.row[k] > row) count(radius(row) + radius(near.row[k]) - near.distance[k]);
     barriers.for_each_nearest(p, radius(row), [&](const Vec& q) { count(radius(row) - (p - q).norm()); });
@@ -114,10 +124,13 @@ namespace {
 
 std::optional<CrowdObservables> observe_crowd(const Scene& scene, const State& state) {
   if (scene.crowd.size() == 0) return std::nullopt;
-  CrowdObservables result{static_cast<double>(state.id.size()), static_cast<double>(state.crowd.arrived), {}};
+  CrowdObservables result{
+      static_cast<double>(state.id.size() - scene.crowd.first), static_cast<double>(state.crowd.arrived), {}};
   for (std::size_t i = 0; i < scene.crowd.measures.size(); ++i)
     append_columns(scene.crowd.measures[i], state.crowd.measured[i],
-                   {state.position, state.velocity, state.step, scene.time.dt}, result.measures);
+                   {std::span(state.position).subspan(scene.crowd.first),
+                    std::span(state.velocity).subspan(scene.crowd.first), state.step, scene.time.dt},
+                   result.measures);
   return result;
 }
 

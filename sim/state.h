@@ -29,6 +29,7 @@ struct CrowdState {
   std::int64_t arrived = 0;              ///< agents that got to their goals and left
   std::int64_t last_arrival = 0;         ///< step in which the last of them did
   std::int64_t wall_corrections = 0;     ///< agent-steps in which a barrier was in the way
+  std::int64_t squeezed = 0;             ///< agent-steps in which a body got into one whom a barrier held
   std::vector<Measured> measured;        ///< as Crowd::measures
 };
 

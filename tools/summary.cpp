@@ -41,6 +41,7 @@ Json measure_summary(const Scene& scene, const CrowdState& crowd) {
     if (measure.area.empty()) one.update({{"forward", measured.count}, {"back", measured.back}});
     one["flow"] = or_null(read.flow);
     if (!measure.area.empty()) one["density"] = or_null(read.density);
+    if (measure.cutoff > 0.0) one["density_voronoi"] = or_null(read.density_voronoi);
     one["speed"] = or_null(read.speed);
   }
   return result;
@@ -58,6 +59,7 @@ Json crowd_summary(const Scene& scene, const State& state) {
                  {"last_arrival", crowd.arrived > 0 ? Json(last) : Json(nullptr)},
                  {"wall_corrections", crowd.wall_corrections},
                  {"stuck_agents", stuck}};
+  if (scene.crowd.first > 0) result["squeezed"] = crowd.squeezed;
   if (!crowd.measured.empty()) result["measure"] = measure_summary(scene, crowd);
   return result;
 }

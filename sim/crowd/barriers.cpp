@@ -27,21 +27,8 @@ Eigen::AlignedBox2d box_of(const Segment& segment) {
 }  // namespace
 
 Barriers::Barriers(std::span<const BarrierLine> lines, double reach) {
-  for (const BarrierLine& line : lines) {
-    const std::size_t points = line.points.size(), count = line.closed ? points : points - 1;
-    const auto first = static_cast<std::uint32_t>(segments_.size());
-    const auto last = static_cast<std::uint32_t>(first + count - 1);
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto row = static_cast<std::uint32_t>(first + i);
-      segments_.push_back({line.points[i], line.points[(i + 1) % points],
-                           row > first   ? row - 1
-                           : line.closed ? last
-                                         : kNone,
-                           row < last    ? row + 1
-                           : line.closed ? first
-                                         : kNone});
-    }
-  }
+  for (const BarrierLine& line : lines) add(line);
+  still_ = segments_.size();
   std::vector<broadphase::Extent> extents;
   Eigen::AlignedBox2d bounds;
   for (const Segment& segment : segments_) {
@@ -50,6 +37,34 @@ Barriers::Barriers(std::span<const BarrierLine> lines, double reach) {
   }
   index_.build(extents, 2.0 * reach);
   clearance_ = Clearance(index_, bounds, reach);
+}
+
+void Barriers::add(const BarrierLine& line) {
+  const std::size_t points = line.points.size(), count = line.closed ? points : points - 1;
+  const auto first = static_cast<std::uint32_t>(segments_.size());
+  const auto last = static_cast<std::uint32_t>(first + count - 1);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto row = static_cast<std::uint32_t>(first + i);
+    segments_.push_back({line.points[i], line.points[(i + 1) % points],
+                         row > first   ? row - 1
+                         : line.closed ? last
+                                       : kNone,
+                         row < last    ? row + 1
+                         : line.closed ? first
+                                       : kNone});
+  }
+}
+
+void Barriers::set_moving(std::span<const BarrierLine> lines) {
+  segments_.resize(still_);
+  moving_.clear();
+  for (const BarrierLine& line : lines) {
+    Moving moving{segments_.size(), 0, {}};
+    for (const Vec& point : line.points) moving.box.extend(point);
+    add(line);
+    moving.end = segments_.size();
+    moving_.push_back(moving);
+  }
 }
 
 bool Barriers::block(const Vec& p, const Vec& q) const {
@@ -72,7 +87,7 @@ double Barriers::distance(const Vec& p, double most) const {
 double Barriers::narrowest(double least, double most) const {
   double width = most;
   const Vec far(most, most);
-  for (const Segment& one : segments_) {
+  for (const Segment& one : segments()) {
     const Eigen::AlignedBox2d box = box_of(one);
     for_each_near({Vec(box.min() - far), Vec(box.max() + far)}, [&](const Segment& other) {
       const double between = &other > &one ? throng::distance(one, other) : most;

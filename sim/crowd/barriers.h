@@ -31,7 +31,12 @@ class Barriers {
   /// `reach` (m): how far will mostly be looked; it decides speed, never answers. O(n log n).
   Barriers(std::span<const BarrierLine> lines, double reach);
 
-  std::span<const Segment> segments() const { return segments_; }
+  /// Those that stand still.
+  std::span<const Segment> segments() const { return std::span(segments_).first(still_); }
+
+  /// Adds lines until the next call, which are found too from now on, one by one: O(their segments) for each
+  /// question near one of them.
+  void set_moving(std::span<const BarrierLine> lines);
 
   /// Calls f(point) for each place at most `reach` from `p` at which the distance to the barriers has a local
   /// minimum: of a corner that sticks out its tip, once; of a corner to stand in a place on each side; of a
@@ -40,9 +45,12 @@ class Barriers {
   template <class F>
   void for_each_nearest(const Vec& p, double reach, F&& f) const;
 
-  /// Calls f(segment) for each whose box the box touches, ascending.
+  /// Calls f(segment) for each whose box the box touches, ascending; of lines that move for others too.
   template <class F>
   void for_each_near(const Eigen::AlignedBox2d& box, F&& f) const {
+    for (const Moving& line : moving_)
+      if (line.box.intersects(box))
+        for (std::size_t row = line.first; row < line.end; ++row) f(segments_[row]);
     const Vec half = 0.5 * (box.max() - box.min());
     const double clear = clearance_.at(box.min() + half);
     if (clear * clear > half.squaredNorm()) return;
@@ -63,7 +71,16 @@ class Barriers {
   /// Whether the nearest point of the segment is a local minimum over its line too.
   bool is_minimum(const Segment& segment, const Vec& nearest, const Vec& p) const;
 
-  std::vector<Segment> segments_;
+  struct Moving {
+    std::size_t first, end;  ///< of the segments
+    Eigen::AlignedBox2d box;
+  };
+
+  void add(const BarrierLine& line);
+
+  std::vector<Segment> segments_;  // those that move behind those that stand still
+  std::size_t still_ = 0;
+  std::vector<Moving> moving_;
   broadphase::BoxIndex index_;
   Clearance clearance_;
 };

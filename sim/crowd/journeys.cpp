@@ -12,7 +12,8 @@ namespace {
 constexpr double kFree = std::numeric_limits<double>::infinity();
 constexpr double kQueueSight = 10.0;  // m: nearer than that, the end of a queue is walked to straight on
 constexpr int kSpotTries = 100;
-constexpr double kPatience = 5.0;  // s: who gets nowhere on the way to a place to wait stays where he is
+constexpr double kPatience = 5.0, kLongest = 15.0;  // s: who gets nowhere on the way to a place to wait, or
+                                                    // not there in time, stays where he is
 
 Heading straight_to(const Vec& from, const Vec& to, double distance) {
   const double length = (to - from).norm();
@@ -55,14 +56,21 @@ std::uint32_t Journeys::choice(const State& state, Row row) {
                                     its.weights.begin());
 }
 
-void Journeys::measure_queues(const State& state) {
-  length_.assign(lines_.size(), 0);
-  for (Row row = 0; row < state.crowd.place.size(); ++row)
-    if (state.crowd.place[row] > 0 && is_queueing(state, row)) ++length_[queue(state, row)];
+/// Expects that places in line are 1 to as many as there are.
+void Journeys::look_at_queues(const State& state) {
+  line_.resize(lines_.size());
+  for (std::vector<Row>& line : line_) line.clear();
+  for (Row row = 0; row < state.crowd.place.size(); ++row) {
+    const std::uint32_t place = state.crowd.place[row];
+    if (place == 0 || !is_queueing(state, row)) continue;
+    std::vector<Row>& line = line_[queue(state, row)];
+    line.resize(std::max<std::size_t>(line.size(), place));
+    line[place - 1] = row;
+  }
 }
 
 void Journeys::look(State& state) {
-  if (!lines_.empty()) measure_queues(state);
+  if (!lines_.empty()) look_at_queues(state);
   if (!chooses_) return;
   std::vector<std::uint32_t>& option = state.crowd.option;
   bool counted = false;
@@ -89,7 +97,7 @@ Heading Journeys::queue_heading(const State& state, Row row) const {
   const std::uint32_t its = queue(state, row), place = state.crowd.place[row];
   const QueueLine& line = lines_[its];
   const double spacing = scene_.crowd.queues[its].spacing;
-  const std::uint32_t number = place > 0 ? place : length_[its] + 1;
+  const std::uint32_t number = place > 0 ? place : length(its) + 1;
   const double distance = (line.place(number) - p).norm();
   const bool full = number > line.places();
   if (place == 0 && line.distance(p) > spacing &&
@@ -99,36 +107,45 @@ Heading Journeys::queue_heading(const State& state, Row row) const {
   return straight_to(p, line.towards(p, number, barriers_), stop);
 }
 
+/// Who stands nearer to a place than the one behind whom he is takes it: those who are pushed out of a line,
+/// or kept from moving up, hold up nobody.
+void Journeys::keep_order(State& state) {
+  CrowdState& crowd = state.crowd;
+  for (std::uint32_t queue = 0; queue < line_.size(); ++queue)
+    for (std::uint32_t k = 0; k + 1 < length(queue); ++k) {
+      Row &first = line_[queue][k], &second = line_[queue][k + 1];
+      const Vec place = lines_[queue].place(k + 1);
+      if ((position(state, second) - place).squaredNorm() >= (position(state, first) - place).squaredNorm())
+        continue;
+      std::swap(first, second);
+      crowd.place[first] = k + 1, crowd.place[second] = k + 2;
+      if (k == 0) crowd.since[first] = state.step;
+    }
+}
+
 void Journeys::serve(State& state, std::vector<std::uint8_t>& done) {
   CrowdState& crowd = state.crowd;
-  std::vector<bool> moves_up(lines_.size(), false);
-  bool any = false;
-  for (Row row = 0; row < crowd.place.size(); ++row) {
-    if (crowd.place[row] != 1 || !is_queueing(state, row)) continue;
-    const std::uint32_t its = queue(state, row);
-    const bool at_head =
-        (position(state, row) - lines_[its].place(1)).norm() <= scene_.crowd.queues[its].spacing;
-    if (!at_head || state.step < crowd.since[row] + service_[its]) continue;
-    done[row] = 1, moves_up[its] = any = true;
-    --length_[its];
-  }
-  if (!any) return;
-  for (Row row = 0; row < crowd.place.size(); ++row) {
-    if (done[row] || crowd.place[row] < 2 || !is_queueing(state, row) || !moves_up[queue(state, row)])
-      continue;
-    if (--crowd.place[row] == 1) crowd.since[row] = state.step;
+  for (std::uint32_t queue = 0; queue < line_.size(); ++queue) {
+    std::vector<Row>& line = line_[queue];
+    if (line.empty() || state.step < crowd.since[line[0]] + service_[queue]) continue;
+    const double away = (position(state, line[0]) - lines_[queue].place(1)).norm();
+    if (away > scene_.crowd.queues[queue].spacing) continue;
+    done[line[0]] = 1;
+    line.erase(line.begin());
+    for (const Row row : line) --crowd.place[row];
+    if (!line.empty()) crowd.since[line[0]] = state.step;
   }
 }
 
 void Journeys::line_up(State& state, Row row) {
-  const std::uint32_t its = queue(state, row), number = length_[its] + 1;
+  const std::uint32_t its = queue(state, row), number = length(its) + 1;
   const Vec &p = position(state, row), end = lines_[its].place(number);
   if (number > lines_[its].places() || (p - end).norm() > scene_.crowd.queues[its].spacing ||
       barriers_.block(p, end))
     return;
   state.crowd.place[row] = number;
   state.crowd.since[row] = state.step;
-  ++length_[its];
+  line_[its].push_back(row);
 }
 
 void Journeys::gather_spots(const State& state) {
@@ -168,9 +185,13 @@ bool Journeys::wait(State& state, Row row) {
     if (ways_.is_in(goal(state, row), position(state, row))) take_spot(state, row);
     if (crowd.place[row] == 0 || its.times.empty()) return false;
   }
-  const bool rests =
-      static_cast<double>(state.step - std::max(crowd.stand_step[row], crowd.since[row])) * dt >= kPatience;
-  if (rests && ways_.is_in(goal(state, row), position(state, row))) crowd.spot[row] = position(state, row);
+  const Vec& p = position(state, row);
+  const double near = 2.0 * scene_.bodies.radius[state.id[scene_.crowd.first + row] - std::size_t{1}];
+  const bool far = (p - crowd.spot[row]).squaredNorm() > near * near;
+  const double there = static_cast<double>(state.step - crowd.since[row]) * dt;
+  const double stood = static_cast<double>(state.step - crowd.stand_step[row]) * dt;
+  const bool gives_up = far && (there >= kLongest || std::min(there, stood) >= kPatience);
+  if (gives_up && ways_.is_in(goal(state, row), p)) crowd.spot[row] = p;
   if (its.times.empty()) return false;
   const std::size_t in_group =
       agent(state, row) - scene_.crowd.groups[scene_.crowd.group[agent(state, row)]].first;
@@ -199,7 +220,8 @@ void Journeys::begin_leg(State& state, Row row) const {
 void Journeys::advance(State& state, std::vector<std::uint8_t>& leaves) {
   spots_known_ = false;
   leaves.assign(state.crowd.stage.size(), 0);
-  if (!lines_.empty()) serve(state, leaves);
+  keep_order(state);
+  serve(state, leaves);
   for (Row row = 0; row < leaves.size(); ++row) {
     if (!leaves[row] && !is_there(state, row)) continue;
     const Journey& journey = scene_.crowd.groups[scene_.crowd.group[agent(state, row)]].journey;

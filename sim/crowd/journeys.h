@@ -29,7 +29,7 @@ class Journeys {
   const Ways& ways() const { return ways_; }
 
   /// Lets those choose who begin a leg of several options, by weight at random by (seed, stage, id), else as
-  /// LeastCrowded; and looks how long the queues are. O(agents) where there are choices or queues.
+  /// LeastCrowded; and looks who stands in the queues. O(agents) where there are choices or queues.
   void look(State& state);
 
   /// Of the agent in this row of the crowd's state. Expects that `look` saw the state. O(1) but at queues and
@@ -65,8 +65,10 @@ class Journeys {
   }
 
   std::uint32_t choice(const State& state, Row row);
-  void measure_queues(const State& state);
+  std::uint32_t length(std::uint32_t queue) const { return static_cast<std::uint32_t>(line_[queue].size()); }
+  void look_at_queues(const State& state);
   Heading queue_heading(const State& state, Row row) const;
+  void keep_order(State& state);
   void serve(State& state, std::vector<std::uint8_t>& done);
   bool is_there(State& state, Row row);
   void line_up(State& state, Row row);
@@ -82,7 +84,7 @@ class Journeys {
   bool chooses_ = false;                            // some leg has a choice
   std::vector<QueueLine> lines_;                    // as Crowd::queues
   std::vector<std::int64_t> service_;               // steps, as Crowd::queues
-  std::vector<std::uint32_t> length_;               // of the queues
+  std::vector<std::vector<Row>> line_;              // of the queues: who stands in them, from the head
   std::vector<std::unique_ptr<Sampler>> samplers_;  // as Crowd::goals, where agents wait
   Standing spots_;                                  // of those who wait
   bool spots_known_ = false;                        // in this step

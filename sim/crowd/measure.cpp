@@ -80,7 +80,7 @@ void measure_entry(const Measure& measure, const Vec& place, std::int64_t step, 
 }
 
 Reading reading(const Measure& measure, const Measured& measured, double dt) {
-  Reading result{measured.count + measured.back, {}, {}, {}};
+  Reading result{measured.count + measured.back, {}, {}, {}, {}};
   if (measured.samples > 0) result.speed = measured.speed / static_cast<double>(measured.samples);
   if (measure.area.empty()) {
     const double between = static_cast<double>(measured.last - measured.first) * dt;
@@ -89,6 +89,7 @@ Reading reading(const Measure& measure, const Measured& measured, double dt) {
     result.density =
         static_cast<double>(measured.samples) / static_cast<double>(measured.steps) / measure.size;
     result.flow = *result.density * result.speed.value_or(0.0);
+    if (measure.cutoff > 0.0) result.density_voronoi = measured.voronoi / static_cast<double>(measured.steps);
   }
   return result;
 }

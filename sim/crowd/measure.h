@@ -16,10 +16,12 @@ namespace throng {
 
 struct Measure {
   std::string name;
-  std::array<Vec, 2> line{Vec(0.0, 0.0), Vec(0.0, 0.0)};         ///< m, from and to; of areas unused
-  Region area;                                                   ///< empty: a line
-  double size = 0.0;                                             ///< m², the walkable part of the area
-  std::int64_t after = 0;                                        ///< measured are the steps after this one
+  std::array<Vec, 2> line{Vec(0.0, 0.0), Vec(0.0, 0.0)};  ///< m, from and to; of areas unused
+  Region area;                                            ///< empty: a line
+  double size = 0.0;                                      ///< m², the walkable part of the area
+  double cutoff = 0.0;     ///< m, of Voronoi cells; 0: their density isn't measured
+  Region ground;           ///< the walkable part of the area, where their density is
+  std::int64_t after = 0;  ///< measured are the steps after this one
   std::int64_t last = std::numeric_limits<std::int64_t>::max();  ///< and up to this one
 
   bool is_on(std::int64_t step) const { return after < step && step <= last; }
@@ -33,6 +35,7 @@ struct Measured {
   std::int64_t steps = 0;            ///< that were measured
   std::int64_t samples = 0;          ///< of a line crossings, of an area agents in it, over all steps
   double speed = 0.0;                ///< m/s, the sum over the samples
+  double voronoi = 0.0;              ///< 1/m², the sum over the steps of the density by Voronoi cells
 
   friend bool operator==(const Measured&, const Measured&) = default;
 };
@@ -60,6 +63,7 @@ struct Reading {
   std::optional<double> flow;     ///< 1/s: of crossings, from the first to the last; 1/(m s) in an area
   std::optional<double> density;  ///< 1/m², mean over time, of an area
   std::optional<double> speed;    ///< m/s, mean of those who cross, or of all in the area over time
+  std::optional<double> density_voronoi;  ///< 1/m², mean over time, where it is measured
 };
 
 Reading reading(const Measure& measure, const Measured& measured, double dt);

@@ -16,22 +16,34 @@ constexpr std::size_t kAhead = 16;  // agents, in whose time memory comes
 double largest_radius(const Scene& scene) {
   double largest = 0.0;
   for (std::size_t agent = 0; agent < scene.crowd.size(); ++agent)
-    largest = std::max(largest, scene.bodies.radius[agent]);
+    largest = std::max(largest, scene.bodies.radius[scene.crowd.first + agent]);
   return largest;
 }
 
 double least_radius(const Scene& scene, const AgentGroup& group) {
-  const auto first = scene.bodies.radius.begin() + group.first;
+  const auto first = scene.bodies.radius.begin() + scene.crowd.first + group.first;
   return *std::min_element(first, first + group.count);
 }
 
+constexpr int kSqueezes = 4;     // of a body against a barrier, before the agent gives in
 constexpr double kSettle = 0.5;  // s: who wants to stand somewhere comes to a stop within about so long
+
+constexpr double kHesitation = 1.0;  // s: who stood so long wants what he wants up to kDoubt
+constexpr double kDoubt = 1e-3;      // of his desired speed
+
+/// At random by (seed, step, id): else two who meet head on would stand before each other for ever.
+Vec doubt(const Scene& scene, const State& state, std::uint32_t id) {
+  Random random(scene.seed, static_cast<std::uint64_t>(state.step), id, Purpose::hesitation);
+  const double x = random.uniform(-kDoubt, kDoubt);
+  return {x, random.uniform(-kDoubt, kDoubt)};
+}
 
 }  // namespace
 
 std::vector<BarrierLine> barrier_lines(const Scene& scene) {
   std::vector<BarrierLine> lines;
   for (const Wall& wall : scene.walls) lines.push_back({wall.points, wall.closed});
+  for (BarrierLine& line : outlines(scene, BodyKind::fixed)) lines.push_back(std::move(line));
   const Domain& domain = scene.domain;
   if (domain.kind == DomainKind::box)
     lines.push_back(
@@ -43,6 +55,7 @@ Walk::Walk(const Scene& scene)
     : scene_(scene),
       barriers_(scene.crowd.size() > 0 ? barrier_lines(scene) : std::vector<BarrierLine>(),
                 2.0 * largest_radius(scene)),
+      movers_(scene),
       entrances_(scene.crowd.groups.size()),
       largest_radius_(largest_radius(scene)) {
   if (scene.crowd.size() == 0) return;
@@ -53,7 +66,13 @@ Walk::Walk(const Scene& scene)
   for (std::size_t i = 0; i < scene.crowd.groups.size(); ++i)
     if (const AgentGroup& group = scene.crowd.groups[i]; group.entrance && group.count > 0)
       entrances_[i] = std::make_unique<Sampler>(group.entrance->within, least_radius(scene, group));
+  for (const Measure& measure : scene.crowd.measures)
+    voronoi_.push_back(measure.cutoff > 0.0
+                           ? std::make_unique<VoronoiDensity>(scene.crowd.walkable, measure.ground,
+                                                              measure.size, measure.cutoff)
+                           : nullptr);
   journeys_.emplace(scene, barriers_);
+  if (!movers_.empty()) seen_ = barriers_;
 }
 
 void Walk::Ranks::resize(std::size_t n) {
@@ -63,23 +82,37 @@ void Walk::Ranks::resize(std::size_t n) {
 }
 
 void Walk::rank(const State& state, std::size_t place) {
-  const std::size_t row = cells_.row()[place], its = agent(state, row);
+  const std::size_t row = this->row(place), its = agent(state, row);
   const Vec &p = state.position[row], &v = state.velocity[row];
-  const auto [towards, distance] = journeys_->heading(state, row);
+  const std::size_t i = cells_.row()[place];
+  auto [towards, distance] = journeys_->heading(state, i);
+  const double now = static_cast<double>(state.step) * scene_.time.dt;
+  const bool hesitates =
+      static_cast<double>(state.step - state.crowd.stand_step[i]) * scene_.time.dt >= kHesitation;
+  if (hesitates && state.crowd.place[i] == 0) towards += doubt(scene_, state, state.id[row]);
   ranks_.x[place] = p.x(), ranks_.y[place] = p.y();
   ranks_.velocity_x[place] = v.x(), ranks_.velocity_y[place] = v.y();
   ranks_.towards_x[place] = towards.x(), ranks_.towards_y[place] = towards.y();
-  ranks_.radius[place] = scene_.bodies.radius[its];
-  const bool stands = static_cast<double>(state.step) * scene_.time.dt < scene_.crowd.start[its];
+  ranks_.radius[place] = scene_.bodies.radius[scene_.crowd.first + its];
+  const bool stands = now < scene_.crowd.start[its];
   ranks_.desired_speed[place] = stands ? 0.0 : std::min(scene_.crowd.desired_speed[its], distance / kSettle);
   ranks_.id[place] = state.id[row];
 }
 
+void Walk::look_at_movers(const State& state) {
+  movers_.look(state);
+  std::vector<BarrierLine> lines;
+  movers_.add_lines(lines);
+  seen_->set_moving(lines);
+}
+
 void Walk::look(State& state, Workers& workers) {
   journeys_->look(state);
-  cells_.sort(state.position, reach_);
-  ranks_.resize(state.id.size());
-  workers.for_ranges(state.id.size(), [&](std::size_t begin, std::size_t end) {
+  if (seen_) look_at_movers(state);
+  const std::size_t n = present(state);
+  cells_.sort(std::span(state.position).subspan(scene_.crowd.first), reach_);
+  ranks_.resize(n);
+  workers.for_ranges(n, [&](std::size_t begin, std::size_t end) {
     for (std::size_t place = begin; place < end; ++place) {
       journeys_->prefetch(state, cells_.row()[std::min(place + kAhead, end - 1)]);
       rank(state, place);
@@ -88,70 +121,98 @@ void Walk::look(State& state, Workers& workers) {
 }
 
 void Walk::steer(const State& state, Workers& workers) {
-  const std::size_t n = state.id.size();
+  const std::size_t n = present(state);
   velocity_.resize(n), places_.resize(n);
-  const CrowdView view{scene_.time.dt,   scene_.seed,      state.step,        cells_,
-                       ranks_.x,         ranks_.y,         ranks_.velocity_x, ranks_.velocity_y,
-                       ranks_.towards_x, ranks_.towards_y, ranks_.radius,     ranks_.desired_speed,
-                       ranks_.id,        largest_radius_,  barriers_};
+  const CrowdView view{
+      scene_.time.dt, scene_.seed,          state.step,        cells_,           ranks_.x,
+      ranks_.y,       ranks_.velocity_x,    ranks_.velocity_y, ranks_.towards_x, ranks_.towards_y,
+      ranks_.radius,  ranks_.desired_speed, ranks_.id,         largest_radius_,  seen_ ? *seen_ : barriers_};
   workers.for_ranges(n, [&](std::size_t begin, std::size_t end) {
     std::size_t last = begin;
     for (std::size_t model = 0; model < models_.size(); ++model) {
       const std::size_t first = last;
       for (std::size_t place = begin; place < end; ++place)
-        if (scene_.crowd.group[agent(state, cells_.row()[place])] == model)
+        if (scene_.crowd.group[agent(state, row(place))] == model)
           places_[last++] = static_cast<std::uint32_t>(place);
       models_[model]->steer(view, std::span(places_).subspan(first, last - first), velocity_);
     }
   });
 }
 
+/// Bodies that move push first, barriers have the last word.
+Moved Walk::go(const Vec& from, const Vec& by, double core, std::uint8_t& squeezed) const {
+  squeezed = 0;
+  if (!seen_) return slide(barriers_, from, by, core);
+  Moved moved{from + by, false};
+  for (int i = 0; i < kSqueezes; ++i) {
+    const Moved pushed = movers_.push(from, moved.to, core);
+    const Moved held = slide(barriers_, from, pushed.to - from, core);
+    squeezed = pushed.corrected && held.corrected;
+    moved = {held.to, moved.corrected || held.corrected};
+    if (!squeezed) break;
+  }
+  return moved;
+}
+
 void Walk::walk(State& state, Workers& workers) {
   const double dt = scene_.time.dt;
-  const std::size_t n = state.id.size();
-  corrected_.resize(n);
+  const std::size_t n = present(state), first = scene_.crowd.first;
+  corrected_.resize(n), squeezed_.resize(n);
   workers.for_ranges(n, [&](std::size_t begin, std::size_t end) {
     for (std::size_t place = begin; place < end; ++place) {
-      const std::size_t row = cells_.row()[place];
+      const std::size_t row = this->row(place);
       const double core = ranks_.radius[place] * models_[scene_.crowd.group[agent(state, row)]]->core();
-      const Vec from = state.position[row];
-      const Moved moved = slide(barriers_, from, dt * velocity_[place], core);
-      corrected_[row] = moved.corrected;
+      const Vec from = state.position[row], by = dt * velocity_[place];
+      const Moved moved = go(from, by, core, squeezed_[row - first]);
+      corrected_[row - first] = moved.corrected;
       state.position[row] = moved.to;
-      state.velocity[row] = moved.corrected ? Vec((moved.to - from) / dt) : velocity_[place];
+      state.velocity[row] = moved.to == from + by ? velocity_[place] : Vec((moved.to - from) / dt);
     }
   });
-  for (std::size_t row = 0; row < n; ++row) {
-    check_body(state, row);
-    state.crowd.wall_corrections += corrected_[row];
-    const double radius = scene_.bodies.radius[agent(state, row)];
-    if ((state.position[row] - state.crowd.stand[row]).squaredNorm() <= radius * radius) continue;
-    state.crowd.stand[row] = state.position[row];
-    state.crowd.stand_step[row] = state.step;
+  movers_.move(state);
+  for (std::size_t row = 0; row < first; ++row) check_body(state, row);
+  for (std::size_t i = 0; i < n; ++i) {
+    check_body(state, first + i);
+    state.crowd.wall_corrections += corrected_[i];
+    state.crowd.squeezed += squeezed_[i];
+    const Vec& p = state.position[first + i];
+    const double radius = scene_.bodies.radius[first + agent(state, first + i)];
+    if ((p - state.crowd.stand[i]).squaredNorm() <= radius * radius) continue;
+    state.crowd.stand[i] = p;
+    state.crowd.stand_step[i] = state.step;
   }
   if (!scene_.crowd.measures.empty()) measure_all(state);
 }
 
 void Walk::measure_all(State& state) {
-  strides_.resize(state.id.size());
+  strides_.resize(present(state));
   for (std::size_t place = 0; place < strides_.size(); ++place) {
-    const std::size_t row = cells_.row()[place];
+    const std::size_t row = this->row(place);
     strides_[place] = {{ranks_.x[place], ranks_.y[place]}, state.position[row], state.velocity[row].norm()};
   }
-  for (std::size_t i = 0; i < scene_.crowd.measures.size(); ++i)
-    measure(scene_.crowd.measures[i], strides_, state.step, state.crowd.measured[i]);
+  for (std::size_t i = 0; i < scene_.crowd.measures.size(); ++i) {
+    const Measure& its = scene_.crowd.measures[i];
+    measure(its, strides_, state.step, state.crowd.measured[i]);
+    if (voronoi_[i] && its.is_on(state.step))
+      state.crowd.measured[i].voronoi +=
+          voronoi_[i]->density(std::span(state.position).subspan(scene_.crowd.first));
+  }
 }
 
 void Walk::leave(State& state) {
   journeys_->advance(state, leaves_);
   const auto count = std::ranges::count(leaves_, 1);
   if (count == 0) return;
-  const auto keep = [&](auto& all) {
+  const auto keep = [&](auto& all, std::size_t bodies) {
     std::size_t row = 0;
-    std::erase_if(all, [&](const auto&) { return leaves_[row++] != 0; });
+    const auto leaves = [&](const auto&) { return leaves_[row++] != 0; };
+    all.erase(std::remove_if(all.begin() + static_cast<std::ptrdiff_t>(bodies), all.end(), leaves),
+              all.end());
   };
-  keep(state.id), keep(state.position), keep(state.velocity), keep(state.angle), keep(state.spin);
-  for_each_agent_array(state.crowd, keep);
+  const std::size_t bodies = scene_.crowd.first;
+  keep(state.id, bodies), keep(state.position, bodies), keep(state.velocity, bodies);
+  keep(state.angle, bodies), keep(state.spin, bodies);
+  for_each_agent_array(state.crowd, [&](auto& all) { keep(all, 0); });
   state.crowd.arrived += count;
   state.crowd.last_arrival = state.step;
 }
@@ -170,11 +231,11 @@ bool Walk::bring_in(State& state, std::size_t group) {
   const AgentGroup& its = crowd.groups[group];
   const std::uint32_t agent = its.first + its.count - state.crowd.waiting[group];
   const std::optional<Vec> place =
-      free_place(scene_, barriers_, standing_, *entrances_[group], agent, state.step,
-                 [&](const Vec& p) { return journeys_->ways().lead_on(its, p); });
+      free_place(scene_, seen_ ? *seen_ : barriers_, standing_, *entrances_[group], agent, state.step,
+                 [&](const Vec& p) { return !movers_.cover(p) && journeys_->ways().lead_on(its, p); });
   if (!place) return false;
   add_agent(scene_, state, agent, *place);
-  standing_.add(*place, scene_.bodies.radius[agent]);
+  standing_.add(*place, scene_.bodies.radius[crowd.first + agent]);
   for (std::size_t k = 0; k < crowd.measures.size(); ++k)
     measure_entry(crowd.measures[k], *place, state.step, state.crowd.measured[k]);
   --state.crowd.waiting[group];
@@ -186,8 +247,9 @@ void Walk::appear(State& state) {
   for (std::size_t group = 0; group < scene_.crowd.groups.size(); ++group) {
     if (!known && is_due(state, group)) {
       standing_.clear();
-      for (std::size_t row = 0; row < state.id.size(); ++row)
-        standing_.add(state.position[row], scene_.bodies.radius[agent(state, row)]);
+      if (seen_) look_at_movers(state);
+      for (std::size_t row = scene_.crowd.first; row < state.id.size(); ++row)
+        standing_.add(state.position[row], scene_.bodies.radius[state.id[row] - std::size_t{1}]);
       known = true;
     }
     while (is_due(state, group) && bring_in(state, group)) continue;
@@ -196,11 +258,11 @@ void Walk::appear(State& state) {
 
 std::vector<StuckAgent> stuck_agents(const Scene& scene, const State& state) {
   std::vector<StuckAgent> stuck;
-  for (std::size_t row = 0; row < state.crowd.stand.size(); ++row) {
-    if (state.crowd.place[row] > 0) continue;
-    const std::size_t agent = state.id[row] - std::size_t{1};
-    const double dt = scene.time.dt, now = static_cast<double>(state.step) * dt;
-    const double stood = static_cast<double>(state.crowd.stand_step[row]) * dt;
+  const double dt = scene.time.dt, now = static_cast<double>(state.step) * dt;
+  for (std::size_t i = 0; i < state.crowd.stand.size(); ++i) {
+    if (state.crowd.place[i] > 0) continue;
+    const std::size_t row = scene.crowd.first + i, agent = state.id[row] - std::size_t{1} - scene.crowd.first;
+    const double stood = static_cast<double>(state.crowd.stand_step[i]) * dt;
     if (now - std::max(stood, scene.crowd.start[agent]) >= kStuckTime &&
         scene.crowd.desired_speed[agent] > 0.0)
       stuck.push_back({state.id[row], state.position[row]});

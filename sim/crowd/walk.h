@@ -9,6 +9,8 @@
 #include "sim/crowd/crowd_cells.h"
 #include "sim/crowd/journeys.h"
 #include "sim/crowd/model.h"
+#include "sim/crowd/movers.h"
+#include "sim/crowd/voronoi_density.h"
 #include "sim/scene.h"
 #include "sim/state.h"
 #include "sim/workers.h"
@@ -17,13 +19,12 @@
 /// agent see what another one did in the same step, so that neither order nor threads matter.
 namespace throng {
 
-/// What stops the scene's agents: its walls and the domain's box.
+/// What stops the scene's agents and stands still: its walls, static bodies and the domain's box.
 std::vector<BarrierLine> barrier_lines(const Scene& scene);
 
 class Walk {
  public:
-  /// Throws as Ways. Nothing happens where there are no agents. Expects a scene whose bodies are agents or
-  /// none, which must outlive this.
+  /// Throws as Ways. Nothing happens where there are no agents. `scene` must outlive this.
   explicit Walk(const Scene& scene);
 
   /// Brings the agents into the order in which they stand, lets choose who has a choice of goals, and finds
@@ -33,8 +34,9 @@ class Walk {
   /// Asks the models for the agents' velocities, all from the state as it is.
   void steer(const State& state, Workers& workers);
 
-  /// Walks for dt with these velocities, without getting into barriers; counts whom one was in the way of,
-  /// and what the scene measures.
+  /// Walks for dt with these velocities, without getting into barriers, moves the kinematic bodies, which
+  /// push who is in their way, and counts whom a barrier was in the way of, who was squeezed between one and
+  /// a body, and what the scene measures. Barriers win over bodies, and bodies over agents.
   void walk(State& state, Workers& workers);
 
   /// Moves the agents on in their journeys; who is at the end of his leaves the state.
@@ -51,14 +53,24 @@ class Walk {
     void resize(std::size_t n);
   };
 
+  void look_at_movers(const State& state);
   void rank(const State& state, std::size_t place);
   void measure_all(State& state);
   bool is_due(const State& state, std::size_t group) const;
   bool bring_in(State& state, std::size_t group);
-  std::size_t agent(const State& state, std::size_t row) const { return state.id[row] - std::size_t{1}; }
+  Moved go(const Vec& from, const Vec& by, double core, std::uint8_t& squeezed) const;
+  /// Rows are those of the state, from scene_.crowd.first on.
+  std::size_t agent(const State& state, std::size_t row) const {
+    return state.id[row] - std::size_t{1} - scene_.crowd.first;
+  }
+  /// The row of who has that place in the cells.
+  std::size_t row(std::size_t place) const { return scene_.crowd.first + cells_.row()[place]; }
+  std::size_t present(const State& state) const { return state.crowd.stand.size(); }
 
   const Scene& scene_;
   Barriers barriers_;
+  Movers movers_;
+  std::optional<Barriers> seen_;                       // with the bodies that move, where there are such
   std::optional<Journeys> journeys_;                   // where there are agents
   std::vector<std::unique_ptr<WalkingModel>> models_;  // as Crowd::groups
   std::vector<std::unique_ptr<Sampler>> entrances_;    // likewise, where agents appear
@@ -67,9 +79,10 @@ class Walk {
   Ranks ranks_;
   std::vector<std::uint32_t> places_;  // those of each model together
   std::vector<Vec> velocity_;          // by place
-  std::vector<std::uint8_t> corrected_, leaves_;
-  Standing standing_;            // who is there when others appear
-  std::vector<Stride> strides_;  // by place; where anything is measured
+  std::vector<std::uint8_t> corrected_, squeezed_, leaves_;
+  Standing standing_;                                     // who is there when others appear
+  std::vector<Stride> strides_;                           // by place; where anything is measured
+  std::vector<std::unique_ptr<VoronoiDensity>> voronoi_;  // as Crowd::measures, where wanted
 };
 
 /// An agent that wanted to walk and hasn't got anywhere for kStuckTime.

@@ -28,7 +28,7 @@ namespace {
 using Bytes = std::span<const std::byte>;
 
 constexpr std::array<char, 8> kMagic{'t', 'h', 'r', 'o', 'n', 'g', 'C', 'K'};
-constexpr std::uint64_t kLayout = 5;  // grows with every change of State
+constexpr std::uint64_t kLayout = 6;  // grows with every change of State
 
 struct Header {
   std::array<char, 8> magic = kMagic;
@@ -38,7 +38,7 @@ struct Header {
   std::uint64_t scenario_bytes = 0, bodies = 0, disc_contacts = 0, point_contacts = 0;
   std::uint64_t agents = 0;  // rows of CrowdState: the last of the bodies
   std::uint64_t groups = 0, measures = 0, sensors = 0;
-  std::int64_t arrived = 0, last_arrival = 0, wall_corrections = 0;
+  std::int64_t arrived = 0, last_arrival = 0, wall_corrections = 0, squeezed = 0;
   std::uint64_t frames = 0, frames_hash = 0;
   std::uint64_t content_hash = 0;
   std::uint64_t hash = 0;  // of all above
@@ -50,7 +50,8 @@ std::uint64_t hash_of(const Header& header) {
 }
 
 static_assert(sizeof(SensedSum) == 2 * sizeof(std::int64_t), "every byte of it is written");
-static_assert(sizeof(Measured) == 6 * sizeof(std::int64_t) + sizeof(double), "every byte of it is written");
+static_assert(sizeof(Measured) == 6 * sizeof(std::int64_t) + 2 * sizeof(double),
+              "every byte of it is written");
 
 /// Contacts, an array a quantity: the struct's own padding has no defined bytes.
 struct Columns {
@@ -152,6 +153,7 @@ Header header_for(const CheckpointOrigin& origin, const State& state) {
   header.arrived = state.crowd.arrived;
   header.last_arrival = state.crowd.last_arrival;
   header.wall_corrections = state.crowd.wall_corrections;
+  header.squeezed = state.crowd.squeezed;
   header.frames = origin.frames;
   header.frames_hash = origin.frames_hash;
   return header;
@@ -229,7 +231,7 @@ bool is_sound(const Measured& measured, std::int64_t step) {
   return 0 <= measured.first && measured.first <= measured.last && measured.last <= step &&
          0 <= measured.steps && measured.steps <= step && is_count(measured.count) &&
          is_count(measured.back) && is_count(measured.samples) && measured.speed >= 0.0 &&
-         std::isfinite(measured.speed);
+         std::isfinite(measured.speed) && measured.voronoi >= 0.0 && std::isfinite(measured.voronoi);
 }
 
 /// No body senses more than all the others, which 32 bits name.
@@ -243,7 +245,7 @@ bool is_sound(const CrowdState& crowd, std::int64_t step) {
          std::all_of(crowd.spot.begin(), crowd.spot.end(), is_near) &&
          std::all_of(crowd.stand_step.begin(), crowd.stand_step.end(), past) &&
          std::all_of(crowd.since.begin(), crowd.since.end(), past) && past(crowd.last_arrival) &&
-         is_count(crowd.arrived) && is_count(crowd.wall_corrections) &&
+         is_count(crowd.arrived) && is_count(crowd.wall_corrections) && is_count(crowd.squeezed) &&
          std::all_of(crowd.measured.begin(), crowd.measured.end(),
                      [&](const Measured& measured) { return is_sound(measured, step); });
 }
@@ -287,6 +289,7 @@ Checkpoint read_content(int fd, const std::string& path, const Header& header) {
   read_array(state.crowd.waiting), read_array(state.crowd.measured), read_array(state.sensed);
   state.crowd.arrived = header.arrived, state.crowd.last_arrival = header.last_arrival;
   state.crowd.wall_corrections = header.wall_corrections;
+  state.crowd.squeezed = header.squeezed;
   for_each_column(discs, read_array);
   for_each_column(points, read_array);
   if (header.content_hash != hash_of(content(origin.scenario, state, discs, points)))

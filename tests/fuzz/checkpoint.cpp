@@ -22,7 +22,7 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 
 // Where things stand in the header: see sim/recording/checkpoint.cpp.
-constexpr std::size_t kHeader = 176, kCounts = 56, kContentHash = 160, kHash = 168;  // bytes
+constexpr std::size_t kHeader = 184, kCounts = 56, kContentHash = 168, kHash = 176;  // bytes
 
 std::uint64_t number_at(const Bytes& bytes, std::size_t at) {
   std::uint64_t number;

@@ -158,10 +158,15 @@ TEST(Crowd, IsRefusedWhereDistributionsMakeNoSense) {
   expect_fault(group + "desired_speed = -1\n", "agents[0].desired_speed: must be a number from 0");
 }
 
-TEST(Crowd, IsAloneInItsPlane) {
+TEST(Crowd, BearsNoBodiesThatItWouldPush) {
+  const std::string beside =
+      "at = [1, 1]\n[shapes]\nb.disc.radius = 1\n[[bodies]]\nshape = 'b'\nat = [1.5, 1.5]\n";
   expect_fault(
-      kFloor + kGroup + "at = [1, 1]\n[shapes]\nb.disc.radius = 1\n[[bodies]]\nshape = 'b'\nat = [2, 2]\n",
-      "not supported yet: bodies beside agents");
+      kFloor + kGroup + beside,
+      "bodies[0].kind: not supported yet: dynamic bodies beside agents; static and kinematic ones may");
+  expect_fault(
+      kFloor + kGroup + beside + "kind = 'static'\n",
+      "agents[0].at: an agent of radius 0.2 m at [1, 1] is not wholly on the walkable area, or overlaps");
   expect_fault("throng = 1\nengine = 'box2d'\n" + kFloor.substr(11) + kGroup + "at = [1, 1]\n",
                "engine: box2d: agents: ");
 }

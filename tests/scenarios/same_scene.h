@@ -88,6 +88,7 @@ inline void expect_same(const Scene& a, const Scene& b) {
     EXPECT_EQ(a.crowd.measures[i].line, b.crowd.measures[i].line);
     EXPECT_EQ(a.crowd.measures[i].area.rings, b.crowd.measures[i].area.rings);
     EXPECT_EQ(a.crowd.measures[i].size, b.crowd.measures[i].size);
+    EXPECT_EQ(a.crowd.measures[i].cutoff, b.crowd.measures[i].cutoff);
     EXPECT_EQ(a.crowd.measures[i].after, b.crowd.measures[i].after);
     EXPECT_EQ(a.crowd.measures[i].last, b.crowd.measures[i].last);
   }

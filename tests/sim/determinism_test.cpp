@@ -37,9 +37,10 @@ constexpr Golden kGallery[] = {
     {"hopper", 100, 0xd9a9662857617237},       {"gears", 100, 0xe5bc0003a2b65e0c},
     {"billiard", 1500, 0x8dd8bcba2d1db68a},    {"cradle", 2000, 0x7db3d1ee537b00be},
     {"mixed", 200, 0x97d804c0c9b9d94c},        {"corridor", 1200, 0x467109d56963dd86},
-    {"bottleneck", 1200, 0x63272d194aa09b18},  {"circle_swap", 300, 0x3098722b25df02fc},
-    {"counterflow", 1200, 0x87d58b112226b61e}, {"evacuation", 1500, 0x71b94d48698eb127},
-    {"crossing", 500, 0xcdf1ed6f937fea3d},
+    {"bottleneck", 1200, 0x671e4b9002b978b8},  {"circle_swap", 300, 0x3098722b25df02fc},
+    {"counterflow", 1200, 0xecea7466fa535e26}, {"evacuation", 1500, 0x12c6dd9b2996fcda},
+    {"station", 600, 0x4c1a036b36c0175e},      {"stadium", 20, 0xa8a2bb054346aa48},
+    {"crossing", 500, 0x902c3fcf30907623},
 };
 
 class EveryScene : public ::testing::TestWithParam<Golden> {};

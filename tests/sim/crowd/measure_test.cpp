@@ -30,7 +30,9 @@ TEST(Crossing, CountsWhoStopsOnTheLineOnce) {
 }
 
 Measure door() {
-  return {"door", kUp, {}};
+  Measure door;
+  door.name = "door", door.line = kUp;
+  return door;
 }
 
 TEST(Measure, GivesTheFlowOverALineFromItsFirstCrossingToItsLast) {
@@ -63,7 +65,9 @@ TEST(Measure, LooksBetweenItsTimesAlone) {
 }
 
 TEST(Measure, GivesDensityAndSpeedInAnArea) {
-  const Measure hall{"hall", {}, {{{{0, 0}, {4, 0}, {4, 5}, {0, 5}}}}, 20.0};
+  Measure hall;
+  hall.name = "hall", hall.size = 20.0;
+  hall.area = {{{{0, 0}, {4, 0}, {4, 5}, {0, 5}}}};
   Measured measured;
   const Stride in{{1, 1}, {1.1, 1}, 1.0}, enters{{-0.1, 1}, {0.1, 1}, 2.0}, leaves{{3.9, 1}, {4.1, 1}, 9.0};
   measure(hall, std::array{in, leaves}, 1, measured);

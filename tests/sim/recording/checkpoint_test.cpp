@@ -230,6 +230,7 @@ TEST(Checkpoint, RefusesCrowdsThatNoRunHas) {
   EXPECT_TRUE(measured({3, 1, 2, 5, 5, -4, 6.5}));
   EXPECT_TRUE(measured({3, 1, 2, 5, 5, 4, nan}));
   EXPECT_TRUE(measured({3, 1, 2, 5, 5, 4, -1}));
+  EXPECT_TRUE(measured({3, 1, 2, 5, 5, 4, 6.5, infinity}));
   EXPECT_TRUE(measured({std::numeric_limits<std::int64_t>::max(), 1, 2, 5, 5, 4, 6.5}));
 }
 

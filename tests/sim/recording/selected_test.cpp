@@ -128,6 +128,7 @@ Scene crowd_scene(std::size_t n) {
   scene.crowd.walkable.rings = {{{0, 0}, {9, 0}, {9, 9}}, {{5, 1}, {6, 1}, {6, 2}, {5, 2}}};
   scene.crowd.group.assign(n, 0);
   scene.crowd.groups.resize(1);
+  scene.crowd.groups[0].journey.resize(1);
   return scene;
 }
 

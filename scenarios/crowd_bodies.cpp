@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include "scenarios/read_crowd.h"
+#include "scenarios/region_sets.h"
+#include "sim/crowd/body_solids.h"
+
+namespace throng::scenarios {
+
+namespace {
+
+void refuse_dynamic_bodies(std::span<const Entry> entries, Report& report) {
+  for (const Entry& entry : entries)
+    if (entry.kind == BodyKind::dynamic)
+      report.error(
+          *entry.node, "bodies[" + std::to_string(entry.index) + "].kind",
+          "not supported yet: dynamic bodies beside agents; static and kinematic ones may stand there");
+}
+
+}  // namespace
+
+void add_bodies_to_floor(std::span<const Entry> entries, Scene& scene, Report& report) {
+  if (scene.crowd.groups.empty()) return;
+  refuse_dynamic_bodies(entries, report);
+  if (report.errors() > 0) return;
+  Crowd& crowd = scene.crowd;
+  std::vector<Region> standing;
+  const Bodies& bodies = scene.bodies;
+  for (std::size_t row = 0; row < bodies.size(); ++row)
+    if (bodies.kind[row] == BodyKind::fixed)
+      for (Region& piece :
+           placed(solids(scene, row), narrowphase::pose(bodies.position[row], bodies.angle[row])))
+        standing.push_back(std::move(piece));
+  if (standing.empty()) return;
+  crowd.walkable = without(crowd.walkable, united(standing));
+  for (Measure& measure : crowd.measures)
+    if (!measure.area.empty()) find_ground(crowd.walkable, measure);
+}
+
+}  // namespace throng::scenarios

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "sim/crowd/movers.h"
+
+#include <algorithm>
+
+namespace throng {
+
+namespace {
+
+constexpr int kRounds = 4;  // of all movers, where one pushes against another
+
+std::vector<BarrierLine> rings(const std::vector<Region>& solids) {
+  std::vector<BarrierLine> lines;
+  for (const Region& piece : solids)
+    for (const std::vector<Vec>& ring : piece.rings) lines.push_back({ring, true});
+  return lines;
+}
+
+bool is_in(const std::vector<Region>& solids, const Vec& p) {
+  return std::ranges::any_of(solids, [&](const Region& piece) { return contains(piece, p); });
+}
+
+Vec local(const narrowphase::Pose& pose, const Vec& p) {
+  return pose.unrotate(p - pose.position);
+}
+
+narrowphase::Pose pose_of(const State& state, std::size_t row, double dt) {
+  return narrowphase::pose(state.position[row] + dt * state.velocity[row],
+                           state.angle[row] + dt * state.spin[row]);
+}
+
+}  // namespace
+
+Movers::Movers(const Scene& scene) : scene_(scene) {
+  if (scene.crowd.size() == 0) return;
+  for (std::size_t row = 0; row < scene.crowd.first; ++row) {
+    if (scene.bodies.kind[row] != BodyKind::kinematic) continue;
+    std::vector<Region> its = solids(scene, row);
+    double reach = 0.0;
+    for (const BarrierLine& ring : rings(its))
+      for (const Vec& p : ring.points) reach = std::max(reach, p.norm());
+    movers_.push_back({row, its, Barriers(rings(its), reach), reach});
+  }
+}
+
+void Movers::look(const State& state) {
+  for (Mover& mover : movers_) {
+    mover.before = pose_of(state, mover.row, 0.0);
+    mover.after = pose_of(state, mover.row, scene_.time.dt);
+  }
+}
+
+void Movers::add_lines(std::vector<BarrierLine>& lines) const {
+  for (const Mover& mover : movers_)
+    for (BarrierLine& ring : rings(placed(mover.solids, mover.before))) lines.push_back(std::move(ring));
+}
+
+bool Movers::cover(const Vec& p) const {
+  return std::ranges::any_of(movers_,
+                             [&](const Mover& mover) { return is_in(mover.solids, local(mover.before, p)); });
+}
+
+Moved Movers::push(const Vec& from, const Vec& to, double radius) const {
+  Moved moved{to, false};
+  bool again = true;
+  for (int round = 0; again && round < kRounds; ++round) {
+    again = false;
+    for (const Mover& mover : movers_) {
+      const double far = mover.reach + radius;
+      const Vec q0 = local(mover.before, from), q1 = local(mover.after, moved.to);
+      if (nearest_on_segment(q0, q1, {0.0, 0.0}).norm() > far || is_in(mover.solids, q0)) continue;
+      const Moved its = slide(mover.edges, q0, q1 - q0, radius);
+      if (!its.corrected) continue;
+      moved = {mover.after * its.to, true};
+      again = movers_.size() > 1;
+    }
+  }
+  return moved;
+}
+
+void Movers::move(State& state) const {
+  const double dt = scene_.time.dt;
+  for (const Mover& mover : movers_) {
+    state.position[mover.row] += dt * state.velocity[mover.row];
+    state.angle[mover.row] += dt * state.spin[mover.row];
+  }
+}
+
+}  // namespace throng

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "sim/crowd/crowd_cells.h"
+#include "sim/crowd/region.h"
+
+namespace throng {
+
+/// m² that a convex polygon, counter-clockwise, and a region have in common: exact but for rounding. O(edges
+/// of the one times edges of the other).
+double common_area(std::span<const Vec> convex, const Region& region);
+
+/// The density of a crowd in an area by what room each agent has: the parts of the agents' Voronoi cells that
+/// are in the area, each in proportion to its cell, over the area: Steffen and Seyfried, "Methods for
+/// measuring pedestrian density, flow, speed and direction with minimal scatter" (Physica A 2010). Cells end
+/// at the floor's edges and at a distance from their agent.
+class VoronoiDensity {
+ public:
+  /// `area`: the part of it that is floor, of `size` (m²). Cells reach as far as `cutoff` (m): they begin as
+  /// regular polygons of 64 sides that circles of that radius are in.
+  VoronoiDensity(Region floor, Region area, double size, double cutoff);
+
+  /// 1/m², of agents at these places; two at one place share their cell. O(agents near k), k = agents within
+  /// twice the cut-off.
+  double density(std::span<const Vec> position);
+
+ private:
+  /// The part of the plane that is nearer to that agent than to any other.
+  void make_cell(std::size_t agent);
+
+  Region floor_, area_;
+  Eigen::AlignedBox2d near_;  // m: agents outside have no cell in the area
+  double size_, cutoff_;      // m², m
+  std::vector<Vec> disc_;     // m, the polygon round the cut-off's circle
+  CrowdCells cells_;
+  std::vector<Vec> agents_, cell_;
+};
+
+}  // namespace throng

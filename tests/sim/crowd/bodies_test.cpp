@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+// Agents beside bodies: static ones are walls, kinematic ones push.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "sim/crowd/movers.h"
+#include "sim/crowd/walk.h"
+#include "sim/recording/checkpoint.h"
+#include "tests/sim/trial.h"
+
+namespace throng {
+namespace {
+
+/// A hall 20 m by 6 m with an exit at its right end.
+std::string hall(const std::string& rest) {
+  return "time = { dt = 0.02, until = 1000 }\nseed = 5\nwalkable = 'POLYGON ((0 0, 20 0, 20 6, 0 6, 0 0))'\n"
+         "[areas]\nexit = [[19, 0], [20, 0], [20, 6], [19, 6]]\nleft = [[0, 0], [8, 0], [8, 6], [0, 6]]\n"
+         "[shapes]\npillar.disc.radius = 1\nwall.polygon = [[0, 0], [0.1, 0], [0.1, 5.9], [0, 5.9]]\n"
+         "bar.polygon = [[-3, -0.05], [3, -0.05], [3, 0.05], [-3, 0.05]]\n"
+         "frame = { polygon = [[0, 0], [4, 0], [4, 4], [0, 4]], holes = [[[1, 1], [1, 3], [3, 3], [3, 1]]] "
+         "}\n"
+         "pair.discs = [[-0.5, 0, 0.4], [0.5, 0, 0.4]]\n" +
+         rest;
+}
+
+std::string agents(const std::string& more, const std::string& model = "constant_velocity") {
+  return "[[agents]]\ngoal = 'exit'\nmodel = '" + model + "'\n" + more;
+}
+
+std::string body(const std::string& shape, const std::string& kind, const std::string& more) {
+  return "[[bodies]]\nshape = '" + shape + "'\nkind = '" + kind + "'\n" + more;
+}
+
+/// How near the middle of the nearest agent is to what the bodies fill (m); below 0 inside.
+double nearest(const Trial& run) {
+  double least = 1e9;
+  for (std::size_t b = 0; b < run.scene.crowd.first; ++b)
+    for (const Region& piece :
+         placed(solids(run.scene, b), narrowphase::pose(run.state.position[b], run.state.angle[b])))
+      for (std::size_t row = run.scene.crowd.first; row < run.state.id.size(); ++row) {
+        const Vec& p = run.state.position[row];
+        const double d = (nearest_on_border(piece, p) - p).norm();
+        least = std::min(least, contains(piece, p) ? -d : d);
+      }
+  return least;
+}
+
+TEST(CrowdBodies, StaticOnesAreWalls) {
+  for (const char* model : {"constant_velocity", "social_force", "collision_free_speed", "orca"}) {
+    SCOPED_TRACE(model);
+    Trial run(hall(body("pillar", "static", "at = [10, 3]\n") +
+                   agents("count = 10\nplace.random.within = 'left'\n", model)));
+    EXPECT_EQ(run.scene.crowd.first, 1u);
+    EXPECT_FALSE(contains(run.scene.crowd.walkable, Vec(10, 3)));
+    for (int i = 0; i < 2000 && run.state.crowd.arrived < 10; ++i) {
+      run.steps(1);
+      ASSERT_GE(nearest(run), (std::string(model) == "social_force" ? 0.1 : 0.2) * (1 - 1e-9)) << i;
+    }
+    EXPECT_EQ(run.state.crowd.arrived, 10);
+    EXPECT_EQ(run.state.id, std::vector<std::uint32_t>{1}) << "the body stays";
+    EXPECT_EQ(run.state.position[0], Vec(10, 3));
+  }
+}
+
+TEST(CrowdBodies, AgentsStandNeitherInThemNorInTheirHoles) {
+  const Scene scene =
+      scene_from(hall(body("frame", "static", "at = [4, 3]\n") + body("pair", "kinematic", "at = [7, 1]\n") +
+                      "[[measure]]\nname = 'left'\narea = 'left'\n" +
+                      agents("count = 40\nplace.random.within = [[0, 0], [8, 1]]\nradius = 0.1\n")));
+  EXPECT_DOUBLE_EQ(scene.crowd.measures[0].size, 48 - 12) << "less the frame, whose hole is floor";
+  Trial run(scene);
+  EXPECT_GE(nearest(run), 0.1);
+}
+
+TEST(CrowdBodies, OneThatMovesPushesWhoStands) {
+  Trial run(hall(body("wall", "kinematic", "at = [1, 3]\nvelocity = [1, 0]\n") +
+                 agents("at = [3, 3]\ndesired_speed = 0\n")));
+  run.steps(85);
+  EXPECT_EQ(run.state.position[1], Vec(3, 3)) << "the wall's face is at 2.75 m";
+  run.steps(200);
+  EXPECT_NEAR(run.state.position[1].x(), 1 + 0.05 + 285 * 0.02 + 0.2, 1e-9);
+  EXPECT_EQ(run.state.position[1].y(), 3.0);
+  EXPECT_NEAR(run.state.velocity[1].x(), 1.0, 1e-9);
+  EXPECT_EQ(run.state.crowd.squeezed, 0);
+  EXPECT_EQ(run.state.crowd.wall_corrections, 0);
+}
+
+TEST(CrowdBodies, NobodyPassesOneHoweverFastItIs) {
+  for (const char* model : {"constant_velocity", "social_force", "orca"}) {
+    SCOPED_TRACE(model);
+    Trial run(
+        hall(body("wall", "kinematic", "at = [8.5, 3]\nvelocity = [40, 0]\n") +
+             agents("count = 12\nplace.random.within = [[10, 0], [14, 6]]\ndesired_speed = 0.1\n", model)));
+    for (int i = 0; i < 10; ++i) {  // 0.8 m a step, through a wall of 0.1 m
+      run.steps(1);
+      for (std::size_t row = 1; row < run.state.id.size(); ++row)
+        EXPECT_GT(run.state.position[row].x(), run.state.position[0].x()) << i;
+    }
+  }
+}
+
+TEST(CrowdBodies, OneThatTurnsSweepsWhoStandsAlong) {
+  Trial run(hall(body("bar", "kinematic", "at = [6, 3]\nspin = 1.5\n") +
+                 agents("count = 40\nplace.random.within = [[3, 0.3], [9, 5.7]]\ndesired_speed = 0\n")));
+  const double clear = nearest(run);
+  ASSERT_GE(clear, 0.2);
+  int squeezed = 0;
+  for (int i = 0; i < 300; ++i) {
+    const std::int64_t before = run.state.crowd.squeezed;
+    run.steps(1);
+    squeezed += run.state.crowd.squeezed > before;
+    if (run.state.crowd.squeezed == 0) {
+      ASSERT_GE(nearest(run), 0.2 * (1 - 1e-9)) << i;
+    }
+  }
+  EXPECT_LT(squeezed, 300);
+}
+
+TEST(CrowdBodies, WallsHoldWhomTheySqueezeAndThisIsCounted) {
+  Trial run(hall(body("wall", "kinematic", "at = [14, 3]\nvelocity = [1, 0]\n") +
+                 "[[agents]]\ngoal = 'left'\nmodel = 'constant_velocity'\ncount = 20\n"
+                 "place.random.within = [[15, 0], [18.5, 6]]\ndesired_speed = 0.2\n"));
+  const Barriers walls(barrier_lines(run.scene), 1.0);
+  for (int i = 0; i < 400; ++i) {
+    run.steps(1);
+    for (std::size_t row = 1; row < run.state.id.size(); ++row) {
+      ASSERT_TRUE(contains(run.scene.crowd.walkable, run.state.position[row]));
+      ASSERT_GE(walls.distance(run.state.position[row], 0.2), 0.2 * (1 - 1e-9));
+    }
+  }
+  EXPECT_GT(run.state.crowd.squeezed, 20);
+  EXPECT_EQ(run.state.id.size(), 21u);
+  const std::int64_t squeezed = run.state.crowd.squeezed;
+  run.steps(6000);  // the body has run over them all, and they walk home
+  EXPECT_EQ(run.state.crowd.squeezed, squeezed);
+  EXPECT_EQ(run.state.crowd.arrived, 20);
+}
+
+TEST(CrowdBodies, AreSeenWhereTheyAre) {
+  const Scene scene = scene_from(
+      hall(body("pillar", "kinematic", "at = [6, 3]\nvelocity = [1, 0]\n") + agents("at = [1, 1]\n")));
+  State state = initial_state(scene);
+  state.position[0] = {10, 3};
+  Movers movers(scene);
+  movers.look(state);
+  std::vector<BarrierLine> lines;
+  movers.add_lines(lines);
+  Barriers barriers(barrier_lines(scene), 1.0);
+  EXPECT_FALSE(barriers.block({8, 3}, {12, 3}));
+  barriers.set_moving(lines);
+  EXPECT_TRUE(barriers.block({8, 3}, {12, 3}));
+  EXPECT_NEAR(barriers.distance({8, 3}, 5), 1.0, 0.0013) << "a polygon of 64 sides round it";
+  EXPECT_LE(barriers.distance({8, 3}, 5), 1.0);
+  EXPECT_TRUE(movers.cover({10.5, 3.5}) && !movers.cover({6, 3}));
+  int nearest = 0;
+  barriers.for_each_nearest({8, 3}, 1.5, [&](const Vec&) { ++nearest; });
+  EXPECT_EQ(nearest, 1);
+  barriers.set_moving({});
+  EXPECT_FALSE(barriers.block({8, 3}, {12, 3}));
+}
+
+TEST(CrowdBodies, AreResumedAndGiveTheSameBitsForAnyNumberOfThreads) {
+  const Scene scene = scene_from(
+      hall(body("bar", "kinematic", "at = [12, 3]\nspin = 0.7\nvelocity = [0.1, 0]\n") +
+           body("pair", "static", "at = [16, 3]\n") +
+           agents("count = 30\nplace.random.within = 'left'\n", "social_force") +
+           agents("count = 10\nplace.random.within = 'left'\nappear.rate = 2\n", "collision_free_speed")));
+  Trial whole(scene), three(scene, 3), first(scene), second(scene);
+  whole.steps(700), three.steps(700), first.steps(400);
+  EXPECT_EQ(hash(three.state), hash(whole.state));
+  EXPECT_EQ(three.state.crowd.squeezed, whole.state.crowd.squeezed);
+  const std::string file = ::testing::TempDir() + "bodies.ckpt";
+  recording::write_checkpoint(file, {"1", "", 0, 0}, first.state);
+  second.state = recording::read_checkpoint(file).state;
+  std::remove(file.c_str());
+  ASSERT_TRUE(fits(second.state, scene));
+  second.steps(300);
+  EXPECT_EQ(hash(second.state), hash(whole.state));
+  EXPECT_EQ(second.state.crowd.squeezed, whole.state.crowd.squeezed);
+  EXPECT_GT(whole.state.crowd.arrived, 0);
+  std::swap(second.state.id[0], second.state.id[2]);
+  EXPECT_FALSE(fits(second.state, scene)) << "bodies stand first";
+}
+
+}  // namespace
+}  // namespace throng

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "sim/crowd/voronoi_density.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sim/random.h"
+#include "tests/sim/trial.h"
+
+namespace throng {
+namespace {
+
+Region box(double x0, double y0, double x1, double y1) {
+  return {{{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}}};
+}
+
+TEST(CommonArea, ByHand) {
+  const std::vector<Vec> square{{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+  EXPECT_DOUBLE_EQ(common_area(square, box(1, 1, 5, 5)), 1.0);
+  EXPECT_DOUBLE_EQ(common_area(square, box(-1, -1, 5, 5)), 4.0);
+  EXPECT_DOUBLE_EQ(common_area(square, box(3, 3, 5, 5)), 0.0);
+  const Region frame{{{{-1, -1}, {5, -1}, {5, 5}, {-1, 5}}, {{1, 1}, {3, 1}, {3, 3}, {1, 3}}}};
+  EXPECT_DOUBLE_EQ(common_area(square, frame), 3.0) << "less a corner of its hole";
+  const Region comb{{{{0.5, -1}, {1, -1}, {1, 3}, {1.5, 3}, {1.5, -1}, {2.5, -1}, {2.5, 4}, {0.5, 4}}}};
+  EXPECT_DOUBLE_EQ(common_area(square, comb), 2 * 0.5 + 2 * 0.5) << "two pieces";
+}
+
+TEST(VoronoiDensity, OfOneAgentIsThatOfItsArea) {
+  VoronoiDensity one(box(0, 0, 10, 10), box(3, 3, 7, 7), 16.0, 1.0);
+  const std::vector<Vec> middle{{5, 5}}, edge{{3, 5}}, outside{{2.5, 5}}, far{{1.5, 1.5}};
+  EXPECT_NEAR(one.density(middle), 1.0 / 16.0, 1e-12) << "its disc is in it";
+  EXPECT_NEAR(one.density(edge), 0.5 / 16.0, 1e-12);
+  EXPECT_GT(one.density(outside), 0.0);
+  EXPECT_LT(one.density(outside), 0.5 / 16.0);
+  EXPECT_EQ(one.density(far), 0.0);
+  EXPECT_EQ(one.density({}), 0.0);
+}
+
+TEST(VoronoiDensity, OfALatticeIsThatOfTheLattice) {
+  std::vector<Vec> lattice;
+  for (int i = 0; i < 20; ++i)
+    for (int k = 0; k < 20; ++k) lattice.push_back({0.25 + 0.5 * i, 0.25 + 0.5 * k});
+  for (const double x : {4.0, 4.1, 4.3}) {  // wherever the area's edges cut cells
+    VoronoiDensity all(box(0, 0, 10, 10), box(x, 4, x + 1, 5), 1.0, 2.0);
+    EXPECT_NEAR(all.density(lattice), 4.0, 1e-9);
+  }
+}
+
+TEST(VoronoiDensity, OfCellsThatEndAtTheFloor) {
+  // two agents on 2 m x 1 m of floor: a cell of 1 m² each, whatever lies outside
+  VoronoiDensity two(box(0, 0, 2, 1), box(0, 0, 1, 1), 1.0, 5.0);
+  EXPECT_NEAR(two.density(std::vector<Vec>{{0.5, 0.5}, {1.5, 0.5}}), 1.0, 1e-12);
+  EXPECT_NEAR(two.density(std::vector<Vec>{{0.4, 0.5}, {1.2, 0.5}}), 1.0 + 0.2 / 1.2, 1e-12)
+      << "cells of 0.8 and 1.2 m²";
+  EXPECT_NEAR(two.density(std::vector<Vec>{{0.5, 0.5}, {0.5, 0.5}}), 1.0, 1e-12) << "both have all of it";
+}
+
+TEST(VoronoiDensity, AgreesWithTheNearestAgentOfEachOfManyPoints) {
+  const Region floor{{{{0, 0}, {6, 0}, {6, 6}, {0, 6}}, {{2, 2}, {3, 2}, {3, 3}, {2, 3}}}};
+  const Region area{{{{1, 1}, {5, 1}, {5, 4}, {1, 4}}, {{2, 2}, {3, 2}, {3, 3}, {2, 3}}}};
+  const double size = 11.0, cutoff = 0.9;
+  Random random(4, 0, 1, Purpose::place);
+  std::vector<Vec> agents;
+  while (agents.size() < 30) {
+    const double x = random.uniform(0, 6);
+    const Vec p(x, random.uniform(0, 6));
+    if (contains(floor, p)) agents.push_back(p);
+  }
+  std::vector<double> whole(30, 0.0), part(30, 0.0);
+  const int n = 1500;
+  for (int i = 0; i < n * n; ++i) {
+    const Vec p(6.0 * (i % n + 0.5) / n, 6.0 * (i / n + 0.5) / n);
+    if (!contains(floor, p)) continue;
+    std::size_t nearest = 0;
+    for (std::size_t a = 1; a < 30; ++a)
+      if ((p - agents[a]).squaredNorm() < (p - agents[nearest]).squaredNorm()) nearest = a;
+    if ((p - agents[nearest]).norm() > cutoff) continue;
+    whole[nearest] += 1.0, part[nearest] += contains(area, p);
+  }
+  double sum = 0.0;
+  for (std::size_t a = 0; a < 30; ++a) sum += part[a] / whole[a];
+  EXPECT_GT(sum, 10.0);
+  EXPECT_NEAR(VoronoiDensity(floor, area, size, cutoff).density(agents), sum / size, 2e-3);
+}
+
+TEST(VoronoiDensity, IsMeasuredInAnArea) {
+  Trial run(
+      "walkable = 'POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0))'\nareas.exit = [[8, 8], [9, 8], [9, 9]]\n"
+      "areas.middle = [[3, 3], [6, 3], [6, 6], [3, 6]]\n"
+      "[[measure]]\nname = 'm'\narea = 'middle'\nvoronoi = { cutoff = 0.5 }\n"
+      "[[measure]]\nname = 'plain'\narea = 'middle'\n"
+      "[[agents]]\nmodel = 'constant_velocity'\ngoal = 'exit'\ndesired_speed = 0\nat = [4, 4]\n");
+  run.steps(10);
+  const Reading with = reading(run.scene.crowd.measures[0], run.state.crowd.measured[0], 0.01);
+  const Reading without = reading(run.scene.crowd.measures[1], run.state.crowd.measured[1], 0.01);
+  ASSERT_TRUE(with.density_voronoi && !without.density_voronoi);
+  EXPECT_NEAR(*with.density_voronoi, 1.0 / 9.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace throng
