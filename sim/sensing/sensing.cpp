@@ -60,13 +60,15 @@ Sensing::Impl::Impl(const Scene& its_scene, int its_threads)
       all(its_threads) {
   if (scene.domain.kind == DomainKind::periodic)
     period = {scene.domain.min, scene.domain.max - scene.domain.min};
+  bool sees = false;
   double farthest = 0.0;
   for (const Sensor& sensor : scene.sensors) {
+    sees = sees || sensor.screens != Screens::none;
     if (sensor.screens != Screens::none) farthest = std::max(farthest, sensor.radius);
     if (sensor.screens == Screens::bodies && !screens) screens.emplace(scene);
     if (screens || sensor.fov < 360.0 || !sensor.ids.empty()) needs_tree = true;
   }
-  if (farthest > 0.0) walls.emplace(scene.walls, period, farthest);
+  if (sees) walls.emplace(scene.walls, period, farthest);
 }
 
 /// Rows move from step to step, ids name.

@@ -98,6 +98,17 @@ TEST(Sensing, FindsNobodyBehindAWall) {
   EXPECT_THAT(found.whom, ElementsAre(2, 4, 1, 4, 4, 1, 2, 3));
 }
 
+/// Those in the same place alone, whom a wall through it hides.
+TEST(Sensing, SeesWithARadiusOfZero) {
+  const std::string bodies = kBall + balls({{0, 0}, {0, 0}, {1, 0}});
+  const std::string wall = "[[walls]]\nsegment = [[0, -1], [0, 1]]\n";
+  for (const std::string sight : {"true", "\"bodies\""}) {
+    const std::string sees = sensor("radius = 0\nsight = " + sight);
+    EXPECT_THAT(sensed_at_start(scene_from(bodies + sees)).count, ElementsAre(1, 1, 0)) << sight;
+    EXPECT_THAT(sensed_at_start(scene_from(bodies + wall + sees)).count, ElementsAre(0, 0, 0)) << sight;
+  }
+}
+
 TEST(Sensing, FindsNobodyBehindABodyThatTheLineTouches) {
   const std::string sight = sensor("radius = 9\nsight = \"bodies\"");
   const Sensed found = sensed_at_start(scene_from(kBall + balls(kFour) + sight));
@@ -204,6 +215,22 @@ TEST(Sensing, IsWhatTheDefinitionSays) {
       sensing.sense(state);
       EXPECT_EQ(sensing.sensed()[0], expected) << threads;
     }
+  }
+}
+
+/// Enough for parts of the work on each thread, of lists and of those who ask.
+TEST(Sensing, FindsTheSameWithAnyNumberOfThreads) {
+  const std::string bodies =
+      "walls = [ { segment = [[10, 1], [12, 40]] } ]\n" + kBall +
+      "[[bodies]]\nshape = \"ball\"\ncount = 6000\nplace = { random = { within = [[0, 0], [50, 50]] } }\n"
+      "angle = { uniform = [-3, 3] }\n";
+  for (const std::string fields : {"radius = 1.5", "radius = 1.5\nfov_degrees = 150\nsight = \"bodies\""}) {
+    const Scene scene = scene_from(bodies + sensor(fields));
+    const Sensed expected = sensed_at_start(scene);
+    EXPECT_EQ(expected.who.size(), 6000u);
+    EXPECT_GT(expected.whom.size(), 20000u) << fields;
+    for (const int threads : {2, 7})
+      EXPECT_EQ(sensed_at_start(scene, threads), expected) << fields << threads;
   }
 }
 
