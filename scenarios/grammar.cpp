@@ -308,7 +308,8 @@ Table root_table() {
        {"agents", tables(agent_table()),
         "Agents, who walk to a goal and leave there; they need walkable or domain.box."},
        {"sensors", tables(sensor_table()), "Who senses whom; `throng run` sums it up. At most 8."},
-       {"measure", tables(measure_table()), "What is counted while agents walk; `throng run` sums it up."}}};
+       {"measure", tables(measure_table()),
+        "What is counted while agents walk; `throng run` sums it up. At most 1000."}}};
 }
 
 std::string range(const Type& type) {

@@ -5,6 +5,7 @@
 #include "scenarios/path.h"
 #include "scenarios/read_crowd.h"
 #include "scenarios/region_sets.h"
+#include "sim/recording/observables.h"
 
 namespace throng::scenarios {
 
@@ -87,6 +88,10 @@ void read_measures(const toml::table& root, Scene& scene, Report& report) {
     return report.error(*node, "measure", "counts agents, and there are none: it needs [[agents]]");
   const Path root_path, path(root_path, "measure");
   const toml::array& list = *node->as_array();
+  if (list.size() > recording::kMostMeasures)
+    return report.error(*node, "measure",
+                        "must be at most " + std::to_string(recording::kMostMeasures) + ", and are " +
+                            std::to_string(list.size()));
   for (std::size_t i = 0; i < list.size(); ++i)
     if (const Path entry(path, i); !report.bad(*list.get(i)))
       MeasureReader(*list.get(i)->as_table(), entry, scene, report).read();

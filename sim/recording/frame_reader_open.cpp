@@ -191,7 +191,11 @@ void FrameReader::open_observables(const Scene& scene, std::span<const std::int6
   const h5::Handle group = h5::open_group(file_->handle, "observables");
   observables_.when = open_schedule(group, steps);
   observables_.observables = observables_of(h5::exists(group, "agents"), scene.crowd.measures);
+  const std::uint64_t room = file_->room();
+  std::uint64_t bytes = 0;
   for (const Observable& observable : observables_.observables) {
+    bytes += observables_.when.samples() * observable.components * sizeof(double);
+    if (bytes > room) throw h5::Error("observables claim more than the file can hold");
     const h5::Handle element = open_path(group, observable.name);
     expect_times(element, observables_.when, steps);
     std::vector<std::optional<hsize_t>> dims{kAny};

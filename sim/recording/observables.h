@@ -9,6 +9,9 @@
 
 namespace throng::recording {
 
+/// What a scene or a file may have: each is five datasets, flushed at each commit.
+inline constexpr std::size_t kMostMeasures = 1'000;
+
 /// One of the measurements below /observables.
 struct Observable {
   std::string name;            ///< its path there

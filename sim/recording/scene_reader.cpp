@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sim/recording/layout.h"
+#include "sim/recording/observables.h"
 
 namespace throng::recording {
 
@@ -182,15 +183,18 @@ Region read_walkable(const h5::File& file, hid_t throng) {
   return walkable;
 }
 
-/// Names become paths below /observables.
-void expect_path_part(const std::string& name) {
-  if (name.empty() || name == "." || name.find('/') != name.npos) reject("a measure has no name of its own");
+/// Names become paths below /observables, each another.
+void expect_path_part(const std::string& name, std::span<const std::string> before) {
+  if (name.empty() || name == "." || name.find('/') != name.npos ||
+      std::ranges::find(before, name) != before.end())
+    reject("a measure has no name of its own");
 }
 
 std::vector<Measure> read_measures(const h5::File& file, hid_t throng) {
   if (!h5::exists(throng, "measures")) return {};
   const h5::Handle group = h5::open_group(throng, "measures");
   const std::vector<std::string> names = h5::read_texts(file, group, "name");
+  if (names.size() > kMostMeasures) reject("there are too many measures");
   const auto line = read_array<double>(file, group, "line", {names.size(), 4});
   const auto size = read_numbers(file, group, "size", names.size());
   const std::vector<Vec> points = read_points(file, group, "points");
@@ -200,7 +204,7 @@ std::vector<Measure> read_measures(const h5::File& file, hid_t throng) {
   const auto area_offset = read_offsets(file, group, "area_offset", names.size(), offset.size() - 1);
   std::vector<Measure> measures(names.size());
   for (std::size_t m = 0; m < names.size(); ++m) {
-    expect_path_part(names[m]);
+    expect_path_part(names[m], std::span(names).first(m));
     measures[m].name = names[m];
     measures[m].line = {Vec(line[4 * m], line[4 * m + 1]), Vec(line[4 * m + 2], line[4 * m + 3])};
     measures[m].size = size[m];

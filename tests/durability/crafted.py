@@ -168,6 +168,47 @@ def group_missing(file):
     del file["throng/frames"]
 
 
+def measures(file, names):
+    # lines of no length
+    group = file.create_group("throng/measures")
+    group["name"] = np.array(names, dtype="S")
+    group["line"] = np.zeros((len(names), 4))
+    group["size"] = np.zeros(len(names))
+    group["points"] = np.zeros((0, 2))
+    group["offset"] = np.zeros(1, dtype="<u8")
+    group["area_offset"] = np.zeros(len(names) + 1, dtype="<u8")
+
+
+def equal_measures(file):
+    measures(file, ["x", "y", "x"])
+
+
+def many_measures(file):
+    measures(file, [str(i) for i in range(30000)])
+
+
+def observables_again_and_again(file):
+    # a thousand measures whose columns are all the same numbers
+    frames, names = len(file["throng/frames/step"]), [str(i) for i in range(1000)]
+    measures(file, names)
+    one = file.create_group("observables/contacts")
+    file["observables"].attrs["every"] = np.int64(1)
+    for name in ("step", "time"):
+        file["observables"][name] = one[name] = file["throng/frames"][name]
+    one["value"] = np.zeros(frames)
+    momentum = file.create_group("observables/momentum")
+    momentum["value"] = np.zeros((frames, 2))
+    for name in ("step", "time"):
+        momentum[name] = one[name]
+    for name in ("kinetic_energy", "potential_energy", "max_overlap", "mean_overlap", "agents", "arrived"):
+        file["observables"][name] = one
+    columns = file.create_group("observables/columns")
+    for name in ("count", "forward", "back", "flow", "speed"):
+        columns[name] = one
+    for name in names:
+        file["observables/measure/" + name] = columns
+
+
 def newer(file):
     file["throng"].attrs.modify("version", np.array([2, 0], dtype="<i4"))
 
@@ -181,7 +222,7 @@ FAULTS = (external_storage, external_link, soft_link, virtual_dataset, huge_dime
           time_going_back, time_off_the_steps, frame_missing, value_missing, index_beyond, kind_unknown, offset_beyond,
           wall_without_points, wall_of_one_point, part_without_vertices, disc_with_parts, polygon_without_parts,
           cycle, deflated, foreign_filter, scale_offset, variable_text, no_utf8, dataset_for_a_group, group_missing,
-          newer, foreign)
+          equal_measures, many_measures, observables_again_and_again, newer, foreign)
 
 for fault in FAULTS:
     path = f"{sys.argv[2]}/{fault.__name__}.h5"

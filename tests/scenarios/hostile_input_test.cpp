@@ -183,6 +183,20 @@ TEST(HostileInput, OfManyValuesIsRefusedBeforeItIsParsed) {
   EXPECT_NE(faults(loaded).find("more than 10000000 values"), std::string::npos) << faults(loaded);
 }
 
+// Each is five datasets of a recording.
+TEST(HostileInput, OfManyMeasuresIsRefused) {
+  std::string text =
+      "throng = 1\nwalkable = [[0, 0], [9, 0], [9, 9], [0, 9]]\nareas.exit = [[8, 0], [9, 0], [9, 9]]\n"
+      "[[agents]]\nat = [1, 1]\nmodel = \"constant_velocity\"\ngoal = \"exit\"\n";
+  const auto add = [&](int i) {
+    text += "[[measure]]\nline = [[3, 0], [3, 9]]\nname = \"" + std::to_string(i) + "\"\n";
+  };
+  for (int i = 0; i < 1000; ++i) add(i);
+  EXPECT_EQ(faults(load_text(text)), "");
+  add(1000);
+  EXPECT_NE(faults(load_text(text)).find("measure: must be at most 1000, and are 1001"), std::string::npos);
+}
+
 TEST(HostileInput, OfHugeShapesIsRefusedOrReadInSeconds) {
   const auto comb = [](int teeth) {
     std::string text = "throng = 1\nshapes.a.polygon = [[0, -1], [" + std::to_string(teeth) + ", -1]";
