@@ -208,12 +208,24 @@ class Measures(Program):
             for name, (value, _) in whole.observables.items():
                 np.testing.assert_array_equal(value, half.observables[name][0])
 
+    def test_may_be_named_as_what_a_recording_holds(self):
+        names = ("value", "step", "time")
+        with open(self.folder / "three.toml", "a") as scene:
+            for name in names:
+                scene.write(f'[[measure]]\nname = "{name}"\nline = [[5, 0], [5, 5]]\n')
+        with throng_read.open(self.record()) as recording:
+            for name in names:
+                for column in ("count", "forward", "back", "flow", "speed"):
+                    np.testing.assert_array_equal(recording.observables[f"measure/{name}/{column}"][0],
+                                                  recording.observables[f"measure/door/{column}"][0])
+
     def test_sensors_tell_whom_they_found(self):
         with throng_read.open(self.record()) as recording:
             self.assertEqual(recording.sensors, [throng_read.Sensor("eyes", 50, 4.5, 180.0, "none")])
             self.assertIsNone(recording.sensed("eyes", 49))
             start, later = recording.sensed("eyes", 0), recording.sensed("eyes", 100)
             self.assertEqual(list(start.who), [1, 2, 3])
+            self.assertEqual(start.begin.dtype, np.uint64)
             # Nobody walks yet, and who stands looks all around: 2 and 3 are 4.1 m apart, 1 and 3 2.8 m.
             self.assertEqual([list(start[k]) for k in (1, 2, 3)], [[3], [3], [1, 2]])
             self.assertEqual(list(later.who), [2, 3])

@@ -49,7 +49,7 @@ class Sensed:
 
     def __init__(self, who, count, whom):
         self.who, self.count = who, count
-        self.whom, self.begin = whom, np.concatenate(([0], np.cumsum(count, dtype="u8")))
+        self.whom, self.begin = whom, np.concatenate((np.zeros(1, "u8"), np.cumsum(count, dtype="u8")))
         if len(who) != len(count) or self.begin[-1] != len(whom):
             raise OSError("sensed rows are damaged")
 
@@ -359,7 +359,7 @@ class Recording:
         for name in self._file[path]:
             if not isinstance(self._file[path].get(name, getlink=True), h5py.HardLink):
                 raise ValueError(f"{path}/{name} is no hard link")
-            if "value" in self._file[f"{path}/{name}"]:
+            if self._file.get(f"{path}/{name}/value", getclass=True) is h5py.Dataset:
                 yield before + name
             elif path.count("/") < 2:
                 yield from self._elements(f"{path}/{name}", f"{before}{name}/")
