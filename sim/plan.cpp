@@ -100,8 +100,8 @@ std::vector<Stage> stages(const Scene& scene, const Plan& plan) {
       {"measure", plan.measures,
        plan.measures ? counted(scene.crowd.measures.size(), "line or area", "lines and areas")
                      : "no line, no area is measured"},
-      {"sense", plan.sensors, plan.sensors ? counted(scene.sensors.size(), "sensor") : "no sensors"},
       {"wrap", plan.periodic, plan.periodic ? "the domain is periodic" : "the domain is not periodic"},
+      {"sense", plan.sensors, plan.sensors ? counted(scene.sensors.size(), "sensor") : "no sensors"},
   };
 }
 

@@ -14,6 +14,7 @@
 #include "sim/recording/packed.h"
 #include "sim/recording/selection.h"
 #include "sim/simulation.h"
+#include "tools/printable.h"
 #include "tools/recorded_scenario.h"
 
 namespace throng::tools {
@@ -158,7 +159,7 @@ Observables observed_as(const Observables& recorded, const Scene& scene, const S
 std::string other_difference(const Comparison& comparison, const Frame& frame, const Scene& scene,
                              const Simulation& run) {
   if (const std::string sensor = first_other_sensor(frame, scene, run); !sensor.empty())
-    return "those whom " + sensor + " senses";
+    return "those whom " + printable(sensor) + " senses";
   if (!frame.contacts && !frame.observables) return "";
   std::vector<ContactRow> contacts;
   run.list_contacts(contacts);

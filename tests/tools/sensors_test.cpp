@@ -112,6 +112,25 @@ class Sensors : public Program {
     EXPECT_GE(looks, 3u);
     return found;
   }
+
+  /// What --verify says of a recording whose embedded scenario has a sensor that reaches farther than the
+  /// recorded one did.
+  std::string grafted(const std::string& scene) const {
+    run(scene, "a.h5");
+    std::string far = scene;
+    far.replace(far.find("radius = 1.5"), 12, "radius = 1.6");
+    run(far, "b.h5");
+    const std::string graft =
+        "python3 -c \"import h5py\na, b = h5py.File('" + path("a.h5") + "', 'r+'), h5py.File('" +
+        path("b.h5") +
+        "')\ndel a['parameters/resolved']\nb.copy('parameters/resolved', a['parameters'])\n"
+        "a['parameters'].attrs.modify('resolved_hash', "
+        "b['parameters'].attrs['resolved_hash'])\"";
+    EXPECT_EQ(std::system(("/usr/bin/" + graft).c_str()), 0);
+    const Result verified = throng("replay --verify " + path("a.h5"));
+    EXPECT_EQ(verified.exit_code, 1);
+    return verified.out;
+  }
 };
 
 TEST_F(Sensors, FindWhomQueryFinds) {
@@ -161,6 +180,7 @@ TEST_F(Sensors, AreSummedUpAndPlanned) {
   EXPECT_EQ(summary["sensors"]["all"], json::parse(R"({"looks": 120, "mean": 59.0})"));
   EXPECT_EQ(summary["sensors"]["ahead"]["looks"], 180);
   EXPECT_TRUE(summary["stages"].contains("sense"));
+  EXPECT_TRUE(json::parse(throng("run " + scene + " --engine box2d").out)["stages"].contains("sense"));
   EXPECT_THAT(throng("plan " + scene).out, HasSubstr("runs    sense          2 sensors"));
   const std::string without = write("w.toml", kPile.substr(0, kPile.find("[[sensors]]")));
   EXPECT_THAT(throng("plan " + without).out, HasSubstr("skipped sense          no sensors"));
@@ -177,21 +197,16 @@ TEST_F(Sensors, AreVerifiedAndToldOf) {
   EXPECT_THAT(throng("info " + path("a.h5")).out, HasSubstr("sensors       ahead\n"));
 }
 
-/// A recording whose embedded scenario has a sensor that reaches farther than the recorded one did.
 TEST_F(Sensors, ThatFoundOthersAreNamed) {
-  run(kPile, "a.h5");
-  std::string far = kPile;
-  far.replace(far.find("radius = 1.5"), 12, "radius = 1.6");
-  run(far, "b.h5");
-  const std::string graft =
-      "python3 -c \"import h5py\na, b = h5py.File('" + path("a.h5") + "', 'r+'), h5py.File('" + path("b.h5") +
-      "')\ndel a['parameters/resolved']\nb.copy('parameters/resolved', a['parameters'])\n"
-      "a['parameters'].attrs.modify('resolved_hash', b['parameters'].attrs['resolved_hash'])\"";
-  ASSERT_EQ(std::system(("/usr/bin/" + graft).c_str()), 0);
-  const Result verified = throng("replay --verify " + path("a.h5"));
-  EXPECT_EQ(verified.exit_code, 1);
-  EXPECT_THAT(verified.out,
+  EXPECT_THAT(grafted(kPile),
               HasSubstr("at step 0 (t = 0 s): those whom ahead senses were recorded otherwise"));
+}
+
+/// A scenario of a stranger must not steer the terminal.
+TEST_F(Sensors, ThatFoundOthersAreNamedInPrintableLetters) {
+  std::string steers = kPile;
+  steers.replace(steers.find("ahead"), 5, "\\u001b]0;ahead");
+  EXPECT_THAT(grafted(steers), HasSubstr("those whom ?]0;ahead senses were recorded otherwise"));
 }
 
 TEST_F(Sensors, GoOnWhereARunWasStopped) {
@@ -201,6 +216,7 @@ TEST_F(Sensors, GoOnWhereARunWasStopped) {
   ASSERT_EQ(half.exit_code, 0) << half.err;
   const Result rest = throng("resume " + path("half.h5") + " --until 6");
   ASSERT_EQ(rest.exit_code, 0) << rest.err;
+  EXPECT_THAT(rest.err, HasSubstr("going on from the checkpoint"));
   EXPECT_EQ(json::parse(rest.out)["sensors"], json::parse(whole.out)["sensors"]);
   const Recording a(path("whole.h5")), b(path("half.h5"));
   EXPECT_TRUE(std::ranges::equal(a.frame_hashes(), b.frame_hashes()));
