@@ -79,11 +79,7 @@ double common_area(std::span<const Vec> convex, const Region& region) {
 }
 
 VoronoiDensity::VoronoiDensity(Region floor, Region area, double size, double cutoff)
-    : floor_(turned(std::move(floor))),
-      area_(turned(std::move(area))),
-      near_(bounds(area_)),
-      size_(size),
-      cutoff_(cutoff) {
+    : floor_(turned(std::move(floor))), area_(turned(std::move(area))), near_(bounds(area_)), size_(size) {
   constexpr double kSide = 2.0 * std::numbers::pi / kSides;
   const double reach = cutoff / narrowphase::pose({0.0, 0.0}, 0.5 * kSide).cos;
   for (int i = 0; i < kSides; ++i)

@@ -33,7 +33,7 @@ class VoronoiDensity {
 
   Region floor_, area_;
   Eigen::AlignedBox2d near_;  // m: agents outside have no cell in the area
-  double size_, cutoff_;      // m², m
+  double size_;               // m²
   std::vector<Vec> disc_;     // m, the polygon round the cut-off's circle
   CrowdCells cells_;
   std::vector<Vec> agents_, cell_;

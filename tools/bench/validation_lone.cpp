@@ -67,7 +67,8 @@ Finding mean_speed(const Trials& trials) {
 Finding speeds_by_age(const Trials& trials) {
   constexpr double kAges[][2] = {{0.58, 1.61}, {1.41, 1.54}, {0.68, 1.41}, {0.46, 0.76}};
   double fewest = 1.0;
-  for (const auto& [low, high] : kAges) {
+  for (const auto& age : kAges) {
+    const double low = age[0], high = age[1];
     const std::string bounds = "{ uniform = [" + std::to_string(low) + ", " + std::to_string(high) + "] }";
     const std::vector<double> walked =
         speeds(trials.walk("speeds", {"agents[0].desired_speed=" + bounds, "time.until=200"}));
