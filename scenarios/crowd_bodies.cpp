@@ -15,6 +15,14 @@ void refuse_dynamic_bodies(std::span<const Entry> entries, Report& report) {
           "not supported yet: dynamic bodies beside agents; static and kinematic ones may stand there");
 }
 
+/// The last of them, which covered what had been left.
+void refuse_covering(std::span<const Entry> entries, const std::string& what, Report& report) {
+  const Entry* last = nullptr;
+  for (const Entry& entry : entries)
+    if (entry.kind == BodyKind::fixed) last = &entry;
+  report.error(*last->node, "bodies[" + std::to_string(last->index) + "]", "static bodies cover " + what);
+}
+
 }  // namespace
 
 void add_bodies_to_floor(std::span<const Entry> entries, Scene& scene, Report& report) {
@@ -31,8 +39,13 @@ void add_bodies_to_floor(std::span<const Entry> entries, Scene& scene, Report& r
         standing.push_back(std::move(piece));
   if (standing.empty()) return;
   crowd.walkable = without(crowd.walkable, united(standing));
-  for (Measure& measure : crowd.measures)
-    if (!measure.area.empty()) find_ground(crowd.walkable, measure);
+  if (crowd.walkable.empty()) return refuse_covering(entries, "all of the walkable area", report);
+  for (Measure& measure : crowd.measures) {
+    if (measure.area.empty()) continue;
+    find_ground(crowd.walkable, measure);
+    if (!(measure.size > 0.0))
+      refuse_covering(entries, "all that measure " + measure.name + " looks at", report);
+  }
 }
 
 }  // namespace throng::scenarios

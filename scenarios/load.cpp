@@ -52,6 +52,7 @@ void read_scene(const toml::table& root, Scene& scene, Report& report) {
   warn_of_idle_borders(root, scene, report);
   place_bodies(entries, draws, scene, report);
   add_bodies_to_floor(entries, scene, report);
+  if (report.errors() > 0) return;
   check_queues(root, scene, report);
   place_agents(agents, scene, report);
   read_recorded_bodies(root, scene, report);

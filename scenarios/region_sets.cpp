@@ -48,15 +48,25 @@ std::vector<Vec> points_of(const Geos& geos, const GEOSGeometry* ring) {
   return points;
 }
 
-/// Of a polygon, or of polygons.
+void add_rings(const Geos& geos, const GEOSGeometry* polygon, Region& region) {
+  if (GEOSisEmpty_r(geos.handle, polygon)) return;
+  region.rings.push_back(points_of(geos, GEOSGetExteriorRing_r(geos.handle, polygon)));
+  for (int hole = 0; hole < GEOSGetNumInteriorRings_r(geos.handle, polygon); ++hole)
+    region.rings.push_back(points_of(geos, GEOSGetInteriorRingN_r(geos.handle, polygon, hole)));
+}
+
+/// Of all polygons; the points and lines in which regions only touch have no inside.
+void add_polygons(const Geos& geos, const GEOSGeometry* geometry, Region& region) {
+  const int kind = GEOSGeomTypeId_r(geos.handle, geometry);
+  if (kind == GEOS_POLYGON) add_rings(geos, geometry, region);
+  if (kind != GEOS_MULTIPOLYGON && kind != GEOS_GEOMETRYCOLLECTION) return;
+  for (int i = 0; i < GEOSGetNumGeometries_r(geos.handle, geometry); ++i)
+    add_polygons(geos, GEOSGetGeometryN_r(geos.handle, geometry, i), region);
+}
+
 Region region_of(const Geos& geos, const GEOSGeometry* geometry) {
   Region region;
-  for (int i = 0; i < GEOSGetNumGeometries_r(geos.handle, geometry); ++i) {
-    const GEOSGeometry* polygon = GEOSGetGeometryN_r(geos.handle, geometry, i);
-    region.rings.push_back(points_of(geos, GEOSGetExteriorRing_r(geos.handle, polygon)));
-    for (int hole = 0; hole < GEOSGetNumInteriorRings_r(geos.handle, polygon); ++hole)
-      region.rings.push_back(points_of(geos, GEOSGetInteriorRingN_r(geos.handle, polygon, hole)));
-  }
+  add_polygons(geos, geometry, region);
   return region;
 }
 

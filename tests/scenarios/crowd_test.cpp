@@ -187,6 +187,30 @@ TEST(Crowd, IsMeasuredAtLinesAndInAreas) {
       << "what of it is floor: the pillar and what is outside are not";
 }
 
+TEST(Crowd, IsMeasuredInAnAreaThatOnlyTouchesTheFloorBeyondAPillar) {
+  // What the two have in common is a rectangle, and the pillar's far side, which is a line.
+  const Loaded loaded =
+      load_text(kFloor + "upto = [[3, 2], [5, 2], [5, 3], [3, 3]]\n" + kGroup + kRandom +
+                "count = 3\n[[measure]]\nname = 'x'\narea = 'upto'\nvoronoi = { cutoff = 1 }\n");
+  ASSERT_EQ(loaded.errors(), 0) << faults(loaded);
+  const Measure& measure = loaded.scene.crowd.measures.at(0);
+  EXPECT_DOUBLE_EQ(measure.size, 1.0);
+  ASSERT_EQ(measure.ground.rings.size(), 1u);
+  EXPECT_EQ(measure.ground.rings[0].size(), 4u);
+}
+
+TEST(Crowd, IsRefusedWhereStaticBodiesLeaveNoFloor) {
+  const std::string crowd = kFloor + kGroup + "at = [1, 1]\n[[measure]]\nname = 'x'\narea = 'exit'\n";
+  const auto slab = [](const char* width) {
+    return std::string("[shapes]\nslab.polygon = [[0, 0], [") + width + ", 0], [" + width +
+           ", 30], [0, 30]]\n[[bodies]]\nshape = 'slab'\nkind = 'static'\n";
+  };
+  expect_fault(crowd + slab("60") + "at = [5, 2]\n",
+               "bodies[0]: static bodies cover all of the walkable area");
+  expect_fault(crowd + slab("4") + "at = [10, 2]\n",
+               "bodies[0]: static bodies cover all that measure x looks at");
+}
+
 TEST(Crowd, IsNotMeasuredWhereTheMeasureSaysNothing) {
   const std::string crowd =
       kFloor + "far = [[20, 0], [21, 0], [21, 1]]\n" + kGroup + "at = [1, 1]\n[[measure]]\n";

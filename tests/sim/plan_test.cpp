@@ -37,6 +37,10 @@ TEST(Plan, RunsWhatTheSceneHas) {
     EXPECT_TRUE(runs(plan, name)) << name;
 }
 
+TEST(Plan, SensesAfterBodiesAreWrapped) {
+  EXPECT_EQ(plan_for(scene_from(kTwoDiscs)).stages.back().name, "sense");
+}
+
 TEST(Plan, HasNoContactsWhereTheModelIsNone) {
   const Plan plan = plan_for(scene_from(std::string("contact = { model = \"none\" }\n") + kTwoDiscs));
   EXPECT_FALSE(plan.contacts());
