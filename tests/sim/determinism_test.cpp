@@ -39,7 +39,7 @@ constexpr Golden kGallery[] = {
     {"mixed", 200, 0x97d804c0c9b9d94c},        {"corridor", 1200, 0x467109d56963dd86},
     {"bottleneck", 1200, 0x671e4b9002b978b8},  {"circle_swap", 300, 0x3098722b25df02fc},
     {"counterflow", 1200, 0xecea7466fa535e26}, {"evacuation", 1500, 0x12c6dd9b2996fcda},
-    {"station", 600, 0x4c1a036b36c0175e},      {"stadium", 20, 0xa8a2bb054346aa48},
+    {"station", 200, 0x7d02b7eb906cc254},      {"stadium", 6, 0xea197326c117286a},
     {"crossing", 500, 0x902c3fcf30907623},
 };
 
