@@ -18,7 +18,7 @@ TEST(Standing, AStackOfTwentyBoxes) {
   Masonry site(0.01);
   for (int i = 0; i < 20; ++i) site.box({0.0, 0.5 + i}, 1, 1);
   Trial run(site.text());
-  run.steps(steps(10000));
+  run.steps(10000);  // it sways for the first of them
   for (std::size_t i = 0; i < 20; ++i) {
     EXPECT_NEAR(run.state.position[i].x(), 0.0, 0.005) << i;
     EXPECT_NEAR(run.state.angle[i], 0.0, 0.001) << i;
