@@ -36,7 +36,8 @@ class Simulation {
   /// Replaces `rows` by them: contacts() of them, or none before the first step here.
   virtual void list_contacts(std::vector<ContactRow>& rows) const = 0;
 
-  /// Whom each sensor of the scene sensed in the state that there is; nothing for those that weren't due.
+  /// Whom each recorded sensor of the scene sensed in the state that there is; nothing for those that weren't
+  /// due.
   virtual std::span<const Sensed> sensed() const = 0;
 
   /// Name and total time (s) of each stage that ran.

@@ -9,6 +9,7 @@
 
 #include "broadphase/neighbours.h"
 #include "sim/input_error.h"
+#include "sim/periodic.h"
 #include "sim/sensing/body_screens.h"
 #include "sim/sensing/heading.h"
 #include "sim/sensing/sight.h"
@@ -215,8 +216,7 @@ void print_all_in_sight(const Query& query, const std::vector<Vec>& heading, Pri
 }
 
 /// Who hides others needs its angle, unless it is a disc.
-void place_screens(const Options& options, const Crowd& crowd, const ProximityTree& tree,
-                   std::optional<BodyScreens>& screens) {
+void place_screens(const Options& options, const Crowd& crowd, std::optional<BodyScreens>& screens) {
   const Bodies& bodies = crowd.scene.bodies;
   const auto is_disc = [&](std::uint32_t row) {
     return crowd.scene.shapes[bodies.shape[row - 1]].kind == ShapeKind::disc;
@@ -225,7 +225,7 @@ void place_screens(const Options& options, const Crowd& crowd, const ProximityTr
     throw InputError(options.source +
                      ": --bodies-hide needs angles, which were not recorded (record.fields)");
   screens.emplace(crowd.scene);
-  screens->place(crowd.body, crowd.position, crowd.angle, tree);
+  screens->place(crowd.body, crowd.position, crowd.angle);
 }
 
 void query(const Options& options) {
@@ -244,7 +244,7 @@ void query(const Options& options) {
     const std::uint32_t row = row_of(crowd, *options.id, options.source);
     place = {crowd.position[row], heading.empty() ? Vec(0.0, 0.0) : heading[row], row};
   } else if (options.point) {
-    if (period) place.at = wrap(place.at, *period);
+    if (period) place.at = wrapped(place.at, crowd.scene.domain);
     if (degrees) place.heading = direction(*degrees);
   }
   ProximityTree tree;
@@ -253,7 +253,7 @@ void query(const Options& options) {
   std::optional<Sight> sight;
   if (options.sight) sight.emplace(crowd.scene.walls, crowd.period, near.radius);
   std::optional<BodyScreens> screens;
-  if (options.bodies_hide) place_screens(options, crowd, tree, screens);
+  if (options.bodies_hide) place_screens(options, crowd, screens);
   const Query ask{crowd, tree, sight ? &*sight : nullptr, screens ? &*screens : nullptr, near};
   if (!options.all)
     print_one(ask, place, printer);

@@ -28,6 +28,10 @@ Loaded load_recorded(const Kept& kept, const std::string& until) {
       load_text_or_throw(kept.recording.origin().provenance.resolved, kept.source + ":scenario", overrides);
   if (loaded.scene.name.empty()) loaded.scene.name = kept.recording.geometry().name;
   expect_scenario(kept.recording, loaded.scene, kept.source);
+  if (kept.recording.origin().minor < 5 && loaded.scene.crowd.size() > 0 &&
+      loaded.scene.record.observables > 0 && kept.frames > 0)
+    throw InputError(kept.source +
+                     " cannot be gone on with: observables of a crowd were not recorded before layout 1.5");
   return loaded;
 }
 
@@ -50,7 +54,8 @@ void say(const char* what, std::int64_t step) {
 bool go_to(const Checkpoint& checkpoint, const Scene& scene, Simulation& simulation) {
   const State& goal = checkpoint.state;
   if (!fits(goal, scene))
-    throw InputError("the checkpoint's crowd is not that of the scenario: remove it to go on from the start");
+    throw InputError(
+        "the checkpoint's crowd or sensors are not those of the scenario: remove it to go on from the start");
   if (simulation.restore(goal)) {
     say("going on from the checkpoint at", goal.step);
     return true;

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "sim/input_error.h"
+#include "sim/periodic.h"
 #include "sim/recording/recording.h"
 #include "tools/frame_at.h"
 #include "tools/printable.h"
@@ -77,15 +78,6 @@ Crowd crowd_of_recording(const std::string& source, std::optional<double> wanted
 
 }  // namespace
 
-Vec wrap(Vec p, const broadphase::Period& period) {
-  for (int axis = 0; axis < 2; ++axis) {
-    const double low = period.origin[axis], size = period.size[axis];
-    if (p[axis] < low || p[axis] > low + size)
-      p[axis] = std::clamp(p[axis] - size * std::floor((p[axis] - low) / size), low, low + size);
-  }
-  return p;
-}
-
 Crowd read_crowd(const std::string& source, std::optional<double> at) {
   Scene scene;
   Crowd crowd =
@@ -97,7 +89,7 @@ Crowd read_crowd(const std::string& source, std::optional<double> at) {
     if (!crowd.position[row].allFinite() || crowd.position[row].cwiseAbs().maxCoeff() > kFarthestBody)
       throw InputError(source + ": body " + std::to_string(crowd.id[row]) +
                        " has no position within 1e150 m of the origin");
-    if (crowd.period) crowd.position[row] = wrap(crowd.position[row], *crowd.period);
+    if (crowd.period) crowd.position[row] = wrapped(crowd.position[row], crowd.scene.domain);
   }
   return crowd;
 }

@@ -29,7 +29,4 @@ Crowd read_crowd(const std::string& source, std::optional<double> at);
 /// The row of a body. Throws InputError that names `source` where it has none.
 std::uint32_t row_of(const Crowd& crowd, std::int64_t id, const std::string& source);
 
-/// Brings a point into a period.
-Vec wrap(Vec p, const broadphase::Period& period);
-
 }  // namespace throng::tools

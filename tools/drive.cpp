@@ -41,8 +41,8 @@ class CheckpointClock {
 /// Adds frames to the recording, or holds them against those that it has.
 class FrameSink {
  public:
-  FrameSink(Recorder* recorder, const Scene& scene, const RecordedFrames& recorded, std::int64_t first)
-      : recorder_(recorder), scene_(scene), record_(scene.record), recorded_(recorded) {
+  FrameSink(Recorder* recorder, const Record& record, const RecordedFrames& recorded, std::int64_t first)
+      : recorder_(recorder), record_(record), recorded_(recorded) {
     next_ = std::lower_bound(recorded.steps.begin(), recorded.steps.end(), first) - recorded.steps.begin();
   }
 
@@ -53,25 +53,12 @@ class FrameSink {
     if (next_ < recorded_.steps.size()) return compare(state);
     contacts_.clear();
     if (wants_contacts(state.step)) simulation.list_contacts(contacts_);
-    recorder_->record(state, contacts_, wants_sensed(state.step) ? list_sensed(simulation) : SensedLists());
+    recorder_->record(state, contacts_, simulation.sensed());
   }
 
  private:
   bool wants_contacts(std::int64_t step) const {
     return is_due(every(record_, RecordField::contacts), step) || is_due(record_.observables, step);
-  }
-
-  using SensedLists = std::span<const Sensed* const>;
-
-  bool wants_sensed(std::int64_t step) const {
-    return std::ranges::any_of(record_.sensors, [step](int every) { return is_due(every, step); });
-  }
-
-  SensedLists list_sensed(const Simulation& simulation) {
-    sensed_.clear();
-    for (std::size_t i = 0; i < scene_.sensors.size(); ++i)
-      if (scene_.sensors[i].record) sensed_.push_back(&simulation.sensed()[i]);
-    return sensed_;
   }
 
   void compare(const State& state) {
@@ -92,10 +79,8 @@ class FrameSink {
   }
 
   Recorder* recorder_;
-  const Scene& scene_;
   const Record& record_;
   std::vector<ContactRow> contacts_;
-  std::vector<const Sensed*> sensed_;  // of each recorded sensor
   const RecordedFrames& recorded_;
   std::size_t next_ = 0;
 };
@@ -164,7 +149,7 @@ void warn_of_room(const std::string& output, const Scene& scene, const Provenanc
 int drive(Simulation& simulation, const Scene& scene, const DriveOptions& options, Recorder* recorder,
           const RecordedFrames& recorded) {
   const State& state = simulation.state();
-  FrameSink frames(recorder, scene, recorded, state.step);
+  FrameSink frames(recorder, scene.record, recorded, state.step);
   Progress progress(Progress::style(options.progress), scene.time.steps(), scene.time.dt, state.step);
   RunTimes times;
   try {

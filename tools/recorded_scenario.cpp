@@ -24,7 +24,6 @@ std::string difference(const Record& a, const Record& b) {
   if (a.quantum != b.quantum) return "a quantum";
   if (a.single != b.single) return "a precision";
   if (a.observables != b.observables) return "observables";
-  if (a.sensors != b.sensors) return "sensors";
   for (RecordField field : kRecordFields)
     if (every(a, field) != every(b, field)) return std::string("a rate of ") + name(field);
   return "";
@@ -32,6 +31,17 @@ std::string difference(const Record& a, const Record& b) {
 
 bool same_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+/// As far as a recording says: it doesn't hold who has a sensor.
+bool same_sensor(const Sensor& a, const Sensor& b) {
+  return a.name == b.name && same_bits(a.radius, b.radius) && same_bits(a.fov, b.fov) &&
+         a.screens == b.screens && a.every == b.every;
+}
+
+/// The same; nor does it hold when something is measured.
+bool same_measure(const Measure& a, const Measure& b) {
+  return a.name == b.name && a.line == b.line && a.area.rings == b.area.rings;
 }
 
 }  // namespace
@@ -43,10 +53,11 @@ void expect_scenario(const Recording& recording, const Scene& scene, const std::
            std::to_string(recording.bodies_of_run()));
   if (!same_bits(scene.time.dt, recording.geometry().time.dt))
     refuse("its scenario has other steps than its frames");
-  if (recording.origin().minor >= 5 && scene.record.observables > 0 &&
-      !std::ranges::equal(scene.crowd.measures, recording.geometry().crowd.measures, {}, &Measure::name,
-                          &Measure::name))
+  if (recording.origin().minor >= 5 &&
+      !std::ranges::equal(scene.crowd.measures, recording.geometry().crowd.measures, same_measure))
     refuse("its scenario measures otherwise than its frames");
+  if (!std::ranges::equal(recorded(scene.sensors), recording.geometry().sensors, same_sensor))
+    refuse("its scenario has other sensors than its frames");
   if (const std::string what = difference(scene.record, recording.geometry().record); !what.empty())
     refuse("its scenario records " + what + " that its frames do not have");
 }

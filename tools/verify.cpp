@@ -141,9 +141,8 @@ void report(const Frame& frame, const State& state, const std::optional<Differen
 
 /// The name of the first recorded sensor that found others; "" where none did.
 std::string first_other_sensor(const Frame& frame, const Scene& scene, const Simulation& run) {
-  std::size_t recorded = 0;
-  for (std::size_t i = 0; i < scene.sensors.size(); ++i)
-    if (scene.sensors[i].record && frame.sensed[recorded++] != run.sensed()[i]) return scene.sensors[i].name;
+  for (std::size_t i = 0; i < frame.sensed.size(); ++i)
+    if (frame.sensed[i] && *frame.sensed[i] != run.sensed()[i]) return recorded(scene.sensors)[i].name;
   return "";
 }
 

@@ -26,6 +26,17 @@ void copy_frame(const State& from, State& to) {
   to.crowd.measured = from.crowd.measured;
 }
 
+void copy_sensed(std::span<const Sensed> from, std::vector<Sensed>& to) {
+  if (to.size() < from.size()) to.resize(from.size());
+  for (std::size_t i = 0; i < to.size(); ++i) i < from.size() ? void(to[i] = from[i]) : to[i].clear();
+}
+
+std::size_t rows_bytes(const QueueEntry& entry) {
+  std::size_t ids = 0;
+  for (const Sensed& one : entry.sensed) ids += one.who.size() + one.count.size() + one.whom.size();
+  return entry.contacts.size() * sizeof(ContactRow) + ids * sizeof(std::uint32_t);
+}
+
 }  // namespace
 
 FrameQueue::FrameQueue(const State& first) : slots_(depth(first)) {
@@ -33,23 +44,28 @@ FrameQueue::FrameQueue(const State& first) : slots_(depth(first)) {
 }
 
 void FrameQueue::push(const State& state, std::span<const ContactRow> contacts,
-                      std::span<const Sensed* const> sensed, bool checkpoint) {
+                      std::span<const Sensed> sensed, bool checkpoint) {
   std::unique_lock lock(mutex_);
-  changed_.wait(lock, [&] { return count_ < slots_.size() || error_; });
+  changed_.wait(lock, [&] { return !is_full() || error_; });
   if (error_) std::rethrow_exception(error_);
   QueueEntry& slot = slots_[(head_ + count_) % slots_.size()];
   lock.unlock();  // the slot is the producer's until it is counted
   slot.checkpoint = checkpoint;
   slot.contacts.assign(contacts.begin(), contacts.end());
-  slot.sensed.resize(sensed.size());
-  for (std::size_t i = 0; i < sensed.size(); ++i) slot.sensed[i] = *sensed[i];
+  copy_sensed(sensed, slot.sensed);
+  slot.bytes = rows_bytes(slot);
   if (checkpoint)
     slot.state = state;
   else
     copy_frame(state, slot.state);
   lock.lock();
   ++count_;
-  if (count_ == batch()) changed_.notify_all();
+  bytes_ += slot.bytes;
+  if (count_ == batch() || is_full()) changed_.notify_all();
+}
+
+bool FrameQueue::is_full() const {
+  return count_ == slots_.size() || bytes_ > kBytes;
 }
 
 void FrameQueue::close() {
@@ -61,7 +77,7 @@ void FrameQueue::close() {
 const QueueEntry* FrameQueue::front(const std::function<void()>& idle) {
   std::unique_lock lock(mutex_);
   while (count_ == 0 && !closed_) {
-    changed_.wait_for(lock, kPatience, [&] { return count_ >= batch() || closed_; });
+    changed_.wait_for(lock, kPatience, [&] { return count_ >= batch() || is_full() || closed_; });
     if (count_ > 0 || closed_ || !idle) continue;
     lock.unlock();
     idle();
@@ -72,8 +88,14 @@ const QueueEntry* FrameQueue::front(const std::function<void()>& idle) {
 
 void FrameQueue::pop() {
   const std::lock_guard lock(mutex_);
+  QueueEntry& slot = slots_[head_];
+  const bool was_full = is_full();
+  bytes_ -= slot.bytes;
+  if (slot.bytes > kBytes / slots_.size())
+    slot.contacts = {}, slot.sensed = {};  // all slots would keep as much
   head_ = (head_ + 1) % slots_.size();
-  if (count_-- == slots_.size()) changed_.notify_all();
+  --count_;
+  if (was_full) changed_.notify_all();
 }
 
 void FrameQueue::fail(std::exception_ptr error) {

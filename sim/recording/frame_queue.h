@@ -21,6 +21,7 @@ struct QueueEntry {
                             ///< of a crowd is observed
   std::vector<ContactRow> contacts = {};  ///< of a frame, where it is to hold any
   std::vector<Sensed> sensed = {};        ///< of each recorded sensor, where a frame is to hold any
+  std::size_t bytes = 0;                  ///< of contacts and sensed
 };
 
 /// Frames and checkpoints on their way from the loop to the writer: a ring of buffers made in advance, one
@@ -28,14 +29,15 @@ struct QueueEntry {
 /// the consumer is woken only when the ring is half full and at the end, and looks by itself each 50 ms.
 class FrameQueue {
  public:
-  /// As many frames as fit into 64 MB, at least 2 and at most 16, all as large as `first`; contacts, which
-  /// grow as they come, are not counted.
+  /// As many frames as fit into 64 MB, at least 2 and at most 16, all as large as `first`. Contacts and what
+  /// was sensed come on top: of these, too, 64 MB and those of one frame at most.
   explicit FrameQueue(const State& first);
 
   /// Copies a frame in; waits while the queue is full. Allocates nothing while the number of bodies is that
-  /// of `first` and the slot has held as many contacts before. Throws what the consumer failed with.
+  /// of `first`, and the slot has held as many contacts and sensed before, unless these are so many that few
+  /// such frames fit. Throws what the consumer failed with.
   void push(const State& state, std::span<const ContactRow> contacts = {},
-            std::span<const Sensed* const> sensed = {}) {
+            std::span<const Sensed> sensed = {}) {
     push(state, contacts, sensed, false);
   }
 
@@ -57,12 +59,14 @@ class FrameQueue {
   std::size_t capacity() const { return slots_.size(); }
 
  private:
-  void push(const State& state, std::span<const ContactRow> contacts, std::span<const Sensed* const> sensed,
+  void push(const State& state, std::span<const ContactRow> contacts, std::span<const Sensed> sensed,
             bool checkpoint);
   std::size_t batch() const { return slots_.size() / 2; }
+  bool is_full() const;
 
   std::vector<QueueEntry> slots_;
   std::size_t head_ = 0, count_ = 0;
+  std::size_t bytes_ = 0;  ///< of contacts and sensed on their way
   bool closed_ = false;
   std::exception_ptr error_;
   std::mutex mutex_;

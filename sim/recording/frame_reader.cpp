@@ -39,8 +39,7 @@ void FrameReader::read(std::size_t i, Frame& frame) const {
   const std::size_t present = read_present(i, frame, hash);
   for (RecordField field : kBodyFields) read_field(field, i, present, frame, hash);
   read_contacts(i, frame, hash);
-  frame.sensed.resize(sensed_.size());
-  for (std::size_t k = 0; k < sensed_.size(); ++k) read_sensed(sensed_[k], i, frame.sensed[k], hash);
+  for (const StoredSensed& stored : sensed_) frame.sensed.push_back(read_sensed(stored, i, hash));
   read_observables(i, frame, hash);
   if (hash.value() != frame.frame_hash) throw h5::Error("it does not match its hash");
 }
@@ -161,15 +160,16 @@ void FrameReader::expect_names(std::span<const std::uint32_t> ids) const {
   }
 }
 
-void FrameReader::read_sensed(const StoredSensed& stored, std::size_t i, Sensed& sensed,
-                              FrameHash& hash) const {
+std::optional<Sensed> FrameReader::read_sensed(const StoredSensed& stored, std::size_t i,
+                                               FrameHash& hash) const {
   const std::optional<std::size_t> sample = stored.when.sample(i);
-  if (!sample) return;
+  if (!sample) return std::nullopt;
   const auto read = [&](const h5::Dataset& column, const std::vector<std::uint64_t>& offset) {
     auto ids = h5::read_rows<std::uint32_t>(column, offset[*sample], offset[*sample + 1] - offset[*sample]);
     hash.add(std::as_bytes(std::span(ids)));
     return ids;
   };
+  Sensed sensed;
   sensed.who = read(stored.who, stored.offset);
   sensed.count = read(stored.count, stored.offset);
   sensed.whom = read(stored.whom, stored.whom_offset);
@@ -181,6 +181,7 @@ void FrameReader::read_sensed(const StoredSensed& stored, std::size_t i, Sensed&
     at += count;
   }
   if (at != sensed.whom.size()) throw h5::Error("sensed rows are too many");
+  return sensed;
 }
 
 void FrameReader::read_observables(std::size_t i, Frame& frame, FrameHash& hash) const {

@@ -91,7 +91,7 @@ class FrameReader {
   void hand_out(RecordField field, Frame& frame) const;
   void read_contacts(std::size_t i, Frame& frame, FrameHash& hash) const;
   void expect_names(std::span<const std::uint32_t> ids) const;
-  void read_sensed(const StoredSensed& stored, std::size_t i, Sensed& sensed, FrameHash& hash) const;
+  std::optional<Sensed> read_sensed(const StoredSensed& stored, std::size_t i, FrameHash& hash) const;
   void read_observables(std::size_t i, Frame& frame, FrameHash& hash) const;
 
   const h5::File* file_ = nullptr;

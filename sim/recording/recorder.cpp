@@ -266,7 +266,7 @@ std::string Recorder::doubt(const std::string& path, const Scene& scene, const P
 }
 
 void Recorder::record(const State& state, std::span<const ContactRow> contacts,
-                      std::span<const Sensed* const> sensed) {
+                      std::span<const Sensed> sensed) {
   impl_->queue.push(state, contacts, sensed);
   ++impl_->frames;
 }

@@ -55,11 +55,11 @@ class Recorder {
   /// Adds a frame: what is due at the state's step. `sensed` is of each sensor that is recorded, in the
   /// scene's order, and is looked at where one is due. Returns once it is copied; waits where the queue is
   /// full, so a slow disk slows the loop rather than filling the memory. O(n); allocates only where there are
-  /// more contacts than ever before. Expects the scene's bodies, ids 1 to n in any order, all but agents in
-  /// every frame, steps that ascend, and the state's contacts where they or observables are due. Throws
-  /// std::runtime_error with path and reason where writing has failed.
+  /// more contacts, or more are sensed, than ever before. Expects the scene's bodies, ids 1 to n in any
+  /// order, all but agents in every frame, steps that ascend, and the state's contacts where they or
+  /// observables are due. Throws std::runtime_error with path and reason where writing has failed.
   void record(const State& state, std::span<const ContactRow> contacts = {},
-              std::span<const Sensed* const> sensed = {});
+              std::span<const Sensed> sensed = {});
 
   /// Makes a checkpoint beside the recording (recording/checkpoint.h): once it is written, which this doesn't
   /// wait for, a run can go on from `state`, and every frame recorded before is on the disk. The one before

@@ -32,7 +32,7 @@ struct Frame {
   /// gone as agents go, have NaN in all arrays.
   std::vector<std::uint8_t> is_present;
   std::optional<std::vector<ContactRow>> contacts;
-  std::vector<Sensed> sensed;  ///< of each recorded sensor; empty where it wasn't due
+  std::vector<std::optional<Sensed>> sensed;  ///< of each recorded sensor, where it was due
   std::optional<Observables> observables;
 
   std::size_t bodies() const {

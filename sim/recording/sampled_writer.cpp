@@ -90,7 +90,7 @@ std::size_t ObservableWriter::append(const Observables& observables, FrameHash& 
   const std::vector<double> numbers = numbers_of(observables);
   const auto add = [](std::size_t sum, const Observable& one) { return sum + one.components; };
   if (numbers.size() != std::accumulate(observables_.begin(), observables_.end(), std::size_t{0}, add))
-    throw h5::Error("a frame has other observables: those of a crowd were not recorded before layout 1.5");
+    throw h5::Error("a frame has other observables");
   std::size_t at = 0;
   for (std::size_t i = 0; i < logs_.size(); ++i) {
     const auto value = std::as_bytes(std::span(numbers).subspan(at, observables_[i].components));

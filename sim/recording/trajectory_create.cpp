@@ -122,8 +122,7 @@ void TrajectoryWriter::create_field(hid_t group, RecordField field) {
 
 /// Of the sensors that are recorded, numbered from 0.
 void TrajectoryWriter::create_sensed(std::span<const Sensor> sensors) {
-  for (const Sensor& sensor : sensors) {
-    if (!sensor.record) continue;
+  for (const Sensor& sensor : recorded(sensors)) {
     const std::string path = "throng/sensors/" + std::to_string(sensed_.size());
     const h5::Handle group = h5::create_groups(file_, path.c_str());
     h5::write_attribute(group, "name", std::string_view(sensor.name));

@@ -56,9 +56,11 @@ void TrajectoryWriter::append(const State& state, std::span<const ContactRow> co
 
 void TrajectoryWriter::append(const Frame& frame) {
   gather(frame);
+  std::vector<Sensed> sensed;
+  for (const std::optional<Sensed>& one : frame.sensed) sensed.push_back(one.value_or(Sensed{}));
   const std::uint64_t stored =
       append_gathered(frame.step, frame.state_hash, frame.contacts.value_or(std::vector<ContactRow>{}),
-                      frame.observables, frame.sensed);
+                      frame.observables, sensed);
   if (stored != frame.frame_hash)
     throw h5::Error("frame of step " + std::to_string(frame.step) + " would be stored otherwise");
 }

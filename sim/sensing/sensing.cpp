@@ -5,7 +5,7 @@
 #include <numeric>
 #include <optional>
 
-#include "broadphase/all_lists.h"
+#include "broadphase/neighbours.h"
 #include "sim/periodic.h"
 #include "sim/sensing/body_screens.h"
 #include "sim/sensing/heading.h"
@@ -16,16 +16,26 @@ namespace throng {
 
 using broadphase::FieldOfView;
 
+namespace {
+
+/// Who asks at a time: the answers of all would take four times the memory of what is kept of them.
+std::size_t block(std::size_t asking) {
+  return std::max<std::size_t>(4096, asking / 16);
+}
+
+}  // namespace
+
 struct Sensing::Impl {
   Impl(const Scene& its_scene, int its_threads);
 
   void look(const State& state);
   void take(const State& state);
   void choose(const Sensor& sensor);
-  void find_lists(const Sensor& sensor);
-  void drop_unsensed(const Sensor& sensor);
-  void store(Sensed& sensed) const;
+  void find_lists(const Sensor& sensor, std::size_t first, std::size_t count);
+  void drop_unsensed(const Sensor& sensor, std::size_t first);
+  void store(std::size_t first, Sensed& to) const;
   bool is_seen(const Sensor& sensor, std::uint32_t from, std::uint32_t to) const;
+  SensedSum look_with(const Sensor& sensor, Sensed* found);
   const broadphase::Period* its_period() const { return period ? &*period : nullptr; }
 
   const Scene& scene;
@@ -34,20 +44,21 @@ struct Sensing::Impl {
   std::optional<broadphase::Period> period;
   std::optional<Sight> walls;          // where any sensor heeds them
   std::optional<BodyScreens> screens;  // likewise
-  bool needs_tree = false;
-  std::vector<Sensed> sensed;
+  bool needs_headings = false;
+  std::vector<Sensed> sensed;   // of each recorded sensor
+  std::vector<SensedSum> last;  // of each sensor, of one look
 
   // Of the step: those who are there, ascending by id.
   std::vector<std::uint32_t> order, id;
   std::vector<Vec> position, velocity;
   std::vector<double> angle;
   broadphase::ProximityTree tree;
+  bool is_placed = false;  // of the screens
 
-  // Of the sensor: who has it, by rows of these, and whom each senses.
+  // Of the sensor: who has it, by rows of these, and whom some of them sense.
   static constexpr std::uint32_t kNobody = ~std::uint32_t{0};
   std::vector<std::uint32_t> has;
   std::vector<Vec> at, heading;
-  broadphase::AllLists all;
   broadphase::NeighbourSearch search;
   broadphase::NeighbourLists lists;
 };
@@ -56,8 +67,8 @@ Sensing::Impl::Impl(const Scene& its_scene, int its_threads)
     : scene(its_scene),
       threads(its_threads),
       workers(its_threads),
-      sensed(its_scene.sensors.size()),
-      all(its_threads) {
+      sensed(its_scene.record.sensors.size()),
+      last(its_scene.sensors.size()) {
   if (scene.domain.kind == DomainKind::periodic)
     period = {scene.domain.min, scene.domain.max - scene.domain.min};
   bool sees = false;
@@ -66,7 +77,7 @@ Sensing::Impl::Impl(const Scene& its_scene, int its_threads)
     sees = sees || sensor.screens != Screens::none;
     if (sensor.screens != Screens::none) farthest = std::max(farthest, sensor.radius);
     if (sensor.screens == Screens::bodies && !screens) screens.emplace(scene);
-    if (screens || sensor.fov < 360.0 || !sensor.ids.empty()) needs_tree = true;
+    needs_headings = needs_headings || sensor.fov < 360.0;
   }
   if (sees) walls.emplace(scene.walls, period, farthest);
 }
@@ -78,14 +89,17 @@ void Sensing::Impl::take(const State& state) {
   std::iota(order.begin(), order.end(), 0u);
   if (!std::ranges::is_sorted(state.id))
     std::ranges::sort(order, {}, [&](std::uint32_t row) { return state.id[row]; });
-  id.resize(n), position.resize(n), velocity.resize(n), angle.resize(n);
-  for (std::size_t row = 0; row < n; ++row) {
-    const std::uint32_t from = order[row];
-    id[row] = state.id[from], angle[row] = state.angle[from], velocity[row] = state.velocity[from];
-    position[row] = period ? wrapped(state.position[from], scene.domain) : state.position[from];
-  }
-  if (needs_tree) tree.build(position, its_period());
-  if (screens) screens->place(id, position, angle, tree);
+  const auto bring = [&](const auto& from, auto& to) {
+    to.resize(n);
+    for (std::size_t row = 0; row < n; ++row) to[row] = from[order[row]];
+  };
+  bring(state.id, id), bring(state.position, position);
+  if (needs_headings) bring(state.velocity, velocity);
+  if (needs_headings || screens) bring(state.angle, angle);
+  if (period)
+    for (Vec& p : position) p = wrapped(p, scene.domain);
+  tree.build(position, its_period());
+  is_placed = false;
 }
 
 void Sensing::Impl::choose(const Sensor& sensor) {
@@ -94,13 +108,11 @@ void Sensing::Impl::choose(const Sensor& sensor) {
     if (sensor.ids.empty() || std::ranges::binary_search(sensor.ids, id[row])) has.push_back(row);
 }
 
-/// In rows, in any order, with the one who asks or without.
-void Sensing::Impl::find_lists(const Sensor& sensor) {
+/// Of some who have it: in rows, in any order, with the one who asks.
+void Sensing::Impl::find_lists(const Sensor& sensor, std::size_t first, std::size_t count) {
   const FieldOfView view = field_of_view(sensor.fov);
-  if (view.all_around() && has.size() == id.size())
-    return all.find(position, sensor.radius, its_period(), lists);
   at.clear(), heading.clear();
-  for (const std::uint32_t row : has) {
+  for (const std::uint32_t row : std::span(has).subspan(first, count)) {
     at.push_back(position[row]);
     if (!view.all_around())
       heading.push_back(throng::heading(scene.bodies.kind[id[row] - 1], angle[row], velocity[row]));
@@ -114,41 +126,59 @@ bool Sensing::Impl::is_seen(const Sensor& sensor, std::uint32_t from, std::uint3
   return sensor.screens == Screens::walls || !screens->hide(position[from], from, to);
 }
 
-/// Leaves each list in order of rows, with kNobody in place of those who are not sensed.
-void Sensing::Impl::drop_unsensed(const Sensor& sensor) {
-  workers.for_ranges(has.size(), [&](std::size_t begin, std::size_t end) {
+/// Puts kNobody in place of those who are not sensed; leaves lists that are recorded in order of rows.
+void Sensing::Impl::drop_unsensed(const Sensor& sensor, std::size_t first) {
+  workers.for_ranges(lists.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
+      const std::uint32_t own = has[first + i];
       const std::span<std::uint32_t> list =
           std::span(lists.row).subspan(lists.begin[i], lists.begin[i + 1] - lists.begin[i]);
-      std::ranges::sort(list);
+      if (sensor.record) std::ranges::sort(list);
       for (std::uint32_t& row : list)
-        if (row == has[i] || !is_seen(sensor, has[i], row)) row = kNobody;
+        if (row == own || !is_seen(sensor, own, row)) row = kNobody;
     }
   });
 }
 
-void Sensing::Impl::store(Sensed& to) const {
-  for (std::size_t i = 0; i < has.size(); ++i) {
+void Sensing::Impl::store(std::size_t first, Sensed& to) const {
+  for (std::size_t i = 0; i < lists.size(); ++i) {
     const std::size_t before = to.whom.size();
     for (std::size_t k = lists.begin[i]; k < lists.begin[i + 1]; ++k)
       if (lists.row[k] != kNobody) to.whom.push_back(id[lists.row[k]]);
-    to.who.push_back(id[has[i]]);
+    to.who.push_back(id[has[first + i]]);
     to.count.push_back(static_cast<std::uint32_t>(to.whom.size() - before));
   }
 }
 
+/// Whom it senses is kept where it is recorded, else counted alone.
+SensedSum Sensing::Impl::look_with(const Sensor& sensor, Sensed* found) {
+  if (sensor.screens == Screens::bodies && !is_placed) screens->place(id, position, angle), is_placed = true;
+  choose(sensor);
+  std::size_t sum = 0, count = 0;
+  for (std::size_t first = 0; first < has.size(); first += count) {
+    count = std::min(block(has.size()), has.size() - first);
+    find_lists(sensor, first, count);
+    const bool is_all = !found && sensor.screens == Screens::none;  // but who asks
+    if (!is_all) drop_unsensed(sensor, first);
+    if (found) store(first, *found);
+    sum += is_all ? lists.row.size() - count
+                  : lists.row.size() - static_cast<std::size_t>(std::ranges::count(lists.row, kNobody));
+  }
+  return {static_cast<std::int64_t>(has.size()), static_cast<std::int64_t>(sum)};
+}
+
 void Sensing::Impl::look(const State& state) {
   bool is_taken = false;
-  for (std::size_t i = 0; i < sensed.size(); ++i) {
+  std::size_t recorded = 0;
+  for (std::size_t i = 0; i < last.size(); ++i) {
     const Sensor& sensor = scene.sensors[i];
-    sensed[i].clear();
+    Sensed* const found = sensor.record ? &sensed[recorded++] : nullptr;
+    if (found) found->clear();
+    last[i] = {};
     if (!is_due(sensor.every, state.step)) continue;
     if (!is_taken) take(state);
     is_taken = true;
-    choose(sensor);
-    find_lists(sensor);
-    drop_unsensed(sensor);
-    store(sensed[i]);
+    last[i] = look_with(sensor, found);
   }
 }
 
@@ -163,9 +193,9 @@ void Sensing::look(const State& state) {
 void Sensing::sense(State& state) {
   if (!impl_) return;
   impl_->look(state);
-  for (std::size_t i = 0; i < impl_->sensed.size(); ++i) {
-    state.sensed[i].looks += static_cast<std::int64_t>(impl_->sensed[i].who.size());
-    state.sensed[i].sensed += static_cast<std::int64_t>(impl_->sensed[i].whom.size());
+  for (std::size_t i = 0; i < impl_->last.size(); ++i) {
+    state.sensed[i].looks += impl_->last[i].looks;
+    state.sensed[i].sensed += impl_->last[i].sensed;
   }
 }
 

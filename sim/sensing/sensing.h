@@ -11,7 +11,8 @@ namespace throng {
 
 /// Who senses whom: all whose centres are within a sensor's radius and view and whom nothing hides that the
 /// sensor heeds. The answers are those that `throng query` gives for the same state, in order of id; they are
-/// the same for any number of threads. A scene without sensors pays nothing.
+/// the same for any number of threads. A scene without sensors pays nothing, and one that records none keeps
+/// no lists.
 class Sensing {
  public:
   /// `scene` must outlive this.
@@ -19,13 +20,14 @@ class Sensing {
   ~Sensing();
 
   /// Looks with all sensors that are due at the state's step, and adds what they sense to state.sensed.
-  /// O(n + k log k), k = the sensed of all; where walls or bodies hide, and what they are asked for each.
+  /// O(n log n + k log k), k = the sensed of all; where walls or bodies hide, and what they are asked for
+  /// each. Beside what is recorded it takes the memory of a sixteenth of the answers, or of those of 4096.
   void sense(State& state);
 
   /// The same without counting.
   void look(const State& state);
 
-  /// What each sensor of the scene found in the last look; nothing for those that weren't due then.
+  /// What each recorded sensor of the scene found in the last look; nothing for those that weren't due then.
   std::span<const Sensed> sensed() const;
 
  private:

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,6 +30,13 @@ struct Sensor {
   bool record = false;  ///< into the recording, each time
 };
 inline constexpr std::size_t kMostSensors = 8;
+
+/// Those that are recorded, in their order.
+inline std::vector<Sensor> recorded(std::span<const Sensor> sensors) {
+  std::vector<Sensor> result;
+  std::ranges::copy_if(sensors, std::back_inserter(result), &Sensor::record);
+  return result;
+}
 
 /// Who senses whom at one step, as compressed rows.
 struct Sensed {

@@ -68,8 +68,8 @@ class Layouts(Program):
             self.assertEqual(self.throng(*command), (0, ""))
         shutil.copy(path, self.path("a.h5"))
         code, said = self.throng("resume", "a.h5", "--until", "5", "--progress", "none")
-        self.assertEqual(code, 1)
-        self.assertIn("those of a crowd were not recorded before layout 1.5", said)
+        self.assertEqual(code, 2)
+        self.assertIn("cannot be gone on with: observables of a crowd were not recorded before layout 1.5", said)
         self.assertEqual((self.folder / "a.h5").read_bytes(), KEPT[3].read_bytes())
 
 

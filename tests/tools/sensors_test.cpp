@@ -98,9 +98,10 @@ class Sensors : public Program {
     const Recording recording(path(file));
     std::size_t found = 0, looks = 0;
     for (std::size_t i = 0; i < recording.frames(); ++i) {
-      const Sensed sensed = recording.frame(i).sensed.at(sensor);
+      const std::optional<Sensed> stored = recording.frame(i).sensed.at(sensor);
       EXPECT_EQ(recording.sensor_sample(sensor, i).has_value(), recording.steps()[i] % 20 == 0);
-      if (sensed.who.empty()) continue;
+      if (!stored) continue;
+      const Sensed& sensed = *stored;
       const auto expected = queried(file, recording.times()[i], how);
       std::vector<std::uint32_t> who;
       for (const auto& [id, whom] : expected)
@@ -121,7 +122,7 @@ class Sensors : public Program {
 
   /// What --verify says of a recording whose embedded scenario has a sensor that reaches farther than the
   /// recorded one did.
-  std::string grafted(const std::string& scene) const {
+  Result grafted(const std::string& scene, bool radius_as_well = true) const {
     run(scene, "a.h5");
     std::string far = scene;
     far.replace(far.find("radius = 1.5"), 12, "radius = 1.6");
@@ -131,11 +132,10 @@ class Sensors : public Program {
         path("b.h5") +
         "')\ndel a['parameters/resolved']\nb.copy('parameters/resolved', a['parameters'])\n"
         "a['parameters'].attrs.modify('resolved_hash', "
-        "b['parameters'].attrs['resolved_hash'])\"";
+        "b['parameters'].attrs['resolved_hash'])\n" +
+        (radius_as_well ? "a['throng/sensors/0'].attrs.modify('radius', 1.6)\"" : "\"");
     EXPECT_EQ(std::system(("/usr/bin/" + graft).c_str()), 0);
-    const Result verified = throng("replay --verify " + path("a.h5"));
-    EXPECT_EQ(verified.exit_code, 1);
-    return verified.out;
+    return throng("replay --verify " + path("a.h5"));
   }
 };
 
@@ -204,15 +204,23 @@ TEST_F(Sensors, AreVerifiedAndToldOf) {
 }
 
 TEST_F(Sensors, ThatFoundOthersAreNamed) {
-  EXPECT_THAT(grafted(kPile),
+  const Result verified = grafted(kPile);
+  EXPECT_EQ(verified.exit_code, 1);
+  EXPECT_THAT(verified.out,
               HasSubstr("at step 0 (t = 0 s): those whom ahead senses were recorded otherwise"));
+}
+
+TEST_F(Sensors, OfAnotherScenarioAreRefused) {
+  const Result verified = grafted(kPile, false);
+  EXPECT_EQ(verified.exit_code, 2);
+  EXPECT_THAT(verified.err, HasSubstr("its scenario has other sensors than its frames"));
 }
 
 /// A scenario of a stranger must not steer the terminal.
 TEST_F(Sensors, ThatFoundOthersAreNamedInPrintableLetters) {
   std::string steers = kPile;
   steers.replace(steers.find("ahead"), 5, "\\u001b]0;ahead");
-  EXPECT_THAT(grafted(steers), HasSubstr("those whom ?]0;ahead senses were recorded otherwise"));
+  EXPECT_THAT(grafted(steers).out, HasSubstr("those whom ?]0;ahead senses were recorded otherwise"));
 }
 
 TEST_F(Sensors, GoOnWhereARunWasStopped) {

@@ -109,6 +109,51 @@ TEST(FrameQueue, UsesTheSameMemoryAgain) {
   EXPECT_EQ(places.size(), queue.capacity());
 }
 
+/// One who senses so many.
+Sensed crowd_of(std::uint32_t n) {
+  Sensed sensed{{1}, {n}, std::vector<std::uint32_t>(n, 2)};
+  return sensed;
+}
+
+/// Of 13 MB each: not as many as there are slots, though the bodies are few.
+TEST(FrameQueue, TakesNoMoreThan64MegabytesAndAFrameOfWhatWasSensed) {
+  const State state = initial_state(mixed_scene(3));
+  const Sensed many = crowd_of(3'250'000);
+  FrameQueue queue(state);
+  std::atomic<int> pushed = 0;
+  std::thread producer([&] {
+    for (int i = 0; i < 7; ++i) queue.push(state, {}, std::span(&many, 1)), ++pushed;
+    queue.close();
+  });
+  while (pushed < 5) std::this_thread::yield();
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  EXPECT_EQ(pushed, 5);
+  int came = 0;
+  while (const QueueEntry* entry = queue.front()) {
+    EXPECT_EQ(entry->sensed.at(0), many);
+    queue.pop();
+    ++came;
+  }
+  producer.join();
+  EXPECT_EQ(came, 7);
+}
+
+TEST(FrameQueue, KeepsWhatItHoldsOfSensedBetweenFramesWithout) {
+  const State state = initial_state(mixed_scene(3));
+  const Sensed some = crowd_of(100);
+  FrameQueue queue(state);
+  std::set<const void*> places;
+  for (std::size_t i = 0; i < 5 * queue.capacity(); ++i) {
+    const bool due = i / queue.capacity() % 2 == 0;
+    queue.push(state, {}, due ? std::span(&some, 1) : std::span<const Sensed>());
+    const QueueEntry& entry = *queue.front();
+    EXPECT_EQ(entry.sensed.at(0), due ? some : Sensed{});
+    places.insert(entry.sensed[0].whom.data());
+    queue.pop();
+  }
+  EXPECT_EQ(places.size(), queue.capacity());
+}
+
 TEST(FrameQueue, TellsTheProducerWhyTheWriterGaveUp) {
   const State state = initial_state(mixed_scene(3));
   FrameQueue queue(state);

@@ -118,8 +118,7 @@ inline void add_sensor(Scene& scene, int every) {
 /// Adds each step from `first` to `last` at which a frame is due.
 inline void record_steps(Recorder& recorder, const Scene& scene, std::int64_t first, std::int64_t last) {
   for (std::int64_t step = first; step <= last; ++step) {
-    const Sensed sensed = sensed_at(step);
-    const std::vector<const Sensed*> all(scene.sensors.size(), &sensed);
+    const std::vector<Sensed> all(scene.sensors.size(), sensed_at(step));
     if (is_frame(scene.record, step)) recorder.record(state_at(scene, step), contacts_at(step), all);
   }
 }

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "broadphase/brute_force.h"
+#include "narrowphase/distance.h"
 #include "sim/sensing/heading.h"
 #include "sim/sensing/sight.h"
 #include "sim/simulation.h"
@@ -30,7 +31,7 @@ std::string balls(const std::vector<Vec>& places, const std::string& more = "") 
 }
 
 std::string sensor(const std::string& fields) {
-  return "[[sensors]]\nname = \"s\"\n" + fields + "\n";
+  return "[[sensors]]\nname = \"s\"\nrecord = true\n" + fields + "\n";
 }
 
 /// What the first sensor of a scene finds at its start.
@@ -144,6 +145,23 @@ TEST(Sensing, LooksAtTheStepsThatAreDue) {
   EXPECT_EQ(run->state().sensed[0], (SensedSum{12, 24}));
 }
 
+TEST(Sensing, CountsWithoutListsWhatIsNotRecorded) {
+  const std::string walls = "[[walls]]\nsegment = [[1.5, -1], [1.5, 0.5]]\n";
+  for (const std::string more : {"", "sight = true\n", "sight = \"bodies\"\n", "of = { ids = [4, 2] }\n",
+                                 "of = { ids = [4, 2] }\nsight = true\n"}) {
+    std::string text = kBall + balls(kFour) + walls + sensor("radius = 2\n" + more);
+    const Scene recorded = scene_from(text);
+    const Scene counted = scene_from(text.replace(text.find("record = true"), 13, "record = false"));
+    State one = initial_state(recorded), other = initial_state(counted);
+    Sensing first(recorded, 1), second(counted, 1);
+    first.sense(one), second.sense(other);
+    EXPECT_EQ(one.sensed, other.sensed) << more;
+    EXPECT_EQ(static_cast<std::size_t>(one.sensed[0].sensed), first.sensed()[0].whom.size()) << more;
+    EXPECT_GT(one.sensed[0].sensed, 0) << more;
+    EXPECT_TRUE(second.sensed().empty());
+  }
+}
+
 TEST(Sensing, ChangesNothingOfTheMotion) {
   const std::string text =
       "time = { dt = 0.01, until = 1 }\n" + kHall + agent({5, 5}, 1) + agent({5, 5.5}, 1.2);
@@ -215,6 +233,68 @@ TEST(Sensing, IsWhatTheDefinitionSays) {
       sensing.sense(state);
       EXPECT_EQ(sensing.sensed()[0], expected) << threads;
     }
+  }
+}
+
+/// Bodies of all sizes and kinds, turned anyhow, in a period or not, against a plain loop over all of them
+/// and their images.
+TEST(Sensing, FindsNobodyBehindBodiesAsTheDefinitionSays) {
+  const unsigned seed = std::random_device{}();
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  for (const bool periodic : {false, true}) {
+    const Scene scene = scene_from(
+        "seed = " + std::to_string(seed % 1000) + "\n" +
+        (periodic ? "domain = { periodic = [[-4, 2], [6, 12]] }\n" : "") +
+        "[shapes]\nball = { disc = { radius = { uniform = [0.02, 0.1] } } }\n"
+        "huge = { disc = { radius = 1.1 } }\nbar = { polygon = [[-1, -0.05], [1, -0.05], [1, 0.05], [-1, "
+        "0.05]] }\n"
+        "robot = { discs = [[0, 0, 0.1], [0.4, 0, 0.1]] }\n"
+        "[[bodies]]\nshape = \"huge\"\nat = [-3.5, 2.5]\n"
+        "[[bodies]]\nshape = \"bar\"\ncount = 4\nangle = { uniform = [-3, 3] }\n"
+        "place = { random = { within = [[-2, 4], [6, 12]] } }\n"
+        "[[bodies]]\nshape = \"robot\"\ncount = 10\nangle = { uniform = [-3, 3] }\n"
+        "place = { random = { within = [[-2, 4], [6, 12]] } }\n"
+        "[[bodies]]\nshape = \"ball\"\ncount = 150\nplace = { random = { within = [[-4, 4], [6, 12]] } }\n" +
+        sensor("radius = 3\nsight = \"bodies\""));
+    const State state = initial_state(scene);
+    const Vec size = periodic ? Vec(10, 10) : Vec(0, 0);
+    const auto nearest = [&](const Vec& d) {
+      Vec best = d;
+      for (int x = -1; x <= 1; ++x)
+        for (int y = -1; y <= 1; ++y)
+          if (const Vec image = d + Vec(x * size.x(), y * size.y()); image.squaredNorm() < best.squaredNorm())
+            best = image;
+      return best;
+    };
+    const auto hides = [&](std::size_t row, const Vec& half, const Vec& middle) {
+      const Vec centre = nearest(state.position[row] - middle);
+      const Shape& shape = scene.shapes[scene.bodies.shape[row]];
+      const narrowphase::Convex line = narrowphase::segment(-half, half);
+      if (shape.kind == ShapeKind::disc)
+        return narrowphase::separation(line, {}, narrowphase::disc(scene.bodies.radius[row]), {centre})
+                   .distance <= 0.0;
+      return std::ranges::any_of(shape.parts, [&](const narrowphase::Convex& part) {
+        return narrowphase::separation(line, {}, part, narrowphase::pose(centre, state.angle[row]))
+                   .distance <= 0.0;
+      });
+    };
+    Sensed expected;
+    std::size_t near = 0;
+    for (std::uint32_t a = 0; a < state.id.size(); ++a) {
+      expected.who.push_back(a + 1), expected.count.push_back(0);
+      for (std::uint32_t b = 0; b < state.id.size(); ++b) {
+        const Vec d = nearest(state.position[b] - state.position[a]);
+        if (a == b || d.norm() > 3.0) continue;
+        ++near;
+        bool hidden = false;
+        for (std::size_t row = 0; row < state.id.size() && !hidden; ++row)
+          hidden = row != a && row != b && hides(row, 0.5 * d, state.position[a] + 0.5 * d);
+        if (!hidden) expected.whom.push_back(b + 1), ++expected.count.back();
+      }
+    }
+    EXPECT_GT(near - expected.whom.size(), near / 10) << "some are hidden";
+    EXPECT_GT(expected.whom.size(), near / 10) << "and some are not";
+    EXPECT_EQ(sensed_at_start(scene), expected) << periodic;
   }
 }
 
