@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
+
 #include "scenarios/read_crowd.h"
 #include "scenarios/region_sets.h"
 #include "sim/crowd/body_solids.h"
@@ -15,6 +17,17 @@ void refuse_dynamic_bodies(std::span<const Entry> entries, Report& report) {
           "not supported yet: dynamic bodies beside agents; static and kinematic ones may stand there");
 }
 
+constexpr double kMostTurn = 0.5;  // rad in a step: agents take the ways of what turns as straight
+
+void refuse_fast_turns(std::span<const Entry> entries, double dt, Report& report) {
+  for (const Entry& entry : entries)
+    if (entry.kind == BodyKind::kinematic && std::abs(entry.spin) * dt > kMostTurn)
+      report.error(*entry.node, "bodies[" + std::to_string(entry.index) + "].spin",
+                   "turns by " + to_text(std::abs(entry.spin) * dt) +
+                       " rad in a step; beside agents it must be at most " + to_text(kMostTurn) +
+                       ", so time.dt at most " + to_text(kMostTurn / std::abs(entry.spin)) + " s");
+}
+
 /// The last of them, which covered what had been left.
 void refuse_covering(std::span<const Entry> entries, const std::string& what, Report& report) {
   const Entry* last = nullptr;
@@ -28,6 +41,7 @@ void refuse_covering(std::span<const Entry> entries, const std::string& what, Re
 void add_bodies_to_floor(std::span<const Entry> entries, Scene& scene, Report& report) {
   if (scene.crowd.groups.empty()) return;
   refuse_dynamic_bodies(entries, report);
+  refuse_fast_turns(entries, scene.time.dt, report);
   if (report.errors() > 0) return;
   Crowd& crowd = scene.crowd;
   std::vector<Region> standing;

@@ -28,6 +28,5 @@ constexpr double kLeastArea = 1e-20;     ///< m², of any shape: its mass must b
 constexpr double kLeastLeft = 1e-10;     ///< of a polygon's area, by its holes: its centre needs the digits
 constexpr double kFastest = 1e9;         ///< m/s
 constexpr double kShortestStep = 1e-12;  ///< s
-constexpr double kMostSteps = 1e12;
 
 }  // namespace throng::scenarios

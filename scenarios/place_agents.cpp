@@ -68,7 +68,8 @@ class AgentPlacer {
 
  private:
   bool stands(const Vec& p, double clear) const {
-    return contains(scene_.crowd.walkable, p) && !movers_.cover(p) && !(barriers_.distance(p, clear) < clear);
+    return contains(scene_.crowd.walkable, p) && movers_.depth(p) == 0.0 &&
+           !(barriers_.distance(p, clear) < clear);
   }
 
   void place_by_hand(const AgentEntry& entry, std::uint32_t row) {

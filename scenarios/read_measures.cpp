@@ -38,11 +38,8 @@ class MeasureReader {
       fail("until", "must be at least a step after `from`, which is " + to_text(from) + " s");
   }
 
-  /// That it takes to get there, as the end of the run is understood; no run has more than kMostSteps.
-  std::int64_t steps(double time) const {
-    const double dt = scene_.time.dt;
-    return Time{dt, std::min(time, kMostSteps * dt), 1}.steps();
-  }
+  /// That it takes to get there, as the end of the run is understood.
+  std::int64_t steps(double time) const { return Time{scene_.time.dt, time, 1}.steps(); }
 
   void read_line() {
     const std::vector<Vec> ends = points(*table_.get("line"));

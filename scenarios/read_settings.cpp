@@ -23,11 +23,11 @@ void read_time(const toml::table& root, Scene& scene, Report& report) {
   time.dt = number(table, "dt", time.dt);
   time.until = number(table, "until", time.until);
   time.substeps = static_cast<int>(number(table, "substeps", time.substeps));
-  if (time.until / time.dt <= kMostSteps) return warn_of_longer_end(table, time, report);
+  if (time.until / time.dt <= Time::kMostSteps) return warn_of_longer_end(table, time, report);
   const char* key = table.contains("until") ? "until" : "dt";
-  report.error(
-      *table.get(key), std::string("time.") + key,
-      "until / dt is " + to_text(time.until / time.dt) + " steps; must be at most " + to_text(kMostSteps));
+  report.error(*table.get(key), std::string("time.") + key,
+               "until / dt is " + to_text(time.until / time.dt) + " steps; must be at most " +
+                   to_text(Time::kMostSteps));
 }
 
 void read_domain(const toml::table& root, Scene& scene, Report& report) {

@@ -63,12 +63,12 @@ Overlap crowd_overlap(const Scene& scene, const State& state) {
   };
   const std::size_t first = scene.crowd.first;
   const std::span<const Vec> position = std::span(state.position).subspan(first);
-  Barriers barriers(barrier_lines(scene), largest);
+  const Barriers barriers(barrier_lines(scene), largest);
   Movers movers(scene);
   movers.look(state);
   std::vector<BarrierLine> moving;
   movers.add_lines(moving);
-  barriers.set_moving(moving);
+  const Barriers bodies(moving, largest);
   broadphase::NeighbourLists near;
   broadphase::AllLists().find(position, 2.0 * largest, nullptr, near);
   const auto radius = [&](std::size_t row) {
@@ -78,7 +78,10 @@ Overlap crowd_overlap(const Scene& scene, const State& state) {
     const Vec& p = position[row];
     for (std::size_t k = near.begin[row]; k < near.begin[row + 1]; ++k)
       if (near.row[k] > row) count(radius(row) + radius(near.row[k]) - near.distance[k]);
-    barriers.for_each_nearest(p, radius(row), [&](const Vec& q) { count(radius(row) - (p - q).norm()); });
+    const auto count_edge = [&](const Vec& q) { count(radius(row) - (p - q).norm()); };
+    barriers.for_each_nearest(p, radius(row), count_edge);
+    const double depth = movers.depth(p);
+    depth > 0.0 ? count(radius(row) + depth) : bodies.for_each_nearest(p, radius(row), count_edge);
   }
   if (result.pairs > 0) result.mean = sum / static_cast<double>(result.pairs);
   return result;

@@ -11,7 +11,7 @@ namespace throng {
 std::int64_t Time::steps() const {
   const double steps = until / dt;
   const double rounding = std::max(1e-9, 4.0 * std::numeric_limits<double>::epsilon() * steps);
-  return static_cast<std::int64_t>(std::ceil(steps - rounding));
+  return static_cast<std::int64_t>(std::min(std::ceil(steps - rounding), kMostSteps));
 }
 
 bool bodies_come_and_go(const Scene& scene) {

@@ -70,7 +70,8 @@ struct Time {
   double until = 10.0;  ///< s, >= 0
   int substeps = 4;     ///< >= 1
 
-  std::int64_t steps() const;  ///< the fewest steps that reach `until`, up to rounding
+  std::int64_t steps() const;  ///< the fewest steps that reach `until`, up to rounding; at most kMostSteps
+  static constexpr double kMostSteps = 1e12;  ///< no run has more
 };
 
 struct Scene {

@@ -71,9 +71,10 @@ namespace {
 
 /// Whether the agent in that row of the crowd is one who has appeared, on a leg of its journey and an option
 /// of that.
-bool is_on_its_way(const State& state, const Crowd& of, std::size_t row) {
+bool is_on_its_way(const State& state, const Scene& scene, std::size_t row) {
+  const Crowd& of = scene.crowd;
   const CrowdState& crowd = state.crowd;
-  const std::size_t agent = state.id[of.first + row] - std::size_t{1} - of.first;
+  const std::size_t agent = agent_of(scene, state, of.first + row);
   if (agent >= of.size()) return false;
   const AgentGroup& group = of.groups[of.group[agent]];
   if (agent >= group.first + group.count - crowd.waiting[of.group[agent]]) return false;
@@ -85,11 +86,11 @@ bool is_on_its_way(const State& state, const Crowd& of, std::size_t row) {
 }
 
 /// Whether those in line have places 1 to as many as they are. Expects that all are on their way.
-bool are_in_line(const State& state, const Crowd& of) {
+bool are_in_line(const State& state, const Scene& scene) {
+  const Crowd& of = scene.crowd;
   std::vector<std::vector<std::uint32_t>> places(of.queues.size());
   for (std::size_t row = 0; row < state.crowd.place.size(); ++row) {
-    const std::size_t agent = state.id[of.first + row] - std::size_t{1} - of.first;
-    const Leg& leg = of.leg(agent, state.crowd.stage[row]);
+    const Leg& leg = of.leg(agent_of(scene, state, of.first + row), state.crowd.stage[row]);
     if (leg.kind == Leg::Kind::queue && state.crowd.place[row] > 0)
       places[leg.options[state.crowd.option[row]]].push_back(state.crowd.place[row]);
   }
@@ -118,8 +119,8 @@ bool fits(const State& state, const Scene& scene) {
   for (std::size_t row = 0; agents && row < of.first; ++row)
     if (state.id[row] != row + 1) return false;
   for (std::size_t row = 0; row < crowd.stage.size(); ++row)
-    if (!is_on_its_way(state, of, row)) return false;
-  return are_in_line(state, of);
+    if (!is_on_its_way(state, scene, row)) return false;
+  return are_in_line(state, scene);
 }
 
 std::uint64_t hash(const State& state) {

@@ -29,8 +29,10 @@ struct CrowdState {
   std::int64_t arrived = 0;              ///< agents that got to their goals and left
   std::int64_t last_arrival = 0;         ///< step in which the last of them did
   std::int64_t wall_corrections = 0;     ///< agent-steps in which a barrier was in the way
-  std::int64_t squeezed = 0;             ///< agent-steps in which a body got into one whom a barrier held
+  std::int64_t squeezed = 0;             ///< agent-steps in which a body got into one whom others held
   std::vector<Measured> measured;        ///< as Crowd::measures
+
+  friend bool operator==(const CrowdState&, const CrowdState&) = default;
 };
 
 struct State {
@@ -53,6 +55,11 @@ void for_each_agent_array(Crowd& crowd, F f) {
   f(crowd.spot);
 }
 
+/// Which agent of the crowd is in this row of the state, which is one of the crowd's.
+inline std::size_t agent_of(const Scene& scene, const State& state, std::size_t row) {
+  return state.id[row] - std::size_t{1} - scene.crowd.first;
+}
+
 /// The agent stands there at the beginning of its journey, behind all others of the state.
 void add_agent(const Scene& scene, State& state, std::uint32_t agent, const Vec& place);
 
@@ -65,7 +72,8 @@ std::uint64_t waiting(const CrowdState& crowd);
 /// Whether it has the rows that a state of the scene has: of bodies, and of what is remembered of a crowd.
 bool fits(const State& state, const Scene& scene);
 
-/// 64 bits over step, ids and all motion: equal states on every machine, and only they, agree. A body's id
+/// 64 bits over step, ids and all motion, on every machine the same: of what recordings hold, not of what
+/// only checkpoints do, such as how far agents are on their journeys. A body's id
 /// and motion are mixed one after the other, and the bodies' mixes added up: bodies don't wait for one
 /// another, and the row in which one stands doesn't matter, as its id names it. About 12 bytes a ns.
 std::uint64_t hash(const State& state);

@@ -12,6 +12,8 @@ namespace {
 
 using Segment = Barriers::Segment;
 
+constexpr double kRounding = 1e-9;  // of a squared distance
+
 double distance(const Segment& one, const Segment& other) {
   if (narrowphase::segments_meet(one.a, one.b, other.a, other.b)) return 0.0;
   const auto to = [](const Segment& segment, const Vec& p) {
@@ -73,6 +75,21 @@ bool Barriers::block(const Vec& p, const Vec& q) const {
     blocked = blocked || narrowphase::segments_meet(p, q, segment.a, segment.b);
   });
   return blocked;
+}
+
+bool Barriers::leave_room(const Vec& p, const Vec& q, double radius) const {
+  bool room = true;
+  const Vec far(radius, radius);
+  const auto gap2 = [](const Vec& a, const Vec& b, const Vec& x) {
+    return (nearest_on_segment(a, b, x) - x).squaredNorm();
+  };
+  for_each_near({Vec(p.cwiseMin(q) - far), Vec(p.cwiseMax(q) + far)}, [&](const Segment& segment) {
+    const Vec &a = segment.a, &b = segment.b;
+    const double ends = std::min({gap2(a, b, p), gap2(a, b, q), radius * radius});
+    const double between = std::min(gap2(p, q, a), gap2(p, q, b));
+    room = room && between >= ends * (1.0 - kRounding) && !narrowphase::segments_meet(p, q, a, b);
+  });
+  return room;
 }
 
 double Barriers::distance(const Vec& p, double most) const {

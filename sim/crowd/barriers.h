@@ -9,8 +9,8 @@
 #include "sim/crowd/clearance.h"
 #include "sim/crowd/region.h"
 
-/// What agents can't walk through: the edges of the walkable area, walls and the domain's box, as one set of
-/// segments that stand still.
+/// What agents can't walk through, as one set of segments: the edges of the walkable area, walls and the
+/// domain's box, and bodies that move.
 namespace throng {
 
 /// A line of points that agents can't cross.
@@ -45,7 +45,8 @@ class Barriers {
   template <class F>
   void for_each_nearest(const Vec& p, double reach, F&& f) const;
 
-  /// Calls f(segment) for each whose box the box touches, ascending; of lines that move for others too.
+  /// Calls f(segment) for each that stands still and touches the box, ascending, but before those for each of
+  /// the lines that move whose box touches it.
   template <class F>
   void for_each_near(const Eigen::AlignedBox2d& box, F&& f) const {
     for (const Moving& line : moving_)
@@ -59,6 +60,10 @@ class Barriers {
 
   /// Whether the straight way from `p` to `q` meets a segment, be it by touching. Exact.
   bool block(const Vec& p, const Vec& q) const;
+
+  /// Whether a disc of that radius (m) gets straight on from `p` to `q`: it comes nowhere nearer to a segment
+  /// than its radius, but to one that it is as near to at one of the ends. Crossing none is exact.
+  bool leave_room(const Vec& p, const Vec& q, double radius) const;
 
   /// m, from `p` to the nearest segment; `most` where that is farther.
   double distance(const Vec& p, double most) const;

@@ -2,28 +2,15 @@
 #include "sim/crowd/journeys.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace throng {
 
 namespace {
 
-constexpr double kFree = std::numeric_limits<double>::infinity();
-constexpr double kQueueSight = 10.0;  // m: nearer than that, the end of a queue is walked to straight on
 constexpr int kSpotTries = 100;
 constexpr double kPatience = 5.0, kLongest = 15.0;  // s: who gets nowhere on the way to a place to wait, or
                                                     // not there in time, stays where he is
-
-Heading straight_to(const Vec& from, const Vec& to, double distance) {
-  const double length = (to - from).norm();
-  return {length > 0.0 ? Vec((to - from) / length) : Vec(0.0, 0.0), distance};
-}
-
-/// The fewest steps that take so long, up to rounding.
-std::int64_t steps(double time, double dt) {
-  return Time{dt, time, 1}.steps();
-}
+constexpr double kBeside = 3.0;                     // radii: who waits is that near where he keeps others out
 
 }  // namespace
 
@@ -32,18 +19,21 @@ Journeys::Journeys(const Scene& scene, const Barriers& barriers)
       barriers_(barriers),
       ways_(scene, barriers),
       least_crowded_(scene, ways_),
-      samplers_(scene.crowd.goals.size()) {
+      queues_(scene, barriers, ways_),
+      samplers_(scene.crowd.goals.size()),
+      spots_(scene.crowd.goals.size()) {
   const Crowd& crowd = scene.crowd;
-  for (const Queue& queue : crowd.queues) {
-    lines_.emplace_back(queue);
-    service_.push_back(steps(queue.service, scene.time.dt));
-  }
   for (const AgentGroup& group : crowd.groups)
     for (const Leg& leg : group.journey) {
       chooses_ = chooses_ || leg.options.size() > 1;
       if (leg.kind == Leg::Kind::wait && !samplers_[leg.options[0]])
         samplers_[leg.options[0]] = std::make_unique<Sampler>(crowd.goals[leg.options[0]].region, 0.0);
     }
+}
+
+/// Whether it hasn't set out at all yet.
+bool Journeys::stands_yet(const State& state, Row row) const {
+  return static_cast<double>(state.step) * scene_.time.dt < scene_.crowd.start[agent(state, row)];
 }
 
 std::uint32_t Journeys::choice(const State& state, Row row) {
@@ -56,26 +46,13 @@ std::uint32_t Journeys::choice(const State& state, Row row) {
                                     its.weights.begin());
 }
 
-/// Expects that places in line are 1 to as many as there are.
-void Journeys::look_at_queues(const State& state) {
-  line_.resize(lines_.size());
-  for (std::vector<Row>& line : line_) line.clear();
-  for (Row row = 0; row < state.crowd.place.size(); ++row) {
-    const std::uint32_t place = state.crowd.place[row];
-    if (place == 0 || !is_queueing(state, row)) continue;
-    std::vector<Row>& line = line_[queue(state, row)];
-    line.resize(std::max<std::size_t>(line.size(), place));
-    line[place - 1] = row;
-  }
-}
-
 void Journeys::look(State& state) {
-  if (!lines_.empty()) look_at_queues(state);
+  if (!queues_.empty()) queues_.look(state);
   if (!chooses_) return;
   std::vector<std::uint32_t>& option = state.crowd.option;
   bool counted = false;
   for (Row row = 0; row < option.size(); ++row) {
-    if (option[row] != kUndecided) continue;
+    if (is_decided(state, row) || (leg(state, row).weights.empty() && stands_yet(state, row))) continue;
     if (!counted) least_crowded_.count(state);
     counted = true;
     option[row] = choice(state, row);
@@ -84,129 +61,95 @@ void Journeys::look(State& state) {
 
 Heading Journeys::heading(const State& state, Row row) const {
   const Vec& p = position(state, row);
-  if (is_queueing(state, row)) return queue_heading(state, row);
+  if (!is_decided(state, row)) return {Vec(0.0, 0.0), 0.0};
+  if (leg(state, row).kind == Leg::Kind::queue) return queues_.heading(state, row);
   if (state.crowd.place[row] == 0) return {ways_.to(goal(state, row)).direction(p), kFree};
   const Vec& spot = state.crowd.spot[row];
   return straight_to(p, spot, (spot - p).norm());
 }
 
-/// Who isn't in line yet walks to the line, and, where he can, straight to its end; behind a full one he
-/// stops.
-Heading Journeys::queue_heading(const State& state, Row row) const {
-  const Vec& p = position(state, row);
-  const std::uint32_t its = queue(state, row), place = state.crowd.place[row];
-  const QueueLine& line = lines_[its];
-  const double spacing = scene_.crowd.queues[its].spacing;
-  const std::uint32_t number = place > 0 ? place : length(its) + 1;
-  const double distance = (line.place(number) - p).norm();
-  const bool full = number > line.places();
-  if (place == 0 && line.distance(p) > spacing &&
-      (distance > kQueueSight || barriers_.block(p, line.place(number))))
-    return {ways_.to(goal(state, row)).direction(p), kFree};
-  const double stop = place > 0 ? distance : full ? std::max(0.0, distance - spacing) : kFree;
-  return straight_to(p, line.towards(p, number, barriers_), stop);
-}
-
-/// Who stands nearer to a place than the one behind whom he is takes it: those who are pushed out of a line,
-/// or kept from moving up, hold up nobody.
-void Journeys::keep_order(State& state) {
-  CrowdState& crowd = state.crowd;
-  for (std::uint32_t queue = 0; queue < line_.size(); ++queue)
-    for (std::uint32_t k = 0; k + 1 < length(queue); ++k) {
-      Row &first = line_[queue][k], &second = line_[queue][k + 1];
-      const Vec place = lines_[queue].place(k + 1);
-      if ((position(state, second) - place).squaredNorm() >= (position(state, first) - place).squaredNorm())
-        continue;
-      std::swap(first, second);
-      crowd.place[first] = k + 1, crowd.place[second] = k + 2;
-      if (k == 0) crowd.since[first] = state.step;
-    }
-}
-
-void Journeys::serve(State& state, std::vector<std::uint8_t>& done) {
-  CrowdState& crowd = state.crowd;
-  for (std::uint32_t queue = 0; queue < line_.size(); ++queue) {
-    std::vector<Row>& line = line_[queue];
-    if (line.empty() || state.step < crowd.since[line[0]] + service_[queue]) continue;
-    const double away = (position(state, line[0]) - lines_[queue].place(1)).norm();
-    if (away > scene_.crowd.queues[queue].spacing) continue;
-    done[line[0]] = 1;
-    line.erase(line.begin());
-    for (const Row row : line) --crowd.place[row];
-    if (!line.empty()) crowd.since[line[0]] = state.step;
-  }
-}
-
-void Journeys::line_up(State& state, Row row) {
-  const std::uint32_t its = queue(state, row), number = length(its) + 1;
-  const Vec &p = position(state, row), end = lines_[its].place(number);
-  if (number > lines_[its].places() || (p - end).norm() > scene_.crowd.queues[its].spacing ||
-      barriers_.block(p, end))
-    return;
-  state.crowd.place[row] = number;
-  state.crowd.since[row] = state.step;
-  line_[its].push_back(row);
-}
-
 void Journeys::gather_spots(const State& state) {
-  spots_.clear();
+  for (Standing& spots : spots_) spots.clear();
   for (Row row = 0; row < state.crowd.place.size(); ++row)
     if (state.crowd.place[row] > 0 && leg(state, row).kind == Leg::Kind::wait)
-      spots_.add(state.crowd.spot[row], scene_.bodies.radius[scene_.crowd.first + agent(state, row)]);
+      spots_[goal(state, row)].add(state.crowd.spot[row], radius(state, row));
   spots_known_ = true;
 }
 
-void Journeys::take_spot(State& state, Row row) {
-  if (!spots_known_) gather_spots(state);
+bool Journeys::meets_spot(const Vec& p, double radius) {
+  return std::ranges::any_of(spots_, [&](Standing& spots) { return spots.meets(p, radius); });
+}
+
+/// A place in the area that he sees and where he has room; where none is found, the one where he is.
+Vec Journeys::free_spot(const State& state, Row row) {
   const Vec& p = position(state, row);
-  const std::uint32_t id = state.id[scene_.crowd.first + row];
-  const double radius = scene_.bodies.radius[id - std::size_t{1}];
+  const double radius = this->radius(state, row);
   const Sampler& sampler = *samplers_[goal(state, row)];
-  Random random(scene_.seed, static_cast<std::uint64_t>(state.step), id, Purpose::spot);
-  Vec spot = p;
-  for (int i = 0; i < kSpotTries && spot == p; ++i) {
+  Random random(scene_.seed, static_cast<std::uint64_t>(state.step), state.id[scene_.crowd.first + row],
+                Purpose::spot);
+  for (int i = 0; i < kSpotTries && !sampler.empty(); ++i) {
     const Vec q = sampler.draw(random);
-    if (sampler.holds(q, radius) && !spots_.meets(q, radius) && !(barriers_.distance(q, radius) < radius) &&
+    if (sampler.holds(q, radius) && !meets_spot(q, radius) && !(barriers_.distance(q, radius) < radius) &&
         !barriers_.block(p, q))
-      spot = q;
+      return q;
   }
+  return p;
+}
+
+/// Whether he stands before the area, among those who wait there already.
+bool Journeys::is_kept_out(const State& state, Row row) {
+  const std::int64_t stood = std::max(state.crowd.stand_step[row], state.crowd.since[row]);
+  if (since(state, stood) < kPatience || stands_yet(state, row)) return false;
+  if (!spots_known_) gather_spots(state);
+  return spots_[goal(state, row)].meets(position(state, row), kBeside * radius(state, row));
+}
+
+void Journeys::stay(State& state, Row row, const Vec& spot) {
   state.crowd.place[row] = 1;
   state.crowd.since[row] = state.step;
   state.crowd.spot[row] = spot;
-  spots_.add(spot, radius);
+  spots_[goal(state, row)].add(spot, radius(state, row));
+}
+
+/// In the area at a free place, or where he is where there is none; and there too, before the area, where
+/// others who wait keep him out: else he would be in the way of those who want out, for ever.
+void Journeys::begin_to_wait(State& state, Row row) {
+  if (ways_.is_in(goal(state, row), position(state, row))) {
+    if (!spots_known_) gather_spots(state);
+    stay(state, row, free_spot(state, row));
+  } else if (is_kept_out(state, row)) {
+    stay(state, row, position(state, row));
+  }
 }
 
 /// Whether the agent's time is over.
 bool Journeys::wait(State& state, Row row) {
   CrowdState& crowd = state.crowd;
-  const Leg& its = leg(state, row);
-  const double dt = scene_.time.dt;
-  if (crowd.place[row] == 0) {
-    if (ways_.is_in(goal(state, row), position(state, row))) take_spot(state, row);
-    if (crowd.place[row] == 0 || its.times.empty()) return false;
-  }
+  if (crowd.place[row] == 0) begin_to_wait(state, row);
+  if (crowd.place[row] == 0) return false;
   const Vec& p = position(state, row);
-  const double near = 2.0 * scene_.bodies.radius[state.id[scene_.crowd.first + row] - std::size_t{1}];
-  const bool far = (p - crowd.spot[row]).squaredNorm() > near * near;
-  const double there = static_cast<double>(state.step - crowd.since[row]) * dt;
-  const double stood = static_cast<double>(state.step - crowd.stand_step[row]) * dt;
-  const bool gives_up = far && (there >= kLongest || std::min(there, stood) >= kPatience);
-  if (gives_up && ways_.is_in(goal(state, row), p)) crowd.spot[row] = p;
+  const double near = 2.0 * radius(state, row), there = since(state, crowd.since[row]);
+  if ((p - crowd.spot[row]).squaredNorm() > near * near) {
+    const bool stands = std::min(there, since(state, crowd.stand_step[row])) >= kPatience;
+    if (stands || (there >= kLongest && ways_.is_in(goal(state, row), p))) crowd.spot[row] = p;
+  }
+  const Leg& its = leg(state, row);
   if (its.times.empty()) return false;
   const std::size_t in_group =
       agent(state, row) - scene_.crowd.groups[scene_.crowd.group[agent(state, row)]].first;
   const std::int64_t from = its.until ? 0 : crowd.since[row];
-  return state.step >= from + steps(its.times[in_group], dt);
+  return state.step >= from + Time{scene_.time.dt, its.times[in_group], 1}.steps();
 }
 
 bool Journeys::is_there(State& state, Row row) {
+  if (!is_decided(state, row)) return false;
   switch (leg(state, row).kind) {
     case Leg::Kind::pass:
       return ways_.is_in(goal(state, row), position(state, row));
     case Leg::Kind::wait:
       return wait(state, row);
     case Leg::Kind::queue:
-      if (state.crowd.place[row] == 0) line_up(state, row);
+      if (state.crowd.place[row] == 0) queues_.line_up(state, row);
   }
   return false;
 }
@@ -220,8 +163,7 @@ void Journeys::begin_leg(State& state, Row row) const {
 void Journeys::advance(State& state, std::vector<std::uint8_t>& leaves) {
   spots_known_ = false;
   leaves.assign(state.crowd.stage.size(), 0);
-  keep_order(state);
-  serve(state, leaves);
+  queues_.advance(state, leaves);
   for (Row row = 0; row < leaves.size(); ++row) {
     if (!leaves[row] && !is_there(state, row)) continue;
     const Journey& journey = scene_.crowd.groups[scene_.crowd.group[agent(state, row)]].journey;

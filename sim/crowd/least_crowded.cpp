@@ -28,7 +28,7 @@ void LeastCrowded::count(const State& state) {
   for (std::vector<double>& ways : going_) ways.clear();
   for (std::size_t i = 0; i < state.crowd.stage.size(); ++i) {
     if (state.crowd.option[i] == kUndecided) continue;
-    const std::size_t agent = state.id[crowd.first + i] - std::size_t{1} - crowd.first;
+    const std::size_t agent = agent_of(scene_, state, crowd.first + i);
     const std::uint32_t goal = crowd.goal(crowd.leg(agent, state.crowd.stage[i]), state.crowd.option[i]);
     if (!is_counted_[goal]) continue;
     const bool there = state.crowd.place[i] > 0;

@@ -22,8 +22,8 @@ struct CrowdView {
   const CrowdCells& cells;
   std::span<const double> x, y;                    ///< m
   std::span<const double> velocity_x, velocity_y;  ///< m/s
-  std::span<const double> towards_x, towards_y;    ///< unit vector of the way to the goal; zero in it
-  std::span<const double> radius, desired_speed;   ///< m, m/s
+  std::span<const double> towards_x, towards_y;   ///< of the way to the goal, 1 long up to 0.0015; zero in it
+  std::span<const double> radius, desired_speed;  ///< m, m/s
   std::span<const double> id;
   double largest_radius;  ///< m
   const Barriers& barriers;

@@ -2,6 +2,9 @@
 #include "sim/crowd/movers.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "sim/crowd/slide.h"
 
 namespace throng {
 
@@ -47,6 +50,8 @@ void Movers::look(const State& state) {
   for (Mover& mover : movers_) {
     mover.before = pose_of(state, mover.row, 0.0);
     mover.after = pose_of(state, mover.row, scene_.time.dt);
+    mover.shift = (mover.after.position - mover.before.position).norm();
+    mover.turn = std::abs(scene_.time.dt * state.spin[mover.row]);
   }
 }
 
@@ -55,27 +60,39 @@ void Movers::add_lines(std::vector<BarrierLine>& lines) const {
     for (BarrierLine& ring : rings(placed(mover.solids, mover.before))) lines.push_back(std::move(ring));
 }
 
-bool Movers::cover(const Vec& p) const {
-  return std::ranges::any_of(movers_,
-                             [&](const Mover& mover) { return is_in(mover.solids, local(mover.before, p)); });
+double Movers::depth(const Vec& p) const {
+  double deepest = 0.0;
+  for (const Mover& mover : movers_) {
+    const Vec q = local(mover.before, p);
+    for (const Region& piece : mover.solids)
+      if (contains(piece, q)) deepest = std::max(deepest, (nearest_on_border(piece, q) - q).norm());
+  }
+  return deepest;
 }
 
-Moved Movers::push(const Vec& from, const Vec& to, double radius) const {
-  Moved moved{to, false};
-  bool again = true;
-  for (int round = 0; again && round < kRounds; ++round) {
-    again = false;
+/// Whether the disc's way may touch the disc round the mover, in its frame, in which the way's length is at
+/// most what they move and turn.
+bool Movers::may_meet(const Mover& mover, const Vec& from, const Vec& to, double radius) {
+  const double away = (from - mover.before.position).norm();
+  return away * (1.0 - mover.turn) <= mover.reach + radius + (to - from).norm() + mover.shift;
+}
+
+Pushed Movers::push(const Vec& from, const Vec& to, double radius) const {
+  Pushed pushed{to};
+  for (int round = 0; round < kRounds; ++round) {
+    pushed.settled = true;
     for (const Mover& mover : movers_) {
+      if (!may_meet(mover, from, pushed.to, radius)) continue;
       const double far = mover.reach + radius;
-      const Vec q0 = local(mover.before, from), q1 = local(mover.after, moved.to);
+      const Vec q0 = local(mover.before, from), q1 = local(mover.after, pushed.to);
       if (nearest_on_segment(q0, q1, {0.0, 0.0}).norm() > far || is_in(mover.solids, q0)) continue;
       const Moved its = slide(mover.edges, q0, q1 - q0, radius);
       if (!its.corrected) continue;
-      moved = {mover.after * its.to, true};
-      again = movers_.size() > 1;
+      pushed = {mover.after * its.to, true, movers_.size() == 1};
     }
+    if (pushed.settled) break;
   }
-  return moved;
+  return pushed;
 }
 
 void Movers::move(State& state) const {

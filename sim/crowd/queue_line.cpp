@@ -47,9 +47,7 @@ double QueueLine::distance(const Vec& p) const {
   return (at(nearest(p)) - p).norm();
 }
 
-Vec QueueLine::towards(const Vec& p, std::uint32_t number, const Barriers& barriers) const {
-  const Vec goal = place(number);
-  if (!barriers.block(p, goal)) return goal;
+std::optional<Vec> QueueLine::bend(const Vec& p, std::uint32_t number) const {
   const double from = nearest(p), to = (std::clamp(number, 1u, places()) - 1.0) * spacing_;
   const double passed = 0.25 * spacing_;  // so near, a bend is reached
   if (to < from) {
@@ -59,7 +57,7 @@ Vec QueueLine::towards(const Vec& p, std::uint32_t number, const Barriers& barri
     for (std::size_t i = 0; i < points_.size(); ++i)
       if (along_[i] > from + passed && along_[i] < to) return points_[i];
   }
-  return goal;
+  return std::nullopt;
 }
 
 }  // namespace throng

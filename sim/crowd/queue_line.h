@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <vector>
 
-#include "sim/crowd/barriers.h"
 #include "sim/crowd/crowd.h"
 
 namespace throng {
@@ -13,7 +13,7 @@ class QueueLine {
  public:
   explicit QueueLine(const Queue& queue);
 
-  /// How many there are on the line.
+  /// How many there are on the line. Expects no more than kMostPlaces.
   std::uint32_t places() const;
 
   /// m, where a place is; behind the last one all are the last. O(points).
@@ -22,9 +22,11 @@ class QueueLine {
   /// m, from `p` to the nearest point of the line. O(points).
   double distance(const Vec& p) const;
 
-  /// Where to walk straight on from `p` to get to that place without leaving the line where it bends: the
-  /// place itself where no barrier hides it, else the next bend on the way there. O(points).
-  Vec towards(const Vec& p, std::uint32_t number, const Barriers& barriers) const;
+  /// m, the next bend on the way to that place along the line from its point nearest to `p`; nothing where
+  /// the line leads there straight on. O(points).
+  std::optional<Vec> bend(const Vec& p, std::uint32_t number) const;
+
+  static constexpr double kMostPlaces = 1e6;
 
  private:
   Vec at(double along) const;

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "sim/crowd/entrance.h"
-#include "sim/crowd/slide.h"
 #include "sim/simulation_error.h"
 
 namespace throng {
@@ -25,7 +24,7 @@ double least_radius(const Scene& scene, const AgentGroup& group) {
   return *std::min_element(first, first + group.count);
 }
 
-constexpr int kSqueezes = 4;     // of a body against a barrier, before the agent gives in
+constexpr int kSqueezes = 4;     // of bodies against barriers, before the agent gives in
 constexpr double kSettle = 0.5;  // s: who wants to stand somewhere comes to a stop within about so long
 
 constexpr double kHesitation = 1.0;  // s: who stood so long wants what he wants up to kDoubt
@@ -89,7 +88,8 @@ void Walk::rank(const State& state, std::size_t place) {
   const double now = static_cast<double>(state.step) * scene_.time.dt;
   const bool hesitates =
       static_cast<double>(state.step - state.crowd.stand_step[i]) * scene_.time.dt >= kHesitation;
-  if (hesitates && state.crowd.place[i] == 0) towards += doubt(scene_, state, state.id[row]);
+  if (hesitates && state.crowd.place[i] == 0 && towards != Vec(0.0, 0.0))
+    towards += doubt(scene_, state, state.id[row]);
   ranks_.x[place] = p.x(), ranks_.y[place] = p.y();
   ranks_.velocity_x[place] = v.x(), ranks_.velocity_y[place] = v.y();
   ranks_.towards_x[place] = towards.x(), ranks_.towards_y[place] = towards.y();
@@ -139,18 +139,21 @@ void Walk::steer(const State& state, Workers& workers) {
   });
 }
 
-/// Bodies that move push first, barriers have the last word.
+/// Bodies that move push and barriers hold in turn, until neither has anything against it. Else he stays,
+/// where no body comes over him; where one does, he is squeezed, and barriers have the last word.
 Moved Walk::go(const Vec& from, const Vec& by, double core, std::uint8_t& squeezed) const {
   squeezed = 0;
   if (!seen_) return slide(barriers_, from, by, core);
   Moved moved{from + by, false};
   for (int i = 0; i < kSqueezes; ++i) {
-    const Moved pushed = movers_.push(from, moved.to, core);
+    const Pushed pushed = movers_.push(from, moved.to, core);
+    if (i > 0 && !pushed.corrected) return moved;
     const Moved held = slide(barriers_, from, pushed.to - from, core);
-    squeezed = pushed.corrected && held.corrected;
     moved = {held.to, moved.corrected || held.corrected};
-    if (!squeezed) break;
+    if (!held.corrected && pushed.settled) return moved;
   }
+  if (!movers_.push(from, from, core).corrected) return {from, true};
+  squeezed = 1;
   return moved;
 }
 
@@ -232,7 +235,7 @@ bool Walk::bring_in(State& state, std::size_t group) {
   const std::uint32_t agent = its.first + its.count - state.crowd.waiting[group];
   const std::optional<Vec> place =
       free_place(scene_, seen_ ? *seen_ : barriers_, standing_, *entrances_[group], agent, state.step,
-                 [&](const Vec& p) { return !movers_.cover(p) && journeys_->ways().lead_on(its, p); });
+                 [&](const Vec& p) { return movers_.depth(p) == 0.0 && journeys_->ways().lead_on(its, p); });
   if (!place) return false;
   add_agent(scene_, state, agent, *place);
   standing_.add(*place, scene_.bodies.radius[crowd.first + agent]);
@@ -256,12 +259,32 @@ void Walk::appear(State& state) {
   }
 }
 
+namespace {
+
+/// Of each queue whether somebody stands at its last place.
+std::vector<bool> full_queues(const Scene& scene, const State& state) {
+  std::vector<bool> full(scene.crowd.queues.size(), false);
+  for (std::size_t i = 0; i < state.crowd.place.size() && !full.empty(); ++i) {
+    const Leg& leg = scene.crowd.leg(agent_of(scene, state, scene.crowd.first + i), state.crowd.stage[i]);
+    if (leg.kind != Leg::Kind::queue || state.crowd.place[i] == 0) continue;
+    const std::uint32_t queue = leg.options[state.crowd.option[i]];
+    if (QueueLine(scene.crowd.queues[queue]).places() == state.crowd.place[i]) full[queue] = true;
+  }
+  return full;
+}
+
+}  // namespace
+
 std::vector<StuckAgent> stuck_agents(const Scene& scene, const State& state) {
   std::vector<StuckAgent> stuck;
+  const std::vector<bool> full = full_queues(scene, state);
   const double dt = scene.time.dt, now = static_cast<double>(state.step) * dt;
   for (std::size_t i = 0; i < state.crowd.stand.size(); ++i) {
-    if (state.crowd.place[i] > 0) continue;
-    const std::size_t row = scene.crowd.first + i, agent = state.id[row] - std::size_t{1} - scene.crowd.first;
+    const std::uint32_t option = state.crowd.option[i];
+    if (state.crowd.place[i] > 0 || option == kUndecided) continue;
+    const std::size_t row = scene.crowd.first + i, agent = agent_of(scene, state, row);
+    const Leg& leg = scene.crowd.leg(agent, state.crowd.stage[i]);
+    if (leg.kind == Leg::Kind::queue && full[leg.options[option]]) continue;
     const double stood = static_cast<double>(state.crowd.stand_step[i]) * dt;
     if (now - std::max(stood, scene.crowd.start[agent]) >= kStuckTime &&
         scene.crowd.desired_speed[agent] > 0.0)

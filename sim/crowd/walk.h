@@ -10,6 +10,7 @@
 #include "sim/crowd/journeys.h"
 #include "sim/crowd/model.h"
 #include "sim/crowd/movers.h"
+#include "sim/crowd/slide.h"
 #include "sim/crowd/voronoi_density.h"
 #include "sim/scene.h"
 #include "sim/state.h"
@@ -59,10 +60,7 @@ class Walk {
   bool is_due(const State& state, std::size_t group) const;
   bool bring_in(State& state, std::size_t group);
   Moved go(const Vec& from, const Vec& by, double core, std::uint8_t& squeezed) const;
-  /// Rows are those of the state, from scene_.crowd.first on.
-  std::size_t agent(const State& state, std::size_t row) const {
-    return state.id[row] - std::size_t{1} - scene_.crowd.first;
-  }
+  std::size_t agent(const State& state, std::size_t row) const { return agent_of(scene_, state, row); }
   /// The row of who has that place in the cells.
   std::size_t row(std::size_t place) const { return scene_.crowd.first + cells_.row()[place]; }
   std::size_t present(const State& state) const { return state.crowd.stand.size(); }
@@ -92,8 +90,9 @@ struct StuckAgent {
 };
 inline constexpr double kStuckTime = 10.0;  ///< s
 
-/// Those of the state, by row: agents with a desired speed and on their way somewhere, not in line nor
-/// waiting, that for kStuckTime weren't farther than their radius from one place.
+/// Those of the state, by row: agents with a desired speed and on their way somewhere, that for kStuckTime
+/// weren't farther than their radius from one place. Not those who stand in line, want to a queue that is
+/// full, or wait.
 std::vector<StuckAgent> stuck_agents(const Scene& scene, const State& state);
 
 }  // namespace throng

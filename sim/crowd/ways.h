@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -10,6 +11,19 @@
 #include "sim/scene.h"
 
 namespace throng {
+
+/// Where an agent wants to walk.
+struct Heading {
+  Vec towards{0.0, 0.0};  ///< unit vector; zero: nowhere
+  double distance;        ///< m, to where it wants to stand; infinite: to no place
+};
+
+inline constexpr double kFree = std::numeric_limits<double>::infinity();
+
+inline Heading straight_to(const Vec& from, const Vec& to, double distance) {
+  const double length = (to - from).norm();
+  return {length > 0.0 ? Vec((to - from) / length) : Vec(0.0, 0.0), distance};
+}
 
 /// The ways to all goals that a scene's agents have: a distance field each, shared by all who go there, on
 /// floor plans that goals of agents of the same sizes share.

@@ -29,14 +29,12 @@ TEST(QueueLine, IsAsFarAsItsNearestPoint) {
   EXPECT_DOUBLE_EQ(corner().distance({3, 4}), 5.0);
 }
 
-TEST(QueueLine, LeadsRoundItsBendsWhereAWallHidesThePlace) {
+TEST(QueueLine, KnowsTheNextBendOnTheWay) {
   const QueueLine line = corner();
-  const BarrierLine wall{{{-2.5, 0.3}, {-2.5, 5}}};
-  const Barriers open({}, 1.0), barriers(std::span(&wall, 1), 1.0);
-  EXPECT_EQ(line.towards({-1, 1}, 11, open), Vec(-3, 2));
-  EXPECT_EQ(line.towards({-1, 0.1}, 11, barriers), Vec(-3, 0)) << "up the line";
-  EXPECT_EQ(line.towards({-3, 1.8}, 1, barriers), Vec(-3, 0)) << "down the line";
-  EXPECT_EQ(line.towards({-3, 0.05}, 1, barriers), Vec(0, 0));
+  EXPECT_EQ(line.bend({-1, 0.1}, 11), Vec(-3, 0)) << "up the line";
+  EXPECT_EQ(line.bend({-3, 1.8}, 1), Vec(-3, 0)) << "down the line";
+  EXPECT_EQ(line.bend({-3, 0.05}, 1), std::nullopt) << "is there";
+  EXPECT_EQ(line.bend({-1, 0}, 5), std::nullopt) << "straight on";
 }
 
 }  // namespace
