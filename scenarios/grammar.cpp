@@ -292,7 +292,7 @@ Table root_table() {
         tuple({number(-kFarthest, kFarthest, "m/s^2"), number(-kFarthest, kFarthest, "m/s^2")},
               "an acceleration [x, y]"),
         "Acceleration of everything dynamic, m/s^2.", "[0.0, 0.0]"},
-       {"sleep", boolean(), "Bodies at rest may leave the loop.", "false"},
+       {"sleep", boolean(), "Bodies at rest may leave the loop.", "true"},
        {"time", time_table(), "Steps and their end."},
        {"domain", domain_table(), "Where bodies may be; absent: the unbounded plane."},
        {"contact", contact_table(), "What happens where bodies touch."},

@@ -53,14 +53,6 @@ void read_contact(const toml::table& root, Scene& scene, const Report& report) {
       text(*node->as_table(), "model", "impulse") == "none" ? ContactModel::none : ContactModel::impulse;
 }
 
-void read_sleep(const toml::table& root, Scene& scene, Report& report) {
-  const toml::node* node = good(root, "sleep", report);
-  if (!node) return;
-  scene.sleep = node->as_boolean()->get();
-  if (scene.sleep && scene.engine == Engine::native)
-    report.warning(node->source(), "sleep", "the native engine keeps every body awake so far");
-}
-
 }  // namespace
 
 void read_settings(const toml::table& root, Scene& scene, Report& report) {
@@ -71,7 +63,7 @@ void read_settings(const toml::table& root, Scene& scene, Report& report) {
   if (const auto* engine = good(root, "engine", report))
     scene.engine = engine->as_string()->get() == "box2d" ? Engine::box2d : Engine::native;
   if (const auto* gravity = good(root, "gravity", report)) scene.gravity = point(*gravity);
-  read_sleep(root, scene, report);
+  if (const auto* sleep = good(root, "sleep", report)) scene.sleep = sleep->as_boolean()->get();
   read_time(root, scene, report);
   read_domain(root, scene, report);
   read_contact(root, scene, report);

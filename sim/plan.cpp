@@ -32,6 +32,16 @@ bool any_moving(const Scene& scene, F wanted) {
   return false;
 }
 
+/// Why nobody sleeps; "" where bodies may.
+std::string awake_because(const Scene& scene, const Plan& plan) {
+  if (!scene.sleep) return "sleep is false";
+  if (!plan.contacts()) return "nothing to rest on";
+  if (plan.crowd) return "agents don't sleep";
+  if (!plan.gravity) return "gravity is zero: what is slow isn't at rest";
+  if (scene.engine != Engine::native) return "the matter of engine box2d";
+  return "";
+}
+
 /// Every surface at which a moving body may bounce keeps all energy.
 bool all_elastic(const Scene& scene, const Plan& plan) {
   const std::size_t count = scene.materials.size();
@@ -91,6 +101,8 @@ std::vector<Stage> stages(const Scene& scene, const Plan& plan) {
        : plan.contacts() ? "contacts, " + substeps
                          : (off ? no_contact : "nothing to touch")},
       {"friction", plan.friction, plan.friction ? "some surface rubs" : "no surface rubs"},
+      {"sleep", plan.sleep,
+       plan.sleep ? "bodies at rest leave the loop, island by island" : awake_because(scene, plan)},
       {"crowd", plan.crowd,
        plan.crowd ? counted(scene.crowd.size(), "agent") + " look, steer, walk and leave at " +
                         (scene.crowd.groups.size() > 1 ? "their goals" : "their goal")
@@ -138,6 +150,7 @@ Plan plan_for(const Scene& scene, ContactModel contact) {
   plan.elastic = plan.contacts() &&
                  std::ranges::any_of(plan.surfaces, [](const Surface& s) { return s.restitution >= 1.0; });
   plan.flights = plan.elastic && !plan.gravity && !plan.polygons && all_elastic(scene, plan);
+  plan.sleep = awake_because(scene, plan).empty();
   plan.stages = stages(scene, plan);
   return plan;
 }

@@ -35,6 +35,7 @@ struct Plan {
   bool restitution = false;       ///< some surface bounces
   bool elastic = false;           ///< some surface keeps all energy
   bool flights = false;           ///< discs alone, all surfaces keep all energy, and nothing pulls
+  bool sleep = false;             ///< bodies at rest leave the loop
   bool crowd = false;             ///< there are agents
   bool entrances = false;         ///< some agents appear in the course of time
   bool measures = false;          ///< something is counted while they walk

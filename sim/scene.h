@@ -79,7 +79,7 @@ struct Scene {
   std::string description;
   std::uint64_t seed = 1;
   Engine engine = Engine::native;
-  bool sleep = false;     ///< resting bodies may leave the loop
+  bool sleep = true;      ///< resting bodies may leave the loop
   Vec gravity{0.0, 0.0};  ///< m/s²
   Time time;
   Domain domain;

@@ -20,12 +20,17 @@ class Native : public Simulation {
   const State& state() const override { return state_; }
   bool restore(const State& state) override {
     state_ = state;
+    work_.sleepers.look(state_, work_.candidates);
     work_.sensing.look(state_);
     return true;
   }
-  std::size_t contacts() const override { return state_.disc_contacts.size() + state_.point_contacts.size(); }
+  std::size_t contacts() const override {
+    return state_.disc_contacts.size() + state_.point_contacts.size() + state_.sleep.disc_contacts.size() +
+           state_.sleep.point_contacts.size();
+  }
   void list_contacts(std::vector<ContactRow>& rows) const override {
     throng::list_contacts(scene_, work_.contacts, state_, work_.bodies, rows);
+    if (plan_.sleep) with_sleeping(state_, rows);
   }
 
   std::span<const Sensed> sensed() const override { return work_.sensing.sensed(); }
@@ -45,6 +50,7 @@ class Native : public Simulation {
                                                     {"solve", times.solve},
                                                     {"store", times.store}};
     if (plan_.flights) all.insert(all.begin() + 1, {"collide", times.collide});
+    if (plan_.sleep) all.push_back({"sleep", times.sleep});
     return all;
   }
 

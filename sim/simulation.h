@@ -30,10 +30,10 @@ class Simulation {
   /// from the start gives the same bits then. Expects all of the state, with its contacts.
   virtual bool restore(const State& state) = 0;
 
-  /// Points at which bodies pressed on each other or on obstacles in the last step.
+  /// Points at which bodies pressed on each other or on obstacles in the last step, or have since they sleep.
   virtual std::size_t contacts() const = 0;
 
-  /// Replaces `rows` by them: contacts() of them, or none before the first step here.
+  /// Replaces `rows` by them: contacts() of them, or before the first step here those of bodies that sleep.
   virtual void list_contacts(std::vector<ContactRow>& rows) const = 0;
 
   /// Whom each recorded sensor of the scene sensed in the state that there is; nothing for those that weren't

@@ -5,6 +5,8 @@
 #include <bit>
 #include <numeric>
 
+#include "sim/plan.h"
+
 namespace throng {
 
 namespace {
@@ -53,6 +55,10 @@ State initial_state(const Scene& scene) {
     state.spin.push_back(bodies.spin[row]);
   }
   state.sensed.resize(scene.sensors.size());
+  if (plan_for(scene).sleep) {
+    state.sleep.calm.resize(bodies.size(), 0);
+    state.sleep.island.resize(bodies.size(), 0);
+  }
   if (crowd.size() == 0) return state;
   for (std::uint32_t agent = 0; agent < crowd.size(); ++agent)
     if (!crowd.groups[crowd.group[agent]].entrance)
@@ -61,6 +67,10 @@ State initial_state(const Scene& scene) {
   for (const AgentGroup& group : crowd.groups)
     state.crowd.waiting.push_back(group.entrance ? group.count : 0);
   return state;
+}
+
+std::size_t asleep(const SleepState& sleep) {
+  return sleep.island.size() - static_cast<std::size_t>(std::ranges::count(sleep.island, 0u));
 }
 
 std::uint64_t waiting(const CrowdState& crowd) {
@@ -102,6 +112,27 @@ bool are_in_line(const State& state, const Scene& scene) {
   return true;
 }
 
+/// Whether only dynamic bodies sleep, at rest, and their islands have names; the contacts that sleep are
+/// between bodies that there are.
+bool sleeps_soundly(const State& state, const Scene& scene) {
+  const SleepState& sleep = state.sleep;
+  const std::size_t n = plan_for(scene).sleep ? scene.bodies.size() : 0;
+  if (sleep.calm.size() != n || sleep.island.size() != n) return false;
+  for (std::size_t row = 0; row < n; ++row) {
+    const std::uint32_t island = sleep.island[row];
+    if (island == 0) continue;
+    if (island > n || sleep.island[island - 1] != island || state.id[row] != row + 1 ||
+        scene.bodies.kind[row] != BodyKind::dynamic || state.velocity[row] != Vec(0.0, 0.0) ||
+        state.spin[row] != 0.0)
+      return false;
+  }
+  const auto sound = [&](const SleepingContact& contact) {
+    return contact.island >= 1 && contact.island <= n && sleep.island[contact.island - 1] == contact.island &&
+           contact.a >= 1 && contact.a <= n && contact.b <= n;
+  };
+  return std::ranges::all_of(sleep.disc_contacts, sound) && std::ranges::all_of(sleep.point_contacts, sound);
+}
+
 }  // namespace
 
 bool fits(const State& state, const Scene& scene) {
@@ -114,6 +145,7 @@ bool fits(const State& state, const Scene& scene) {
       crowd.waiting.size() != (agents ? of.groups.size() : 0) ||
       crowd.measured.size() != (agents ? of.measures.size() : 0) || (arrived > 0 && !agents))
     return false;
+  if (!sleeps_soundly(state, scene)) return false;
   for (std::size_t group = 0; group < crowd.waiting.size(); ++group)
     if (crowd.waiting[group] > (of.groups[group].entrance ? of.groups[group].count : 0)) return false;
   for (std::size_t row = 0; agents && row < of.first; ++row)

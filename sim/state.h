@@ -16,6 +16,22 @@ struct ContactImpulse {
   double normal, tangent;  ///< N s
 };
 
+/// A contact that pressed when its bodies fell asleep, and does so still.
+struct SleepingContact {
+  ContactImpulse impulse;
+  std::uint32_t island;  ///< as SleepState::island
+  std::uint32_t a, b;    ///< ids of the bodies; b is 0 for an obstacle
+  Vec point;             ///< m
+};
+
+/// Who rests, and who has left the loop for it. A row per body where Plan::sleep, else empty.
+struct SleepState {
+  std::vector<std::uint32_t> calm;              ///< steps for which it has been slow, those awake
+  std::vector<std::uint32_t> island;            ///< 0 awake, else the id of the first of those it sleeps with
+  std::vector<SleepingContact> disc_contacts;   ///< ascending by key
+  std::vector<SleepingContact> point_contacts;  ///< likewise
+};
+
 /// What is remembered of a crowd from step to step.
 struct CrowdState {
   std::vector<Vec> stand;                ///< m, a row per agent: a place that it hasn't gone far from since
@@ -36,16 +52,17 @@ struct CrowdState {
 };
 
 struct State {
-  std::int64_t step = 0;                       ///< the time is step * dt, never a sum
-  std::vector<std::uint32_t> id;               ///< the body's name; rows may move, names don't
-  std::vector<Vec> position;                   ///< m, of the centre of mass
-  std::vector<double> angle;                   ///< rad
-  std::vector<Vec> velocity;                   ///< m/s
-  std::vector<double> spin;                    ///< rad/s
-  std::vector<ContactImpulse> disc_contacts;   ///< pressing in the last step, ascending by key
+  std::int64_t step = 0;                      ///< the time is step * dt, never a sum
+  std::vector<std::uint32_t> id;              ///< the body's name; rows may move, names don't
+  std::vector<Vec> position;                  ///< m, of the centre of mass
+  std::vector<double> angle;                  ///< rad
+  std::vector<Vec> velocity;                  ///< m/s
+  std::vector<double> spin;                   ///< rad/s
+  std::vector<ContactImpulse> disc_contacts;  ///< of those awake, pressing in the last step, ascending by key
   std::vector<ContactImpulse> point_contacts;  ///< likewise; the points of one manifold stand together
-  CrowdState crowd;                            ///< empty where there are no agents
-  std::vector<SensedSum> sensed;               ///< as Scene::sensors
+  SleepState sleep;
+  CrowdState crowd;               ///< empty where there are no agents
+  std::vector<SensedSum> sensed;  ///< as Scene::sensors
 };
 
 /// Calls f(array) for each array of a crowd's state that has a row per agent.
@@ -66,10 +83,14 @@ void add_agent(const Scene& scene, State& state, std::uint32_t agent, const Vec&
 /// The state at time 0.
 State initial_state(const Scene& scene);
 
+/// How many bodies sleep. O(bodies).
+std::size_t asleep(const SleepState& sleep);
+
 /// How many agents haven't appeared yet.
 std::uint64_t waiting(const CrowdState& crowd);
 
-/// Whether it has the rows that a state of the scene has: of bodies, and of what is remembered of a crowd.
+/// Whether it has the rows that a state of the scene has: of bodies, of those who sleep, and of what is
+/// remembered of a crowd.
 bool fits(const State& state, const Scene& scene);
 
 /// 64 bits over step, ids and all motion, on every machine the same: of what recordings hold, not of what

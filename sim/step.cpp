@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The step is the story. Of bodies: find pairs, then fly from collision to collision, or find contacts and
-// solve in substeps; store. Of agents: look, steer, walk, leave. Of both: sense.
+// The step is the story. Of bodies: wake, find pairs, then fly from collision to collision, or find contacts
+// and solve in substeps; store, fall asleep. Of agents: look, steer, walk, leave. Of both: sense.
 #include "sim/step.h"
 
 #include <algorithm>
@@ -38,25 +38,26 @@ class StageClock {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-void load(const State& state, std::span<SolverBody> bodies) {
-  for (std::size_t i = 0; i < state.position.size(); ++i) {
+void load(const State& state, Rows awake, std::span<SolverBody> bodies) {
+  awake.for_each([&](std::uint32_t i) {
     bodies[i].position = state.position[i];
     bodies[i].velocity = state.velocity[i];
     bodies[i].spin = state.spin[i];
     bodies[i].turn = 0.0;
-  }
+  });
 }
 
-void fall(std::span<SolverBody> bodies, const Vec& kick) {
-  for (SolverBody& body : bodies)
-    if (body.inverse_mass > 0.0) body.velocity += kick;
+void fall(std::span<SolverBody> bodies, Rows awake, const Vec& kick) {
+  awake.for_each([&](std::uint32_t i) {
+    if (bodies[i].inverse_mass > 0.0) bodies[i].velocity += kick;
+  });
 }
 
-void move(std::span<SolverBody> bodies, double h) {
-  for (SolverBody& body : bodies) {
-    body.position += h * body.velocity;
-    body.turn += h * body.spin;
-  }
+void move(std::span<SolverBody> bodies, Rows awake, double h) {
+  awake.for_each([&](std::uint32_t i) {
+    bodies[i].position += h * bodies[i].velocity;
+    bodies[i].turn += h * bodies[i].spin;
+  });
 }
 
 /// Bounces all that meets in this substep, and what that sets in motion, until nothing meets any more.
@@ -85,33 +86,35 @@ void substep(const Scene& scene, const Plan& plan, Workspace& work) {
   const std::span<DiscBlock> discs = work.contacts.discs.blocks();
   const std::span<FaceBlock> faces = work.contacts.faces.blocks();
   const std::span<SolverBody> bodies = work.bodies;
+  const Rows awake = work.sleepers.bodies();
   if (plan.restitution) {
     prepare_bounce(work, period);
     bounce(work, plan.gravity ? kick : Vec(0.0, 0.0), plan.elastic ? kElasticSweeps : kBounceSweeps);
   }
-  if (plan.gravity) fall(bodies, kick);
+  if (plan.gravity) fall(bodies, awake, kick);
   if (plan.contacts()) {
     prepare_and_start(discs, bodies, period);
     prepare_and_start(faces, bodies);
     push_apart(discs, bodies, work.solver);
     push_apart(faces, bodies, work.solver);
   }
-  move(bodies, work.solver.h);
+  move(bodies, awake, work.solver.h);
   if (plan.contacts()) {
     relax(discs, bodies, work.solver, plan.periodic);
     relax(faces, bodies, work.solver);
   }
 }
 
-void store(const Scene& scene, const Plan& plan, std::span<const SolverBody> bodies, State& state) {
-  for (std::size_t i = 0; i < state.position.size(); ++i) {
+void store(const Scene& scene, const Plan& plan, std::span<const SolverBody> bodies, Rows awake,
+           State& state) {
+  awake.for_each([&](std::uint32_t i) {
     state.position[i] = bodies[i].position;
     state.velocity[i] = bodies[i].velocity;
     state.spin[i] = bodies[i].spin;
     state.angle[i] += bodies[i].turn;
     check_body(state, i);
     if (plan.periodic) state.position[i] = wrapped(state.position[i], scene.domain);
-  }
+  });
 }
 
 [[noreturn]] void fail_at_chain(const State& state) {
@@ -129,6 +132,7 @@ double mean_radius(const Colliders& colliders) {
 Workspace::Workspace(const Scene& scene, const Plan& plan, int threads)
     : workers(threads),
       candidates(scene, plan),
+      sleepers(scene, plan),
       flights(scene, plan),
       finder(scene, plan),
       bodies(scene.bodies.size() + 1),
@@ -166,20 +170,32 @@ void step_crowd(const Plan& plan, State& state, Workspace& work) {
 bool fly(const Scene& scene, const State& state, Workspace& work, StageClock& clock) {
   if (!work.candidates.serve(state, scene.time.dt)) work.candidates.find(state, scene.time.dt);
   clock.lap(work.times.find_pairs);
-  load(state, work.bodies);
+  load(state, work.sleepers.bodies(), work.bodies);
   work.contacts.start(work.bodies.size());
   const bool flown = work.flights.fly(work.candidates, work.bodies, work.workers);
   clock.lap(work.times.collide);
   return flown;
 }
 
+/// Who may touch whom; who sleeps and may be touched is awake then.
+void find_pairs(const Scene& scene, const Plan& plan, State& state, Workspace& work, StageClock& clock) {
+  work.candidates.place(state, scene.time.dt, work.sleepers.colliders(work.candidates));
+  clock.lap(work.times.find_pairs);
+  if (plan.sleep) {
+    work.sleepers.wake(state, work.candidates);
+    clock.lap(work.times.sleep);
+  }
+  work.candidates.pair_up(state, work.sleepers.colliders(work.candidates));
+  clock.lap(work.times.find_pairs);
+}
+
 /// Bodies fall, meet and push each other.
-void push(const Scene& scene, const Plan& plan, const State& state, Workspace& work, StageClock& clock) {
-  load(state, work.bodies);
+void push(const Scene& scene, const Plan& plan, State& state, Workspace& work, StageClock& clock) {
+  if (plan.contacts()) find_pairs(scene, plan, state, work, clock);
+  const Rows awake = work.sleepers.bodies();
+  load(state, awake, work.bodies);
   if (plan.contacts()) {
-    work.candidates.find(state, scene.time.dt);
-    clock.lap(work.times.find_pairs);
-    work.finder.find(work.candidates, state, work.bodies, work.contacts, work.workers);
+    work.finder.find(work.candidates, state, work.bodies, awake, work.contacts, work.workers);
     clock.lap(work.times.find_contacts);
   }
   for (int i = 0; i < scene.time.substeps; ++i) substep(scene, plan, work);
@@ -197,9 +213,12 @@ void step_bodies(const Scene& scene, const Plan& plan, State& state, Workspace& 
     if (attempt == kAttempts) fail_at_chain(state);
   }
   ++state.step;
-  store(scene, plan, work.bodies, state);
+  store(scene, plan, work.bodies, work.sleepers.bodies(), state);
   if (plan.contacts()) work.contacts.save(state);
   clock.lap(work.times.store);
+  if (!plan.sleep) return;
+  work.sleepers.settle(state, work.candidates, work.contacts, work.bodies);
+  clock.lap(work.times.sleep);
 }
 
 void step(const Scene& scene, const Plan& plan, State& state, Workspace& work) {

@@ -14,6 +14,7 @@
 #include "sim/plan.h"
 #include "sim/scene.h"
 #include "sim/sensing/sensing.h"
+#include "sim/sleepers.h"
 #include "sim/state.h"
 #include "sim/workers.h"
 
@@ -24,7 +25,7 @@ namespace throng {
 struct StageTimes {
   double find_pairs = 0.0, collide = 0.0, find_contacts = 0.0, solve = 0.0, store = 0.0;  ///< s
   double look = 0.0, steer = 0.0, walk = 0.0, leave = 0.0, appear = 0.0;                  ///< s, of crowds
-  double sense = 0.0;                                                                     ///< s
+  double sleep = 0.0, sense = 0.0;                                                        ///< s
 };
 
 /// What a step needs besides the state and may forget: buffers, and indexes of what never moves.
@@ -33,6 +34,7 @@ struct Workspace {
 
   Workers workers;
   Candidates candidates;
+  Sleepers sleepers;  ///< to be told where `state` isn't what the last step left
   Flights flights;
   ContactFinder finder;
   Contacts contacts;

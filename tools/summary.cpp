@@ -123,6 +123,7 @@ Json summary(const Scene& scene, const Simulation& simulation, const RunTimes& t
                  {"momentum", {p.x(), p.y()}},
                  {"contacts", simulation.contacts()},
                  {"output", output.empty() ? Json(nullptr) : Json(output)}};
+  if (!state.sleep.island.empty()) result["asleep"] = asleep(state.sleep);
   if (scene.crowd.size() > 0) result.update(crowd_summary(scene, state));
   if (!scene.sensors.empty()) result["sensors"] = sensor_summary(scene, state);
   return result;

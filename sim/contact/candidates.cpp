@@ -50,16 +50,10 @@ std::vector<broadphase::Extent> extents(const Obstacles& obstacles) {
                         " pairs of bodies could meet within it: take a shorter dt");
 }
 
-double fastest(const State& state) {
-  double most = 0.0;
-  for (const Vec& v : state.velocity) most = std::max(most, v.squaredNorm());
-  return std::sqrt(most);
-}
-
 }  // namespace
 
 Candidates::Candidates(const Scene& scene, const Plan& plan)
-    : scene_(scene), plan_(plan), colliders_(throng::colliders(scene, plan)) {
+    : scene_(scene), plan_(plan), colliders_(throng::colliders(scene, plan)), rows_(Rows::all(0)) {
   period_ = {scene.domain.min, scene.domain.max - scene.domain.min};
   if (!plan.obstacles && !plan.box) return;
   const double widest = colliders_.radius.empty() ? 0.0 : *std::ranges::max_element(colliders_.radius);
@@ -69,50 +63,79 @@ Candidates::Candidates(const Scene& scene, const Plan& plan)
 }
 
 void Candidates::find(const State& state, double dt) {
+  const Rows all = Rows::all(colliders_.size());
+  place(state, dt, all);
+  pair_up(state, all);
+}
+
+void Candidates::pair_up(const State& state, Rows colliders) {
   ++finds_;
-  found_at_ = state.position;
-  place(state, dt);
+  rows_ = colliders;
   if (plan_.pairs) {
-    disc_pairs_.find(centre_, reach_, plan_.periodic ? &period_ : nullptr, pairs_, colliders_.movable);
+    find_pairs_of(colliders);
     if (plan_.composites) drop_own_parts();
     if (pairs_.size() > 10'000'000 + 1000 * colliders_.size()) fail_at_crowd(state, pairs_.size());
   }
   if (plan_.obstacles || plan_.box) find_obstacle_pairs();
 }
 
-void Candidates::place(const State& state, double dt) {
-  const std::size_t n = colliders_.size();
-  const double fall = plan_.gravity ? scene_.gravity.norm() * dt * dt : 0.0;
-  const double chain = fastest(state) * dt;
-  const double widest = plan_.periodic ? 0.249 * period_.size.minCoeff() : kUnbounded;
-  centre_.resize(n), margin_.resize(n), reach_.resize(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::uint32_t body = colliders_.body[i];
-    const double radius = colliders_.radius[i];
-    centre_[i] = state.position[body];
-    margin_[i] = state.velocity[body].norm() * dt + fall + std::min(chain, kSkin * radius);
-    if (!colliders_.centre.empty()) {
-      const Vec offset = narrowphase::pose({0.0, 0.0}, state.angle[body]).rotate(colliders_.centre[i]);
-      centre_[i] += offset;
-      margin_[i] += std::abs(state.spin[body]) * offset.norm() * dt;
-    }
-    if (plan_.flights) margin_[i] = std::max(margin_[i], std::min(kShared * radius, widest - radius));
-    if (!widened_.empty()) margin_[i] = std::max(margin_[i], widened_[body]);
-    reach_[i] = radius + margin_[i];
-    if (!std::isfinite(reach_[i])) fail_at_infinity(state, body);
-    if (plan_.periodic && 4.0 * reach_[i] > period_.size.minCoeff()) fail_at_period(state, body);
+void Candidates::find_pairs_of(Rows colliders) {
+  const broadphase::Period* period = plan_.periodic ? &period_ : nullptr;
+  if (colliders.are_all()) return disc_pairs_.find(centre_, reach_, period, pairs_, colliders_.movable);
+  some_centres_.clear(), some_reaches_.clear(), some_movable_.clear();
+  colliders.for_each([&](std::uint32_t row) {
+    some_centres_.push_back(centre_[row]), some_reaches_.push_back(reach_[row]);
+    some_movable_.push_back(colliders_.movable[row]);
+  });
+  disc_pairs_.find(some_centres_, some_reaches_, period, pairs_, some_movable_);
+  for (broadphase::Pair& pair : pairs_) pair = {colliders[pair.a], colliders[pair.b]};
+}
+
+void Candidates::place(const State& state, double dt, Rows colliders) {
+  found_at_.resize(state.position.size());
+  centre_.resize(colliders_.size()), margin_.resize(colliders_.size()), reach_.resize(colliders_.size());
+  if (plan_.periodic && !colliders_.centre.empty()) wrap_.resize(colliders_.size(), Vec(0.0, 0.0));
+  double fastest = 0.0;
+  colliders.for_each([&](std::uint32_t row) {
+    fastest = std::max(fastest, state.velocity[colliders_.body[row]].squaredNorm());
+  });
+  dt_ = dt;
+  fall_ = plan_.gravity ? scene_.gravity.norm() * dt * dt : 0.0;
+  chain_ = std::sqrt(fastest) * dt;
+  place_more(state, colliders);
+}
+
+void Candidates::place_more(const State& state, Rows colliders) {
+  colliders.for_each([&](std::uint32_t row) { place_one(state, row); });
+}
+
+void Candidates::place_one(const State& state, std::uint32_t i) {
+  const std::uint32_t body = colliders_.body[i];
+  const double radius = colliders_.radius[i];
+  found_at_[body] = centre_[i] = state.position[body];
+  margin_[i] = state.velocity[body].norm() * dt_ + fall_ + std::min(chain_, kSkin * radius);
+  if (!colliders_.centre.empty()) {
+    const Vec offset = narrowphase::pose({0.0, 0.0}, state.angle[body]).rotate(colliders_.centre[i]);
+    centre_[i] += offset;
+    margin_[i] += std::abs(state.spin[body]) * offset.norm() * dt_;
   }
-  if (plan_.periodic && !colliders_.centre.empty()) wrap_centres();
+  if (plan_.flights) {
+    const double widest = plan_.periodic ? 0.249 * period_.size.minCoeff() : kUnbounded;
+    margin_[i] = std::max(margin_[i], std::min(kShared * radius, widest - radius));
+  }
+  if (!widened_.empty()) margin_[i] = std::max(margin_[i], widened_[body]);
+  reach_[i] = radius + margin_[i];
+  if (!std::isfinite(reach_[i])) fail_at_infinity(state, body);
+  if (!plan_.periodic) return;
+  if (4.0 * reach_[i] > period_.size.minCoeff()) fail_at_period(state, body);
+  if (!wrap_.empty()) wrap_centre(i);
 }
 
 /// Parts of a body near the seam may stand beyond it.
-void Candidates::wrap_centres() {
-  wrap_.resize(centre_.size());
-  for (std::size_t i = 0; i < centre_.size(); ++i) {
-    const Vec inside = wrapped(centre_[i], scene_.domain);
-    wrap_[i] = inside - centre_[i];
-    centre_[i] = inside;
-  }
+void Candidates::wrap_centre(std::uint32_t i) {
+  const Vec inside = wrapped(centre_[i], scene_.domain);
+  wrap_[i] = inside - centre_[i];
+  centre_[i] = inside;
 }
 
 Vec Candidates::wrap(std::uint32_t collider) const {
@@ -138,21 +161,21 @@ bool Candidates::serve(const State& state, double dt) const {
 bool Candidates::widen(std::span<const SolverBody> bodies, std::span<const double> farthest, bool all) {
   bool farther = false;
   double longest = 0.0;
-  for (std::size_t i = 0; i < colliders_.size(); ++i) {
-    if (!colliders_.movable[i]) continue;
+  rows_.for_each([&](std::uint32_t i) {
+    if (!colliders_.movable[i]) return;
     const std::uint32_t body = colliders_.body[i];
     const double turned =
         colliders_.centre.empty() ? 0.0 : std::abs(bodies[body].turn) * colliders_.centre[i].norm();
     const double looked = margin_[i] * (1.0 + 1e-9) - turned;
     const double before = farthest.empty() ? 0.0 : farthest[body];
     const double moved = squared_way(body, bodies[body].position);
-    if (looked >= before && moved <= looked * looked) continue;
+    if (looked >= before && moved <= looked * looked) return;
     const double way = std::max(std::sqrt(moved), before) + turned;
     if (widened_.empty()) widened_.resize(bodies.size(), 0.0);
     widened_[body] = std::max(widened_[body], 1.5 * way);
     longest = std::max(longest, 1.5 * way);
     farther = true;
-  }
+  });
   if (!farther) widened_.clear();
   if (all)
     for (double& way : widened_) way = std::max(way, longest);
@@ -167,14 +190,21 @@ void Candidates::drop_own_parts() {
 
 void Candidates::find_obstacle_pairs() {
   obstacle_pairs_.clear();
-  for (std::uint32_t i = 0; i < colliders_.size(); ++i) {
-    if (!colliders_.movable[i]) continue;
+  const auto first = static_cast<std::uint32_t>(obstacles_.side.size());
+  rows_.for_each([&](std::uint32_t i) {
+    if (!colliders_.movable[i]) return;
     if (plan_.box) add_box_sides(i);
-    if (!plan_.obstacles) continue;
-    const Eigen::AlignedBox2d box(centre_[i].array() - reach_[i], centre_[i].array() + reach_[i]);
-    const auto first = static_cast<std::uint32_t>(obstacles_.side.size());
+    if (!plan_.obstacles) return;
+    const broadphase::Box box(centre_[i].array() - reach_[i], centre_[i].array() + reach_[i]);
     index_.for_each_near(box, [&](std::uint32_t item) { obstacle_pairs_.push_back({i, first + item}); });
-  }
+  });
+}
+
+bool Candidates::may_meet(broadphase::Pair pair) const {
+  Vec between = centre_[pair.b] - centre_[pair.a];
+  if (plan_.periodic) between = nearest_image(between, period_.size);
+  const double most = reach_[pair.a] + reach_[pair.b];
+  return between.squaredNorm() <= most * most;
 }
 
 void Candidates::add_box_sides(std::uint32_t collider) {

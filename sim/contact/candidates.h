@@ -9,6 +9,7 @@
 #include "sim/colliders.h"
 #include "sim/contact/contact.h"
 #include "sim/plan.h"
+#include "sim/rows.h"
 #include "sim/state.h"
 
 namespace throng {
@@ -22,6 +23,17 @@ class Candidates {
   /// SimulationError where a body reaches infinitely far, or farther than a quarter of the period, since it
   /// could meet two images of another, and where nearly everybody could meet everybody in a large scene.
   void find(const State& state, double dt);
+
+  /// The same in two parts, of those `colliders` alone, ascending, which the caller keeps for the step. First
+  /// where they are and how far they get; then, of all of them, the pairs.
+  void place(const State& state, double dt, Rows colliders);
+  void pair_up(const State& state, Rows colliders);
+
+  /// Between the two: places more of them, none of which moves faster than the fastest.
+  void place_more(const State& state, Rows colliders);
+
+  /// Whether the discs round two that were placed may meet within the step.
+  bool may_meet(broadphase::Pair pair) const;
 
   /// Whether the pairs that an earlier find() found serve as well for the dt that begins with `state`, unless
   /// somebody is turned aside: where `plan` has flights, which don't mind pairs too many, find() looks
@@ -52,6 +64,11 @@ class Candidates {
   double reach(broadphase::Pair pair) const { return margin_[pair.a] + margin_[pair.b]; }
   double reach(std::uint32_t collider) const { return margin_[collider]; }
 
+  /// The disc round a collider that was placed, with all that it may reach in the step: its centre, m, world,
+  /// and radius (m).
+  const Vec& centre(std::uint32_t collider) const { return centre_[collider]; }
+  double outer_reach(std::uint32_t collider) const { return reach_[collider]; }
+
   /// Where the image of b that is nearest to a stands, from b (m). Zero in domains that don't repeat.
   Vec shift(broadphase::Pair pair) const;
 
@@ -62,8 +79,9 @@ class Candidates {
   const Obstacles& obstacles() const { return obstacles_; }
 
  private:
-  void place(const State& state, double dt);
-  void wrap_centres();
+  void place_one(const State& state, std::uint32_t collider);
+  void wrap_centre(std::uint32_t collider);
+  void find_pairs_of(Rows colliders);
   Vec wrap(std::uint32_t collider) const;
   void drop_own_parts();
   void find_obstacle_pairs();
@@ -77,7 +95,10 @@ class Candidates {
   broadphase::MovingPairs disc_pairs_;
   broadphase::Period period_;
   std::uint64_t finds_ = 0;
-  std::vector<Vec> found_at_;   ///< m, of each body
+  Rows rows_;                     ///< of the colliders that the pairs are of
+  double dt_ = 0.0, fall_ = 0.0;  ///< s; m, what gravity gives in it
+  double chain_ = 0.0;            ///< m, what the fastest body moves in it
+  std::vector<Vec> found_at_;     ///< m, of each body
   std::vector<Vec> centre_;     ///< m, world, of each collider's bounding disc; inside a domain that repeats
   std::vector<Vec> wrap_;       ///< m, what that moved it by; empty where it moves nothing
   std::vector<double> margin_;  ///< m, how far it may get within the step
@@ -85,6 +106,9 @@ class Candidates {
   std::vector<double>
       widened_;  ///< m, the least margin of each body, while a step is taken again; else empty
   std::vector<broadphase::Pair> pairs_, obstacle_pairs_;
+  std::vector<Vec> some_centres_;  ///< as those above, of `rows_` alone where these are not all
+  std::vector<double> some_reaches_;
+  std::vector<std::uint8_t> some_movable_;
 };
 
 }  // namespace throng

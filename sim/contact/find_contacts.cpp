@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "narrowphase/half_plane.h"
+#include "sim/contact/contact_key.h"
 
 namespace throng {
 
@@ -17,12 +18,6 @@ using narrowphase::Pose;
 using narrowphase::Reference;
 
 namespace {
-
-constexpr std::uint64_t kObstacle = std::uint64_t{1} << 63;  // keys of obstacles come after those of pairs
-
-std::uint64_t key_of(Pair pair, bool obstacle) {
-  return (obstacle ? kObstacle : 0) | std::uint64_t{pair.a} << 32 | pair.b;
-}
 
 /// The contacts of the last step that pressed. They and the questions ascend by key: the search never goes
 /// back.
@@ -108,16 +103,16 @@ std::uint64_t ContactFinder::Touch::key() const {
 ContactFinder::ContactFinder(const Scene& scene, const Plan& plan) : scene_(scene), plan_(plan) {}
 
 void ContactFinder::find(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
-                         Contacts& contacts, Workers& workers) {
+                         Rows awake, Contacts& contacts, Workers& workers) {
   contacts.start(bodies.size());
   sort_out(candidates, state, bodies, contacts);
   if (touches_.empty()) return;
   manifolds_.resize(touches_.size());
   if (plan_.polygons) {
     pose_.resize(state.position.size());
-    workers.for_ranges(pose_.size(), [&](std::size_t begin, std::size_t end) {
+    workers.for_ranges(awake.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
-        pose_[i] = narrowphase::pose(state.position[i], state.angle[i]);
+        pose_[awake[i]] = narrowphase::pose(state.position[awake[i]], state.angle[awake[i]]);
     });
   }
   workers.for_ranges(touches_.size(), [&](std::size_t begin, std::size_t end) {

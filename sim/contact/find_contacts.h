@@ -9,6 +9,7 @@
 #include "sim/contact/contact.h"
 #include "sim/contact/disc_blocks.h"
 #include "sim/contact/face_blocks.h"
+#include "sim/rows.h"
 #include "sim/workers.h"
 
 namespace throng {
@@ -35,8 +36,8 @@ class ContactFinder {
   ContactFinder(const Scene& scene, const Plan& plan);
 
   /// Replaces `contacts`. `bodies` has a row for each body of `state`, then one that stands for all
-  /// obstacles.
-  void find(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
+  /// obstacles; candidates are of those that are `awake`.
+  void find(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies, Rows awake,
             Contacts& contacts, Workers& workers);
 
  private:

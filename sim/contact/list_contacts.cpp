@@ -30,4 +30,13 @@ void list_contacts(const Scene& scene, const Contacts& contacts, const State& st
   for (std::size_t i = 0; i < contacts.faces.size(); ++i) add(contacts.faces[i]);
 }
 
+void with_sleeping(const State& state, std::vector<ContactRow>& rows) {
+  const SleepState& sleep = state.sleep;
+  const auto sleeps = [&](std::uint32_t id) { return id > 0 && sleep.island[id - 1] != 0; };
+  std::erase_if(rows, [&](const ContactRow& row) { return sleeps(row.a) || sleeps(row.b); });
+  for (const auto* contacts : {&sleep.disc_contacts, &sleep.point_contacts})
+    for (const SleepingContact& one : *contacts)
+      rows.push_back({one.a, one.b, one.impulse.normal, one.point});
+}
+
 }  // namespace throng

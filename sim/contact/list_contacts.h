@@ -15,4 +15,7 @@ namespace throng {
 void list_contacts(const Scene& scene, const Contacts& contacts, const State& state,
                    std::span<const SolverBody> bodies, std::vector<ContactRow>& rows);
 
+/// Leaves of those rows the ones of bodies that are awake, and adds the contacts that sleep.
+void with_sleeping(const State& state, std::vector<ContactRow>& rows);
+
 }  // namespace throng

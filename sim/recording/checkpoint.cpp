@@ -28,7 +28,7 @@ namespace {
 using Bytes = std::span<const std::byte>;
 
 constexpr std::array<char, 8> kMagic{'t', 'h', 'r', 'o', 'n', 'g', 'C', 'K'};
-constexpr std::uint64_t kLayout = 6;  // grows with every change of State
+constexpr std::uint64_t kLayout = 7;  // grows with every change of State
 
 struct Header {
   std::array<char, 8> magic = kMagic;
@@ -38,6 +38,8 @@ struct Header {
   std::uint64_t scenario_bytes = 0, bodies = 0, disc_contacts = 0, point_contacts = 0;
   std::uint64_t agents = 0;  // rows of CrowdState: the last of the bodies
   std::uint64_t groups = 0, measures = 0, sensors = 0;
+  std::uint64_t sleepers = 0;  // rows of SleepState: as many as there are bodies, or none
+  std::uint64_t sleeping_disc_contacts = 0, sleeping_point_contacts = 0;
   std::int64_t arrived = 0, last_arrival = 0, wall_corrections = 0, squeezed = 0;
   std::uint64_t frames = 0, frames_hash = 0;
   std::uint64_t content_hash = 0;
@@ -77,28 +79,73 @@ struct Columns {
   }
 };
 
+std::vector<ContactImpulse> impulses(const std::vector<SleepingContact>& contacts) {
+  std::vector<ContactImpulse> result;
+  for (const SleepingContact& contact : contacts) result.push_back(contact.impulse);
+  return result;
+}
+
+/// The same of those that sleep.
+struct SleepingColumns : Columns {
+  std::vector<std::uint32_t> island, a, b;
+  std::vector<Vec> point;
+
+  explicit SleepingColumns(std::size_t n) : Columns(n), island(n), a(n), b(n), point(n) {}
+
+  explicit SleepingColumns(const std::vector<SleepingContact>& contacts)
+      : Columns(impulses(contacts)), island(key.size()), a(key.size()), b(key.size()), point(key.size()) {
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      const auto& [impulse, its_island, its_a, its_b, its_point] = contacts[i];  // as above
+      island[i] = its_island, a[i] = its_a, b[i] = its_b, point[i] = its_point;
+    }
+  }
+
+  std::vector<SleepingContact> contacts() const {
+    std::vector<SleepingContact> result;
+    result.reserve(key.size());
+    for (const ContactImpulse& impulse : Columns::contacts()) {
+      const std::size_t i = result.size();
+      result.push_back({impulse, island[i], a[i], b[i], point[i]});
+    }
+    return result;
+  }
+};
+
+/// All contacts of a state.
+struct AllColumns {
+  Columns discs, points;
+  SleepingColumns sleeping_discs, sleeping_points;
+};
+
 template <class S, class F>
 void for_each_array(S& state, F visit) {
-  auto& [step, id, position, angle, velocity, spin, disc_contacts, point_contacts, crowd, sensed] =
+  auto& [step, id, position, angle, velocity, spin, disc_contacts, point_contacts, sleep, crowd, sensed] =
       state;  // all
   visit(id), visit(position), visit(angle), visit(velocity), visit(spin);
 }
 
 template <class C, class F>
-void for_each_column(C& columns, F visit) {
-  visit(columns.key), visit(columns.feature), visit(columns.normal), visit(columns.tangent);
+void for_each_column(C& all, F visit) {
+  const auto shared = [&](auto& columns) {
+    visit(columns.key), visit(columns.feature), visit(columns.normal), visit(columns.tangent);
+  };
+  const auto sleeping = [&](auto& columns) {
+    shared(columns);
+    visit(columns.island), visit(columns.a), visit(columns.b), visit(columns.point);
+  };
+  shared(all.discs), shared(all.points);
+  sleeping(all.sleeping_discs), sleeping(all.sleeping_points);
 }
 
 /// All that follows the header, in the order of the file.
-std::vector<Bytes> content(const std::string& scenario, const State& state, const Columns& discs,
-                           const Columns& points) {
+std::vector<Bytes> content(const std::string& scenario, const State& state, const AllColumns& contacts) {
   std::vector<Bytes> all{std::as_bytes(std::span(scenario))};
   const auto add = [&](const auto& array) { all.push_back(std::as_bytes(std::span(array))); };
   for_each_array(state, add);
   for_each_agent_array(state.crowd, add);
   add(state.crowd.waiting), add(state.crowd.measured), add(state.sensed);
-  for_each_column(discs, add);
-  for_each_column(points, add);
+  add(state.sleep.calm), add(state.sleep.island);
+  for_each_column(contacts, add);
   return all;
 }
 
@@ -150,6 +197,9 @@ Header header_for(const CheckpointOrigin& origin, const State& state) {
   header.groups = state.crowd.waiting.size();
   header.measures = state.crowd.measured.size();
   header.sensors = state.sensed.size();
+  header.sleepers = state.sleep.island.size();
+  header.sleeping_disc_contacts = state.sleep.disc_contacts.size();
+  header.sleeping_point_contacts = state.sleep.point_contacts.size();
   header.arrived = state.crowd.arrived;
   header.last_arrival = state.crowd.last_arrival;
   header.wall_corrections = state.crowd.wall_corrections;
@@ -196,22 +246,43 @@ void expect_size(const std::string& path, const Header& header, std::uint64_t si
   constexpr std::uint64_t body = sizeof(std::uint32_t) + 6 * sizeof(double);
   constexpr std::uint64_t agent = 4 * sizeof(double) + 2 * sizeof(std::int64_t) + 3 * sizeof(std::uint32_t);
   constexpr std::uint64_t contact = sizeof(std::uint64_t) + sizeof(std::uint32_t) + 2 * sizeof(double);
-  const std::uint64_t counts[] = {header.scenario_bytes, header.bodies,        header.agents,
-                                  header.groups,         header.measures,      header.sensors,
-                                  header.disc_contacts,  header.point_contacts};
+  constexpr std::uint64_t sleeper = 2 * sizeof(std::uint32_t);
+  constexpr std::uint64_t sleeping = contact + 3 * sizeof(std::uint32_t) + 2 * sizeof(double);
+  const std::uint64_t counts[] = {header.scenario_bytes,
+                                  header.bodies,
+                                  header.agents,
+                                  header.groups,
+                                  header.measures,
+                                  header.sensors,
+                                  header.disc_contacts,
+                                  header.point_contacts,
+                                  header.sleepers,
+                                  header.sleeping_disc_contacts,
+                                  header.sleeping_point_contacts};
   const bool bounded = std::all_of(std::begin(counts), std::end(counts), [&](auto n) { return n <= size; });
   const bool crowd = header.agents <= header.bodies;
   if (!bounded || !crowd ||
       size != sizeof header + header.scenario_bytes + body * header.bodies + agent * header.agents +
                   sizeof(std::uint32_t) * header.groups + sizeof(Measured) * header.measures +
                   sizeof(SensedSum) * header.sensors +
-                  contact * (header.disc_contacts + header.point_contacts))
+                  contact * (header.disc_contacts + header.point_contacts) + sleeper * header.sleepers +
+                  sleeping * (header.sleeping_disc_contacts + header.sleeping_point_contacts))
     refuse_damaged(path, "its size is not what its header says");
 }
 
-bool is_ascending(const std::vector<ContactImpulse>& contacts) {
+bool is_sound(const std::vector<ContactImpulse>& contacts) {
   return std::is_sorted(contacts.begin(), contacts.end(),
-                        [](const ContactImpulse& a, const ContactImpulse& b) { return a.key < b.key; });
+                        [](const ContactImpulse& a, const ContactImpulse& b) { return a.key < b.key; }) &&
+         std::all_of(contacts.begin(), contacts.end(), [](const ContactImpulse& c) {
+           return std::isfinite(c.normal) && std::isfinite(c.tangent);
+         });
+}
+
+/// Who they are of is for `fits` to say.
+bool is_sound(const std::vector<SleepingContact>& contacts) {
+  return is_sound(impulses(contacts)) &&
+         std::all_of(contacts.begin(), contacts.end(),
+                     [](const SleepingContact& c) { return is_near(c.point); });
 }
 
 /// All different, and from 1 to as many as there are with the agents who have left or are to come.
@@ -251,17 +322,13 @@ bool is_sound(const CrowdState& crowd, std::int64_t step) {
 }
 
 bool is_sound(const State& state) {
-  const auto finite = [](const ContactImpulse& c) {
-    return std::isfinite(c.normal) && std::isfinite(c.tangent);
-  };
   for (std::size_t row = 0; row < state.id.size(); ++row)
     if (!can_go_on(state, row)) return false;
   return state.step >= 0 && is_sound(state.crowd, state.step) && are_names(state.id, state.crowd) &&
          std::all_of(state.sensed.begin(), state.sensed.end(),
                      [](const SensedSum& sum) { return is_sound(sum); }) &&
-         is_ascending(state.disc_contacts) && is_ascending(state.point_contacts) &&
-         std::all_of(state.disc_contacts.begin(), state.disc_contacts.end(), finite) &&
-         std::all_of(state.point_contacts.begin(), state.point_contacts.end(), finite);
+         is_sound(state.disc_contacts) && is_sound(state.point_contacts) &&
+         is_sound(state.sleep.disc_contacts) && is_sound(state.sleep.point_contacts);
 }
 
 Checkpoint read_content(int fd, const std::string& path, const Header& header) {
@@ -273,7 +340,9 @@ Checkpoint read_content(int fd, const std::string& path, const Header& header) {
   const auto read_array = [&](auto& array) {
     read_whole(fd, std::as_writable_bytes(std::span(array)), path);
   };
-  Columns discs(header.disc_contacts), points(header.point_contacts);
+  AllColumns contacts{Columns(header.disc_contacts), Columns(header.point_contacts),
+                      SleepingColumns(header.sleeping_disc_contacts),
+                      SleepingColumns(header.sleeping_point_contacts)};
   origin.scenario.resize(header.scenario_bytes);
   read_array(origin.scenario);
   for_each_array(state, [&](auto& array) {
@@ -290,12 +359,14 @@ Checkpoint read_content(int fd, const std::string& path, const Header& header) {
   state.crowd.arrived = header.arrived, state.crowd.last_arrival = header.last_arrival;
   state.crowd.wall_corrections = header.wall_corrections;
   state.crowd.squeezed = header.squeezed;
-  for_each_column(discs, read_array);
-  for_each_column(points, read_array);
-  if (header.content_hash != hash_of(content(origin.scenario, state, discs, points)))
+  state.sleep.calm.resize(header.sleepers), state.sleep.island.resize(header.sleepers);
+  read_array(state.sleep.calm), read_array(state.sleep.island);
+  for_each_column(contacts, read_array);
+  if (header.content_hash != hash_of(content(origin.scenario, state, contacts)))
     refuse_damaged(path, "it does not match its hash");
-  state.disc_contacts = discs.contacts();
-  state.point_contacts = points.contacts();
+  state.disc_contacts = contacts.discs.contacts(), state.point_contacts = contacts.points.contacts();
+  state.sleep.disc_contacts = contacts.sleeping_discs.contacts();
+  state.sleep.point_contacts = contacts.sleeping_points.contacts();
   if (!is_sound(state)) refuse_damaged(path, "its state cannot be that of a run");
   return result;
 }
@@ -326,8 +397,10 @@ std::string previous_checkpoint_path(const std::string& recording) {
 }
 
 void write_checkpoint(const std::string& path, const CheckpointOrigin& origin, const State& state) {
-  const Columns discs(state.disc_contacts), points(state.point_contacts);
-  const std::vector<Bytes> parts = content(origin.scenario, state, discs, points);
+  const AllColumns contacts{Columns(state.disc_contacts), Columns(state.point_contacts),
+                            SleepingColumns(state.sleep.disc_contacts),
+                            SleepingColumns(state.sleep.point_contacts)};
+  const std::vector<Bytes> parts = content(origin.scenario, state, contacts);
   Header header = header_for(origin, state);
   header.content_hash = hash_of(parts);
   header.hash = hash_of(header);

@@ -22,7 +22,7 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 
 // Where things stand in the header: see sim/recording/checkpoint.cpp.
-constexpr std::size_t kHeader = 184, kCounts = 56, kContentHash = 168, kHash = 176;  // bytes
+constexpr std::size_t kHeader = 208, kCounts = 56, kContentHash = 192, kHash = 200;  // bytes
 
 std::uint64_t number_at(const Bytes& bytes, std::size_t at) {
   std::uint64_t number;
@@ -45,8 +45,12 @@ std::uint64_t content_hash(const Bytes& bytes) {
   sizes.push_back(4 * number_at(bytes, kCounts + 40));  // groups
   sizes.push_back(sizeof(Measured) * number_at(bytes, kCounts + 48));
   sizes.push_back(sizeof(SensedSum) * number_at(bytes, kCounts + 56));
-  for (const std::size_t kind : {16, 24})
+  for (const std::uint64_t one : {4, 4}) sizes.push_back(one * number_at(bytes, kCounts + 64));  // sleepers
+  for (const std::size_t kind : {16, 24, 72, 80}) {
     for (const std::uint64_t one : contact) sizes.push_back(one * number_at(bytes, kCounts + kind));
+    if (kind < 72) continue;
+    for (const std::uint64_t one : {4, 4, 4, 16}) sizes.push_back(one * number_at(bytes, kCounts + kind));
+  }
   std::uint64_t chain = recording::kEmptyChain;
   std::size_t at = kHeader;
   for (const std::uint64_t size : sizes) {
@@ -112,8 +116,8 @@ void go_on(const State& state) {
   for (const Scene& scene : scenes()) {
     if (!fits(state, scene) || state.step > scene.time.steps()) continue;  // as `throng resume`
     Simulation& run = run_of(scene);
-    if (!run.restore(state)) continue;
     try {
+      if (!run.restore(state)) continue;
       run.step();
       run.step();
     } catch (const SimulationError&) {  // a body that runs away

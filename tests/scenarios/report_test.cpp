@@ -105,11 +105,4 @@ TEST(Report, QuotesAStrangersTextSafely) {
   EXPECT_LT(in_quotes(std::string(1'000'000, 'x')).size(), 80u);
 }
 
-TEST(Report, WarnsThatTheNativeEngineNeverSleeps) {
-  const Loaded loaded = load_text("throng = 1\nsleep = true\n");
-  EXPECT_EQ(loaded.errors(), 0);
-  EXPECT_EQ(faults(loaded), "s.toml:2:9: warning: sleep: the native engine keeps every body awake so far\n");
-  EXPECT_EQ(faults(load_text("throng = 1\nsleep = true\nengine = 'box2d'\n")), "");
-}
-
 }  // namespace throng::scenarios

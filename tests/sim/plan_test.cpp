@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "sim/step.h"
 #include "tests/sim/scene_from.h"
 
@@ -61,6 +64,27 @@ TEST(Plan, PairsTakeTheGeometricMeanOfFrictionAndTheLargerRestitution) {
   EXPECT_DOUBLE_EQ(plan.surfaces[1].friction, 0.2);
   EXPECT_DOUBLE_EQ(plan.surfaces[1].restitution, 0.7);
   EXPECT_DOUBLE_EQ(plan.surfaces[2].friction, 0.2);
+}
+
+TEST(Plan, LetsBodiesSleepWhereSomethingPullsThemOntoSomething) {
+  const std::string pulls = "gravity = [0, -9.81]\n";
+  EXPECT_TRUE(runs(plan_for(scene_from(pulls + kTwoDiscs)), "sleep"));
+  const std::string agents =
+      "domain.box = [[0, 0], [9, 9]]\n[areas]\na = [[0, 0], [9, 0], [9, 9], [0, 9]]\n[[agents]]\ncount = "
+      "1\nmodel = 'orca'\ngoal = 'a'\n"
+      "place.random.within = 'a'\n";
+  const std::pair<std::string, std::string> never[] = {
+      {pulls + "sleep = false\n" + kTwoDiscs, "sleep is false"},
+      {kTwoDiscs, "gravity is zero: what is slow isn't at rest"},
+      {pulls + "contact = { model = \"none\" }\n" + kTwoDiscs, "nothing to rest on"},
+      {pulls + "engine = \"box2d\"\n" + kTwoDiscs, "the matter of engine box2d"}};
+  for (const auto& [text, reason] : never) {
+    const Plan plan = plan_for(scene_from(text));
+    EXPECT_FALSE(plan.sleep) << text;
+    EXPECT_EQ(std::ranges::find(plan.stages, "sleep", &Stage::name)->reason, reason);
+    EXPECT_TRUE(initial_state(scene_from(text)).sleep.island.empty());
+  }
+  EXPECT_FALSE(plan_for(scene_from(pulls + agents)).sleep);
 }
 
 TEST(Plan, AStageThatIsSkippedAllocatesNothing) {

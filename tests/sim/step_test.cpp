@@ -74,7 +74,8 @@ TEST(Step, ABlockOnASlopeSlidesOnlyWhereItIsSteeperThanFriction) {
 
 TEST(Step, AStackOfBoxesStands) {
   std::string text =
-      "gravity = [0, -10]\ntime = { dt = 0.01, until = 1 }\ndomain = { box = [[-9, 0], [9, 30]] }\n" +
+      "sleep = false\ngravity = [0, -10]\ntime = { dt = 0.01, until = 1 }\ndomain = { box = [[-9, 0], [9, "
+      "30]] }\n" +
       material(0, 0.5) + "[shapes]\nbox = { polygon = [[0, 0], [1, 0], [1, 1], [0, 1]] }\n" +
       "[[bodies]]\nshape = \"box\"\nplace = { lattice = { origin = [0, 0.5], spacing = [1, 1], size = [1, "
       "10] } }\n";

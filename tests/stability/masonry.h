@@ -14,9 +14,11 @@ namespace throng {
 
 class Masonry {
  public:
-  /// `time`: dt, substeps. A floor at y = 0, wide enough for all that is built here.
+  /// `dt` in s. A floor at y = 0, wide enough for all that is built here. Nobody sleeps: what stands must
+  /// stand by itself.
   explicit Masonry(double dt, double friction = 0.6, Vec floor = {0.0, 0.0}) : floor_(floor) {
-    head_ << "gravity = [0, -9.81]\ntime = { dt = " << exactly(dt) << ", until = 1, substeps = 4 }\n"
+    head_ << "sleep = false\ngravity = [0, -9.81]\ntime = { dt = " << exactly(dt)
+          << ", until = 1, substeps = 4 }\n"
           << "domain = { box = [[" << exactly(floor.x() - 100) << ", " << exactly(floor.y()) << "], ["
           << exactly(floor.x() + 100) << ", " << exactly(floor.y() + 100) << "]] }\n"
           << "[materials.default]\nfriction = " << friction << "\n";

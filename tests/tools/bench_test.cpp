@@ -30,6 +30,17 @@ TEST_F(BenchCommand, WritesTheRowsOfTheContractForEveryEngineOfACase) {
   }
 }
 
+TEST_F(BenchCommand, PutsAPileToSleep) {
+  const Result result = throng("bench step --only asleep --quick --blocks 1 --json " + path("rows.json"));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  std::set<std::string> engines;
+  for (const auto& row : nlohmann::json::parse(read(path("rows.json")))) {
+    engines.insert(row["engine"]);
+    EXPECT_EQ(row["error"].contains("asleep"), row["engine"] == "native, sleeps");
+  }
+  EXPECT_TRUE(engines.contains("native") && engines.contains("native, sleeps"));
+}
+
 TEST_F(BenchCommand, AsksAllEnginesTheSameQuestions) {
   const Result result =
       throng("bench broadphase --quick --only radius --only nearest --blocks 1 --json " + path("rows.json"));

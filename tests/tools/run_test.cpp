@@ -57,6 +57,19 @@ TEST_F(RunCommand, PrintsOneObjectWithTheKeysOfTheContract) {
   EXPECT_EQ(hash.find_first_not_of("0123456789abcdef"), std::string::npos) << hash;
 }
 
+TEST_F(RunCommand, CountsWhoSleepsWhereAnybodyMay) {
+  const std::string rest =
+      "throng = 1\ngravity = [0, -9.81]\ntime.until = 1\ndomain.box = [[0, 0], [9, 9]]\n"
+      "shapes.ball.disc.radius = 0.5\n[[bodies]]\nshape = 'ball'\nat = [2, 0.5]\n"
+      "[[bodies]]\nshape = 'ball'\nat = [5, 8]\n";
+  const Result sleeping = throng("run " + write("rest.toml", rest));
+  ASSERT_EQ(sleeping.exit_code, 0) << sleeping.err;
+  EXPECT_EQ(json::parse(sleeping.out)["asleep"], 1);
+  EXPECT_TRUE(json::parse(sleeping.out)["stages"].contains("sleep"));
+  const Result awake = throng("run --set sleep=false " + path("rest.toml"));
+  EXPECT_FALSE(json::parse(awake.out).contains("asleep"));
+}
+
 TEST_F(RunCommand, NamesASceneWithoutANameAfterItsFile) {
   std::string text = kScene;
   text.erase(text.find("name"), text.find("gravity") - text.find("name"));
@@ -252,7 +265,7 @@ TEST_F(PlanCommand, SaysWhichStagesRunAndWhy) {
   const Result object = throng("plan --json " + path("a.toml"));
   const json plan = json::parse(object.out);
   EXPECT_EQ(plan["bodies"], 2);
-  EXPECT_EQ(plan["stages"].size(), 14u);
+  EXPECT_EQ(plan["stages"].size(), 15u);
   EXPECT_GT(plan["output_bytes"], 0);
 }
 

@@ -35,7 +35,7 @@ struct Case {
   double settle_s;  ///< native runs so long before anything is timed
   int calm;         ///< steps that each engine then runs untimed, to find its own rest
   int steps;        ///< in a block
-  bool peers, minimal;
+  bool peers, minimal, sleep = false;
 };
 
 const std::vector<Case>& cases() {
@@ -46,6 +46,7 @@ const std::vector<Case>& cases() {
       {"pile n=10000 falling", "pile", {}, 0.5, 0, 4, true, true},
       {"pile n=10000 settled", "pile", {}, 15.0, 150, 4, true, true},
       {"pile n=100000 settled", "pile", wider_pile(), 30.0, 0, 2, false, true},
+      {"pile n=10000 asleep", "pile", {}, 15.0, 600, 4, false, false, true},
       {"polygons n=10000 settled", "polygons", {}, 15.0, 150, 2, true, false},
       {"pyramid base=100", "pyramid", {}, 1.0, 50, 4, true, false},
       {"hopper", "hopper", {}, 1.0, 0, 20, true, false},
@@ -99,6 +100,7 @@ class Errors {
                                     {"max_overlap", max_},
                                     {"kinetic_energy", kinetic_energy(scene_, last)},
                                     {"escaped", escaped(scene_, last)}};
+    if (!last.sleep.island.empty()) error["asleep"] = asleep(last.sleep);
     if (plan_.elastic && !plan_.friction) error["energy_drift"] = energy(last) / first_energy_ - 1.0;
     return error;
   }
@@ -144,8 +146,9 @@ std::vector<Row> race(const Case& one, const Options& options, std::vector<Racer
 
 std::vector<Row> run(const Case& one, const Options& options) {
   const Scene scene = scene_of(one, options);
-  Scene box2d_scene = scene;
+  Scene sleeping_scene = scene, box2d_scene = scene;
   box2d_scene.engine = Engine::box2d;
+  sleeping_scene.sleep = one.sleep;
   std::vector<Racer> racers;
   const auto add = [&](const char* engine, Simulation* simulation) {
     if (simulation)
@@ -154,6 +157,8 @@ std::vector<Row> run(const Case& one, const Options& options) {
   };
   const auto native = simulation(scene);
   add("native", native.get());
+  const auto sleeping = one.sleep ? simulation(sleeping_scene) : nullptr;
+  add("native, sleeps", sleeping.get());
   std::optional<MinimalDiscs> minimal;
   if (one.minimal) {
     minimal.emplace(scene);
