@@ -30,6 +30,20 @@ TEST_F(BenchCommand, WritesTheRowsOfTheContractForEveryEngineOfACase) {
   }
 }
 
+TEST_F(BenchCommand, AddsOneFeatureAfterTheOther) {
+  const Result result = throng("bench lean --quick --blocks 1 --json " + path("rows.json"));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto rows = nlohmann::json::parse(read(path("rows.json")));
+  ASSERT_EQ(rows.size(), 14u);
+  double before = 0.0;
+  for (const auto& row : rows) {
+    EXPECT_NEAR(row["error"]["price_ms"], double(row["ms"]) - before, 1e-9) << row["engine"];
+    before = row["ms"];
+  }
+  EXPECT_EQ(rows[0]["error"]["contacts"], 0);
+  EXPECT_GT(rows[1]["error"]["contacts"], 10);
+}
+
 TEST_F(BenchCommand, PutsAPileToSleep) {
   const Result result = throng("bench step --only asleep --quick --blocks 1 --json " + path("rows.json"));
   ASSERT_EQ(result.exit_code, 0) << result.err;

@@ -11,6 +11,9 @@ namespace throng::bench {
 /// Scenes of bodies step by step: native, Box2D, Chipmunk, and for discs the minimal loop of minimal_discs.h.
 std::vector<Row> bench_step(const Options& options);
 
+/// One scene with features added one at a time: what each of them costs.
+std::vector<Row> bench_lean(const Options& options);
+
 /// How far apart convex polygons are, moving and not: throng's engines, Box2D's and CGAL's. Times are for a
 /// million queries; errors in ulp of the coordinates' scale, against long double.
 std::vector<Row> bench_narrowphase(const Options& options);

@@ -14,6 +14,7 @@ namespace {
 constexpr const char* kColumns = R"(
 Columns: case and engine; ms and ms_min, the median and the least of --blocks figures, each for all the work of the
 case; ratio, that median over the one of the case's first engine; then the errors, each as its name and number.
+Of lean: price_ms, the difference of the medians to the row above; contacts, that press at the end.
 Of motion, where a query is a pair in motion, a figure is for one query, and the errors are
   evaluations      distances computed, or bounds of them, a query (mean)
   missed           queries that hit and were called free
@@ -49,6 +50,7 @@ int main(int argc, char** argv) {
   using namespace throng::bench;
   const std::map<std::string, std::vector<Row> (*)(const Options&)> benchmarks = {
       {"step", bench_step},
+      {"lean", bench_lean},
       {"recording", bench_recording},
       {"broadphase", bench_broadphase},
       {"narrowphase", bench_narrowphase},
@@ -60,7 +62,8 @@ int main(int argc, char** argv) {
   std::string name, json, target;
   CLI::App app{"The benchmarks of throng: time and error beside each other, engines in turn in one run."};
   app.name("throng bench");
-  app.add_option("NAME", name, "step, recording, broadphase, narrowphase, bvh, motion, crowd or validation")
+  app.add_option("NAME", name,
+                 "step, lean, recording, broadphase, narrowphase, bvh, motion, crowd or validation")
       ->required()
       ->check(CLI::IsMember(benchmarks));
   app.add_option("--scenarios", options.scenarios, "folder of the gallery")->default_val(THRONG_SCENARIOS);

@@ -2,7 +2,6 @@
 // throng bench recording: a run with every step recorded against the same run without; and how fast frames
 // get to the disk and back, against the same bytes without HDF5, hashes and checksums.
 #include <fcntl.h>
-#include <stdlib.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -16,19 +15,13 @@
 #include "tools/bench/crowd_motion.h"
 #include "tools/bench/interleave.h"
 #include "tools/bench/scenes.h"
+#include "tools/bench/scratch_folder.h"
 
 namespace throng::bench {
 
 namespace {
 
 constexpr std::size_t kBlock = std::size_t{1} << 20;  // bytes at a time, as dd bs=1M
-
-/// A folder that goes when this does.
-struct ScratchFolder {
-  std::string path = (std::filesystem::temp_directory_path() / "throng-bench-XXXXXX").string();
-  ScratchFolder() { path = mkdtemp(path.data()); }
-  ~ScratchFolder() { std::filesystem::remove_all(path); }
-};
 
 void run(const Scene& scene, int steps, Recorder* recorder) {
   const auto simulation = throng::simulation(scene);
