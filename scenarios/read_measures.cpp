@@ -19,8 +19,6 @@ class MeasureReader {
   void read() {
     measure_.name = text(table_, "name", "");
     if (measure_.name.empty()) fail("name", "must not be empty");
-    if (measure_.name == "." || measure_.name.find('/') != std::string::npos)
-      fail("name", "must not be \".\" nor hold a '/': it is part of a path in the recording");
     for (const Measure& other : scene_.crowd.measures)
       if (other.name == measure_.name)
         fail("name", in_quotes(measure_.name) + " is the name of another measure too");

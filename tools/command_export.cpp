@@ -8,6 +8,7 @@
 #include "sim/input_error.h"
 #include "tools/commands.h"
 #include "tools/export.h"
+#include "tools/printable.h"
 #include "tools/replace_file.h"
 #include "tools/text_file.h"
 
@@ -90,6 +91,21 @@ void warn_of_velocities(const Options& options, const Recording& recording,
       every(record, RecordField::position));
 }
 
+/// No format has a place for what is not of a body.
+void warn_of_other_things(const Options& options, const Recording& recording) {
+  const Record& record = recording.geometry().record;
+  std::string left_out;
+  const auto add = [&](bool is_there, const char* what) {
+    if (is_there) left_out += (left_out.empty() ? "" : ", ") + std::string(what);
+  };
+  add(record.contacts, "contacts");
+  add(record.observables > 0, "observables");
+  add(!record.sensors.empty(), "what sensors found");
+  if (!left_out.empty())
+    std::fprintf(stderr, "throng: warning: %s leaves out %s, which throng_read.py reads\n",
+                 printable(options.output).c_str(), left_out.c_str());
+}
+
 void write_format(const Recording& recording, const Options& options, std::span<const std::size_t> frames,
                   const ExportTarget& target) {
   if (options.format == "csv") export_csv(recording, frames, target);
@@ -107,6 +123,7 @@ int export_recording(const Options& options) {
   check_contents(options, recording);
   const std::vector<std::size_t> frames = select(options, recording);
   warn_of_velocities(options, recording, frames);
+  warn_of_other_things(options, recording);
   const auto write = [&](const std::string& path) {
     write_format(recording, options, frames, {path, options.output});
   };

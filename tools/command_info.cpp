@@ -31,9 +31,21 @@ std::vector<int> steps_apart(const Record& record) {
 
 /// Of the recorded ones.
 Json sensors(const Scene& scene) {
-  Json names = Json::array();
-  for (const Sensor& sensor : scene.sensors) names.push_back(sensor.name);
-  return names.empty() ? Json(nullptr) : names;
+  Json all = Json::array();
+  for (const Sensor& sensor : scene.sensors)
+    all.push_back({{"name", sensor.name},
+                   {"radius", sensor.radius},
+                   {"fov_degrees", sensor.fov},
+                   {"sight", name(sensor.screens)},
+                   {"every", sensor.every}});
+  return all.empty() ? Json(nullptr) : all;
+}
+
+Json measures(const Scene& scene) {
+  Json all = Json::array();
+  for (const Measure& measure : scene.crowd.measures)
+    all.push_back({{"name", measure.name}, {"of", measure.area.empty() ? "line" : "area"}});
+  return all.empty() ? Json(nullptr) : all;
 }
 
 Json region(const Record& record) {
@@ -81,6 +93,7 @@ Json describe(const Recording& recording) {
           {"rates", steps_apart(scene.record)},
           {"observables", scene.record.observables > 0 ? Json(scene.record.observables) : Json(nullptr)},
           {"sensors", sensors(scene)},
+          {"measures", measures(scene)},
           {"precision", scene.record.single ? "single" : "double"},
           {"quantum", scene.record.quantum > 0.0 ? Json(scene.record.quantum) : Json(nullptr)},
           {"within", region(scene.record)},
@@ -93,20 +106,35 @@ Json describe(const Recording& recording) {
           {"command_line", origin.provenance.command_line}};
 }
 
+std::string readable(const Json& value);
+
 std::string nine_digits(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.9g", value);
   return text;
 }
 
-/// Lists as words, texts without quotes, everything else as JSON has it.
+/// As "name ahead, radius 1.5".
+std::string readable_entry(const Json& object) {
+  std::string text;
+  for (const auto& [key, value] : object.items())
+    text += (text.empty() ? "" : ", ") + key + " " + readable(value);
+  return text;
+}
+
+/// Lists as words, those of objects with a semicolon between them, texts without quotes, everything else as
+/// JSON has it.
 std::string readable(const Json& value) {
   if (value.is_string()) return value.get<std::string>();
   if (value.is_null()) return "none";
   if (value.is_number_float()) return nine_digits(value);
   if (!value.is_structured()) return value.dump();
   std::string text;
-  for (const Json& item : value) text += (text.empty() ? "" : " ") + readable(item);
+  for (const Json& item : value)
+    if (value.is_array() && item.is_object())
+      text += (text.empty() ? "" : "; ") + readable_entry(item);
+    else
+      text += (text.empty() ? "" : " ") + readable(item);
   return text;
 }
 

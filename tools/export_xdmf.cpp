@@ -176,6 +176,13 @@ void write_attributes(const Pointers& to, const Recording& recording, std::size_
     if (recording.sample(part.recorded, frame)) to.write_scalar(name, frame, part);
 }
 
+/// A place where bodies may be, so that those who look at a frame of nobody look there.
+Vec corner_of(const Scene& scene) {
+  if (scene.record.within) return scene.record.within->min();
+  if (scene.domain.kind != DomainKind::unbounded) return scene.domain.min;
+  return scene.crowd.walkable.empty() ? Vec(0.0, 0.0) : scene.crowd.walkable.rings[0][0];
+}
+
 }  // namespace
 
 void export_xdmf(const Recording& recording, const std::string& file, std::span<const std::size_t> frames,
@@ -188,14 +195,18 @@ void export_xdmf(const Recording& recording, const std::string& file, std::span<
   Frame present;
   out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Xdmf Version=\"2.0\"><Domain>\n<Grid Name=\""
       << xml(recording.geometry().name) << "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
-  const auto& within = recording.geometry().record.within;
+  const Vec corner = corner_of(recording.geometry());
   for (std::size_t i : frames) {
     if (recording.id_sample(i)) recording.read(i, present);
     const bool nobody = recording.id_sample(i) && present.bodies() == 0;
     if (recording.id_sample(i)) to.show(present.bodies());
     out << "<Grid Name=\"bodies\"><Time Value=\"" << recording.times()[i] << "\"/>\n";
-    nobody ? to.write_nobody(within ? within->min() : Vec(0.0, 0.0)) : to.write_points(i);
-    if (!nobody) write_attributes(to, recording, i);
+    if (nobody) {
+      to.write_nobody(corner);
+    } else {
+      to.write_points(i);
+      write_attributes(to, recording, i);
+    }
     out << "</Grid>\n";
   }
   out << "</Grid>\n</Domain></Xdmf>\n";

@@ -2,25 +2,52 @@
 #include "sim/recording/expected_bytes.h"
 
 #include <algorithm>
+#include <numbers>
 
 #include "sim/recording/layout.h"
+#include "sim/recording/observables.h"
 
 namespace throng::recording {
 
 namespace {
 
 constexpr double kRowBytes = 4 * 8 + 64;  // of a frame, and the index entry of a chunk
-constexpr double kObservableBytes = 7 * 8;
 
 /// What nobody knows before the run.
 struct Guess {
   double share;      // of the bodies, where they come and go
   double contacts;   // bytes a body
   double quantized;  // bytes a body
-  double sensed;     // bytes a body that has a sensor
+  bool sensed;       // whether anyone who has a sensor is there and finds others
 };
 
-constexpr Guess kAbout{1.0, 3.0 * 32.0, 3.0, 8.0 + 10.0 * 4.0}, kLeast{0.0, 0.0, 0.0, 0.0};
+constexpr Guess kAbout{1.0, 3.0 * 32.0, 3.0, true}, kLeast{0.0, 0.0, 0.0, false};
+
+double observable_bytes(const Scene& scene) {
+  double numbers = 0.0;
+  for (const Observable& one : observables_of(scene.crowd.size() > 0, scene.crowd.measures))
+    numbers += static_cast<double>(one.components);
+  return 8.0 * numbers;
+}
+
+/// Where bodies are, by and large.
+Eigen::AlignedBox2d place(const Scene& scene) {
+  if (scene.domain.kind != DomainKind::unbounded) return {scene.domain.min, scene.domain.max};
+  if (!scene.crowd.walkable.empty()) return bounds(scene.crowd.walkable);
+  Eigen::AlignedBox2d box;
+  for (const Vec& p : scene.bodies.position) box.extend(p);
+  return box;
+}
+
+/// In one look, where all are spread evenly.
+double sensed_bytes(const Scene& scene, const Sensor& sensor) {
+  const double bodies = static_cast<double>(scene.bodies.size());
+  const double having = sensor.ids.empty() ? bodies : static_cast<double>(sensor.ids.size());
+  const double seen = std::numbers::pi * sensor.radius * sensor.radius * sensor.fov / 360.0;
+  const double area = place(scene).sizes().prod();
+  const double share = area > seen ? seen / area : 1.0;
+  return having * (8.0 + 4.0 * bodies * share);
+}
 
 /// A body's numbers in one frame.
 double body_bytes(const Record& record, RecordField field, const Guess& guess) {
@@ -38,17 +65,15 @@ double bytes_by(const Guess& guess, const Scene& scene) {
     return every == 0 ? 0.0 : static_cast<double>(scene.time.steps()) / every + 1;
   };
   double bytes = static_cast<double>(count_frames(record, scene.time.steps())) * kRowBytes +
-                 samples(record.observables) * (kRowBytes + kObservableBytes);
+                 samples(record.observables) * (kRowBytes + observable_bytes(scene));
   double most = 0.0;  // frames of a field
   for (RecordField field : kRecordFields) {
     const double frames = samples(every(record, field));
     bytes += frames * (body_bytes(record, field, guess) * bodies + kRowBytes);
     most = std::max(most, frames);
   }
-  for (const Sensor& sensor : scene.sensors) {
-    const double having = static_cast<double>(sensor.ids.empty() ? scene.bodies.size() : sensor.ids.size());
-    if (sensor.record) bytes += samples(sensor.every) * (guess.sensed * having + kRowBytes);
-  }
+  for (const Sensor& sensor : recorded(scene.sensors))
+    bytes += samples(sensor.every) * (kRowBytes + (guess.sensed ? sensed_bytes(scene, sensor) : 0.0));
   return bytes + (changes ? most * 4.0 * bodies : 0.0);
 }
 

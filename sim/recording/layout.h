@@ -29,8 +29,8 @@
 ///   angle, spin           the same with value [F,N]; only what the scenario records is there
 /// /observables            (1.2) attribute every; kinetic_energy, potential_energy, contacts, max_overlap,
 ///                         mean_overlap with value f64[], momentum with value f64[,2]; each with step, time; of
-///                         agents also (1.5) agents, arrived and measure/NAME/C, C as `columns` of crowd/measure.h
-///                         has them, NaN where too little was measured
+///                         agents also (1.5) agents, arrived and measure/NAME/C, NAME as `path_part` of observables.h
+///                         and C as `columns` of crowd/measure.h have them, NaN where too little was measured
 /// /throng                 attributes version int32[2] = {kMajor, kMinor}, name, description
 ///   finished              u64: 0 while the run goes on, then chain_hash of frames/frame_hash
 ///   frames                step i64[F], time f64[F] = step * dt, state_hash u64[F], frame_hash u64[F]
@@ -72,8 +72,8 @@
 /// count, whom of each sensor, the observables; 0 never occurs. It is the commit
 /// record: a frame counts once its row stands there, whatever the extents of the other datasets say. Values of
 /// bodies carry fletcher32, and no chunk of theirs is of two frames (at most kMaxChunk bytes, or kRegionChunk bodies
-/// where these come and go). Rows that grow a little at a time (`frames`, `rates`, contacts, observables, step and
-/// time of `id`) carry none: their last chunk is rewritten as it fills, and a reader or a crash in between would see
+/// where these come and go). Rows that grow a little at a time (`frames`, `rates`, contacts, sensors, observables, step
+/// and time of `id`) carry none: their last chunk is rewritten as it fills, and a reader or a crash in between would see
 /// a wrong checksum; `frame_hash` and `finished` cover them.
 // clang-format on
 namespace throng::recording {

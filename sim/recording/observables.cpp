@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sim/recording/observables.h"
 
+#include <cctype>
+
 namespace throng::recording {
 
 namespace {
@@ -8,6 +10,22 @@ namespace {
 constexpr std::size_t kOfBodies = 7;  // numbers
 
 }  // namespace
+
+std::string path_part(std::string_view name) {
+  if (name == ".") return "%2E";
+  const auto is_hex = [&](std::size_t i) {
+    return i < name.size() && std::isxdigit(static_cast<unsigned char>(name[i]));
+  };
+  std::string part;
+  for (std::size_t i = 0; i < name.size(); ++i)
+    if (name[i] == '/')
+      part += "%2F";
+    else if (name[i] == '%' && is_hex(i + 1) && is_hex(i + 2))
+      part += "%25";
+    else
+      part += name[i];
+  return part;
+}
 
 std::vector<Observable> observables_of(bool crowd, std::span<const Measure> measures) {
   std::vector<Observable> all{{"kinetic_energy"}, {"potential_energy"}, {"momentum", 2},
@@ -17,7 +35,7 @@ std::vector<Observable> observables_of(bool crowd, std::span<const Measure> meas
   all.push_back({"arrived"});
   for (const Measure& measure : measures)
     for (const char* column : columns(measure))
-      all.push_back({"measure/" + measure.name + "/" + column, 1, std::string("count") != column});
+      all.push_back({"measure/" + path_part(measure.name) + "/" + column, 1, std::string("count") != column});
   return all;
 }
 

@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/observe.h"
@@ -18,6 +19,10 @@ struct Observable {
   std::size_t components = 1;  ///< numbers
   bool may_be_nan = false;     ///< unknown at times
 };
+
+/// A name as one part of a path, from which it can be told again as from an address of the web: %2F for '/',
+/// %2E for a lone '.', %25 for a '%' that would be taken for the begin of such a code.
+std::string path_part(std::string_view name);
 
 /// What is observed of a run, in the order in which frame_hash covers it; of a crowd also who is there, and
 /// what is measured.

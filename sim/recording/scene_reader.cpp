@@ -184,9 +184,8 @@ Region read_walkable(const h5::File& file, hid_t throng) {
 }
 
 /// Names become paths below /observables, each another.
-void expect_path_part(const std::string& name, std::span<const std::string> before) {
-  if (name.empty() || name == "." || name.find('/') != name.npos ||
-      std::ranges::find(before, name) != before.end())
+void expect_own_name(const std::string& name, std::span<const std::string> before) {
+  if (name.empty() || std::ranges::find(before, name) != before.end())
     reject("a measure has no name of its own");
 }
 
@@ -204,7 +203,7 @@ std::vector<Measure> read_measures(const h5::File& file, hid_t throng) {
   const auto area_offset = read_offsets(file, group, "area_offset", names.size(), offset.size() - 1);
   std::vector<Measure> measures(names.size());
   for (std::size_t m = 0; m < names.size(); ++m) {
-    expect_path_part(names[m], std::span(names).first(m));
+    expect_own_name(names[m], std::span(names).first(m));
     measures[m].name = names[m];
     measures[m].line = {Vec(line[4 * m], line[4 * m + 1]), Vec(line[4 * m + 2], line[4 * m + 3])};
     measures[m].size = size[m];

@@ -49,6 +49,11 @@ also = [{ every = 3, fields = ["velocity"] }]
 observables = 5
 of = { shape = "ball" }
 quantize = 1e-3
+[[sensors]]
+name = "near"
+radius = 1.2
+every = 4
+record = true
 )"},
                                          {"region", R"([record]
 every = 2
@@ -57,6 +62,11 @@ also = [{ every = 3, fields = ["velocity"] }]
 observables = 5
 within = [[-5, 0], [0.5, 4]]
 precision = "single"
+[[sensors]]
+name = "near"
+radius = 1.2
+every = 4
+record = true
 )"}};
 
 inline void PrintTo(const Recorded& recorded, std::ostream* out) {

@@ -18,6 +18,7 @@
 #include "sim/input_error.h"
 #include "sim/recording/recording.h"
 #include "tests/durability/durable_run.h"
+#include "tests/sim/recording/crowd.h"
 #include "tests/sim/recording/scenes.h"
 
 namespace throng {
@@ -59,6 +60,18 @@ std::string text(const Frame& frame) {
   if (const auto& seen = frame.observables)
     all << ' ' << seen->kinetic_energy << ' ' << seen->potential_energy << ' ' << seen->momentum << ' '
         << seen->contacts << ' ' << seen->max_overlap << ' ' << seen->mean_overlap;
+  if (frame.observables && frame.observables->crowd) {
+    all << ' ' << frame.observables->crowd->agents << ' ' << frame.observables->crowd->arrived;
+    for (double x : frame.observables->crowd->measures) all << ' ' << x;
+  }
+  for (const std::optional<Sensed>& sensed : frame.sensed) {
+    all << (sensed ? " sensed" : " not due");
+    for (const auto& column :
+         {sensed.value_or(Sensed{}).who, sensed.value_or(Sensed{}).count, sensed.value_or(Sensed{}).whom}) {
+      all << ':';
+      for (const std::uint32_t id : column) all << ' ' << id;
+    }
+  }
   return all.str();
 }
 
@@ -92,6 +105,15 @@ Told everything(const std::string& path) {
     all << wall.closed << wall.material;
     for (const Vec& p : wall.points) all << p;
   }
+  for (const Sensor& sensor : scene.sensors)
+    all << sensor.name << sensor.radius << ' ' << sensor.fov << name(sensor.screens) << sensor.every;
+  for (const Measure& measure : scene.crowd.measures) {
+    all << measure.name << measure.line[0] << measure.line[1] << measure.size;
+    for (const auto& ring : measure.area.rings)
+      for (const Vec& p : ring) all << p;
+  }
+  for (const auto& ring : scene.crowd.walkable.rings)
+    for (const Vec& p : ring) all << p;
   Told told{all.str(), {}};
   for (std::size_t i = 0; i < recording.frames(); ++i) told.frames.push_back(text(recording.frame(i)));
   return told;
@@ -160,6 +182,12 @@ struct Hostile : testing::Test {
     return {bytes_of(file), everything(file)};
   }
 
+  /// Of agents, with measures and a sensor.
+  Sample crowd() const {
+    record_simulation(folder / "crowd.h5", measured_crowd());
+    return {bytes_of(folder / "crowd.h5"), everything(folder / "crowd.h5")};
+  }
+
   /// A copy of the part once all frames are committed, while the writer has it open.
   Sample unfinished() const {
     const Scene scene = mixed_scene(kBodies);
@@ -212,7 +240,7 @@ struct Hostile : testing::Test {
   Sample good;
 };
 
-const int kMutations = cases(10'000 / 6 + 1, 300);
+const int kMutations = cases(10'000 / 7 + 1, 300);
 
 TEST_F(Hostile, X1MutatedFilesAreRefusedOrUnharmed) {
   expect_mutations_seen(good, kMutations);
@@ -236,9 +264,13 @@ TEST_F(Hostile, X1MutatedFilesOfPackedRegionsAreRefusedOrUnharmed) {
   expect_mutations_seen(full(record), kMutations);
 }
 
+TEST_F(Hostile, X1MutatedFilesOfCrowdsAreRefusedOrUnharmed) {
+  expect_mutations_seen(crowd(), kMutations);
+}
+
 TEST_F(Hostile, X2TruncatedFilesOfEveryKindAreRefused) {
-  for (const bool region : {false, true}) {
-    const Sample sample = full(region);
+  for (const int kind : {0, 1, 2}) {
+    const Sample sample = kind == 2 ? crowd() : full(kind == 1);
     for (std::size_t size = 0; size < sample.bytes.size() && !HasFailure(); size += 512)
       EXPECT_TRUE(refused(sample.bytes.substr(0, size), sample)) << "truncated to " << size;
   }
@@ -287,6 +319,33 @@ TEST_F(Hostile, RowsOfFramesAreCoveredThoughTheyCarryNoChecksum) {
     bytes[at + 3] ^= 16;
     EXPECT_TRUE(refused(bytes, good));
   }
+}
+
+TEST_F(Hostile, SensedAndMeasuredAreCoveredThoughTheyCarryNoChecksum) {
+  const Sample sample = crowd();
+  const Recording recording(folder / "crowd.h5");
+  std::vector<std::uint32_t> whom;
+  std::vector<double> densities;
+  for (std::size_t i = 0; i < recording.frames(); ++i) {
+    const Frame frame = recording.frame(i);
+    const Sensed sensed = frame.sensed.at(0).value_or(Sensed{});
+    whom.insert(whom.end(), sensed.whom.begin(), sensed.whom.end());
+    if (frame.observables) densities.push_back(frame.observables->crowd->measures.at(6));
+  }
+  ASSERT_GT(whom.size(), 8u);
+  const auto expect_covered = [&](const auto& rows) {
+    const std::string_view column(reinterpret_cast<const char*>(rows.data()), rows.size() * sizeof rows[0]);
+    const std::size_t at = sample.bytes.find(column);
+    ASSERT_NE(at, std::string::npos);
+    for (std::size_t k = 0; k < column.size(); k += 7) {
+      std::string bytes = sample.bytes;
+      bytes[at + k] ^= 1;
+      EXPECT_TRUE(refused(bytes, sample)) << k;
+    }
+  };
+  expect_covered(whom);
+  densities.erase(densities.begin());  // nobody knows the first one's bits: it is no number
+  expect_covered(densities);
 }
 
 TEST_F(Hostile, X4CraftedFilesAreRefusedWithTheirReason) {

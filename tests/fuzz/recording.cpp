@@ -15,6 +15,7 @@
 #include "tests/fuzz/fuzz.h"
 #include "tests/fuzz/h5_sums.h"
 #include "tests/fuzz/memory_file.h"
+#include "tests/sim/recording/crowd.h"
 #include "tests/sim/recording/scenes.h"
 
 namespace throng::fuzz {
@@ -74,6 +75,13 @@ Sample full(bool region) {
   return sample_of(folder / "a.h5");
 }
 
+/// Of agents, with measures.
+Sample crowd() {
+  const testing_recordings::Folder folder;
+  testing_recordings::record_simulation(folder / "a.h5", testing_recordings::measured_crowd());
+  return sample_of(folder / "a.h5");
+}
+
 /// As a run leaves it that is killed.
 Sample unfinished() {
   const testing_recordings::Folder folder;
@@ -87,8 +95,9 @@ Sample unfinished() {
 }
 
 const Sample& sample(int which) {
-  static const Sample samples[] = {finished(false), finished(true), unfinished(), full(false), full(true)};
-  return samples[which % 5];
+  static const Sample samples[] = {finished(false), finished(true), unfinished(),
+                                   full(false),     full(true),     crowd()};
+  return samples[which % 6];
 }
 
 /// Changes of four bytes each: where, as a place of the sample or as one of the file, and to what.

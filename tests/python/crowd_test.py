@@ -208,8 +208,12 @@ class Measures(Program):
             for name, (value, _) in whole.observables.items():
                 np.testing.assert_array_equal(value, half.observables[name][0])
 
+    def test_are_verified(self):
+        self.record()
+        self.assertEqual(self.throng("replay", "a.h5", "--verify"), (0, ""))
+
     def test_may_be_named_as_what_a_recording_holds(self):
-        names = ("value", "step", "time")
+        names = ("value", "step", "time", ".", "N/S", "50 %", "%2F", "a%41/")
         with open(self.folder / "three.toml", "a") as scene:
             for name in names:
                 scene.write(f'[[measure]]\nname = "{name}"\nline = [[5, 0], [5, 5]]\n')
@@ -234,6 +238,31 @@ class Measures(Program):
                 later[1]
             with self.assertRaises(KeyError):
                 recording.sensed("ears", 0)
+
+    def test_sensors_that_are_elsewhere_or_of_another_form_are_refused(self):
+        def crafted(name, change):
+            with h5py.File(self.record(name + ".h5"), "r+") as file:
+                change(file["throng/sensors"])
+            return throng_read.open(self.path(name + ".h5"))
+
+        def soft(sensors):
+            sensors.move("0", "kept")
+            sensors["0"] = h5py.SoftLink("/throng/sensors/kept")
+
+        def other(sensors):
+            who = sensors["0/who"][:].astype("f8")
+            del sensors["0/who"]
+            sensors["0/who"] = who
+
+        def unsorted(sensors):
+            sensors["0/who"][:2] = sensors["0/who"][:2][::-1]
+
+        with self.assertRaisesRegex(throng_read.NotARecording, "no hard link"):
+            crafted("soft", soft)
+        with crafted("other", other) as recording, self.assertRaisesRegex(ValueError, "another form"):
+            recording.sensed("eyes", 0)
+        with crafted("unsorted", unsorted) as recording, self.assertRaisesRegex(OSError, "damaged"):
+            recording.sensed("eyes", 0)
 
 if __name__ == "__main__":
     unittest.main()

@@ -200,7 +200,8 @@ TEST_F(Sensors, AreVerifiedAndToldOf) {
     const Result verified = throng("replay --verify " + path("a.h5"));
     EXPECT_EQ(verified.exit_code, 0) << verified.out << verified.err;
   }
-  EXPECT_THAT(throng("info " + path("a.h5")).out, HasSubstr("sensors       ahead\n"));
+  EXPECT_THAT(throng("info " + path("a.h5")).out,
+              HasSubstr("sensors       name ahead, radius 1.5, fov_degrees 90, sight walls, every 20\n"));
 }
 
 TEST_F(Sensors, ThatFoundOthersAreNamed) {

@@ -21,9 +21,11 @@ none, nor do the lists of frames: `throng replay --verify`, or any export by thr
 their frame. Where a file is no recording, `open` raises
 NotARecording with one sentence. The layout is that of sim/recording/layout.h, which says what each name means.
 """
+import functools
 import math
 import os
 from collections import namedtuple
+from urllib.parse import unquote
 
 import h5py
 import numpy as np
@@ -32,6 +34,7 @@ MAJOR = 1  # of the layouts that this file reads
 SIGNATURE = b"\x89HDF\r\n\x1a\n"
 MOST_CHUNK = 16 << 20  # bytes, unpacked
 SLACK = 64_000_000  # bytes by which the file of a run that did not end may fall short of what it declares
+MOST_SENSORS = 8
 DENSEST = 1032  # bytes that deflate can make of one
 
 Frame = namedtuple("Frame", "step time hash position angle velocity spin")  # None where the frame has none
@@ -50,7 +53,7 @@ class Sensed:
     def __init__(self, who, count, whom):
         self.who, self.count = who, count
         self.whom, self.begin = whom, np.concatenate((np.zeros(1, "u8"), np.cumsum(count, dtype="u8")))
-        if len(who) != len(count) or self.begin[-1] != len(whom):
+        if len(who) != len(count) or self.begin[-1] != len(whom) or (np.diff(who.astype("i8")) <= 0).any():
             raise OSError("sensed rows are damaged")
 
     def __getitem__(self, id):
@@ -318,6 +321,13 @@ class Recording:
         begin, end = (int(k) for k in self._get(f"{group}/{offset}")[sample:sample + 2])
         return [self._bounded(f"{group}/{name}")[begin:end] for name in names]
 
+    def _ids(self, group, offset, names, sample):
+        """The same of columns of ids or counts."""
+        columns = self._run(group, offset, names, sample)
+        if any(column.dtype != np.dtype("u4") or column.ndim != 1 for column in columns):
+            raise ValueError(f"{group} has another form")
+        return columns
+
     def contacts(self, i):
         """Where bodies pressed on each other or on obstacles in frame i; None where it holds no contacts."""
         group = "throng/contacts"
@@ -327,9 +337,11 @@ class Recording:
     def _sensors(self):
         """The recorded sensors, as rows of throng/sensors."""
         found = []
-        while f"throng/sensors/{len(found)}" in self._file:
-            about = self._file[f"throng/sensors/{len(found)}"].attrs
-            found.append(Sensor(*(_text(about[name]) for name in Sensor._fields)))
+        while len(found) < MOST_SENSORS and f"throng/sensors/{len(found)}" in self._file:
+            path = f"throng/sensors/{len(found)}"
+            if not self._is_own(path):
+                raise ValueError(f"{path} is no hard link")
+            found.append(Sensor(*(_text(self._file[path].attrs[name]) for name in Sensor._fields)))
         return found
 
     def sensed(self, name, i):
@@ -338,13 +350,13 @@ class Recording:
             if sensor.name == name:
                 group = f"throng/sensors/{k}"
                 sample = self._sample(group, i)
-                return None if sample is None else Sensed(*self._run(group, "offset", ("who", "count"), sample),
-                                                          *self._run(group, "whom_offset", ("whom",), sample))
+                return None if sample is None else Sensed(*self._ids(group, "offset", ("who", "count"), sample),
+                                                          *self._ids(group, "whom_offset", ("whom",), sample))
         raise KeyError(name)
 
-    @property
+    @functools.cached_property
     def observables(self):
-        """What was measured, read whole: {name: (value, time in s)}."""
+        """What was measured, read whole once: {name: (value, time in s)}."""
         if "observables" not in self._file:
             return {}
         time = self.time[self._frames_of("observables")]
@@ -352,7 +364,7 @@ class Recording:
         for name, value in found.items():
             if len(value) < len(time):
                 raise ValueError(f"observables/{name} has too few rows")
-        return {name: (value[:len(time)], time) for name, value in found.items()}
+        return {unquote(name): (value[:len(time)], time) for name, value in found.items()}
 
     def _elements(self, path, before=""):
         """What holds values below a group: paths, those of measures in groups of their own."""
@@ -364,9 +376,14 @@ class Recording:
             elif path.count("/") < 2:
                 yield from self._elements(f"{path}/{name}", f"{before}{name}/")
 
+    def _is_own(self, path):
+        """Whether all links of a path are to what the file itself holds."""
+        parts = path.split("/")
+        return all(isinstance(self._file.get("/".join(parts[:k + 1]), getlink=True), h5py.HardLink) for k in range(len(parts)))
+
     def _get(self, path):
         """A dataset of the file's own; crafted files point at others."""
-        if not isinstance(self._file.get(path, getlink=True), h5py.HardLink):
+        if not self._is_own(path):
             raise ValueError(f"{path} is no hard link")
         dataset = self._file[path]
         if not isinstance(dataset, h5py.Dataset) or dataset.is_virtual or dataset.external:

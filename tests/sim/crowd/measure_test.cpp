@@ -54,6 +54,41 @@ TEST(Measure, GivesTheFlowOverALineFromItsFirstCrossingToItsLast) {
   EXPECT_FALSE(all.density);
 }
 
+/// Two of three agents are in an area, of which 4 m² count.
+TEST(MeasureColumns, OfAnAreaAreThoseOfTheInstant) {
+  Measure area;
+  area.area.rings = {{{0, 0}, {2, 0}, {2, 1}, {0, 1}}}, area.size = 4.0, area.after = 5;
+  EXPECT_EQ((std::vector<std::string>{columns(area).begin(), columns(area).end()}),
+            (std::vector<std::string>{"count", "density", "speed", "flow"}));
+  const std::vector<Vec> position{{0.5, 0.5}, {1.5, 0.5}, {2.5, 0.5}}, velocity{{3, 4}, {0, -1}, {9, 9}};
+  Measured measured;
+  measured.count = 7;
+  std::vector<double> row;
+  append_columns(area, measured, {position, velocity, 6, 0.1}, row);
+  EXPECT_EQ(row, (std::vector<double>{7, 0.5, 3.0, 1.5}));
+  row.clear();
+  append_columns(area, measured, {{}, {}, 6, 0.1}, row);
+  EXPECT_EQ(row[1], 0.0);
+  EXPECT_TRUE(std::isnan(row[2])) << "nobody's speed";
+  EXPECT_EQ(row[3], 0.0);
+  row.clear();
+  append_columns(area, measured, {position, velocity, 5, 0.1}, row);
+  EXPECT_EQ(row[0], 7.0);
+  EXPECT_TRUE(std::isnan(row[1]) && std::isnan(row[2]) && std::isnan(row[3])) << "not measured yet";
+}
+
+TEST(MeasureColumns, OfALineAreThoseOfItsReading) {
+  Measured measured;
+  measured.count = 3, measured.back = 1, measured.first = 10, measured.last = 40;
+  measured.samples = 4, measured.speed = 6.0;
+  std::vector<double> row{-1.0};
+  append_columns(door(), measured, {{}, {}, 50, 0.1}, row);
+  EXPECT_EQ(row, (std::vector<double>{-1, 4, 3, 1, 1.0, 1.5}));
+  append_columns(door(), {}, {{}, {}, 50, 0.1}, row);
+  EXPECT_TRUE(std::isnan(row[9]) && std::isnan(row[10]));
+  EXPECT_EQ(columns(door()).size(), 5u);
+}
+
 TEST(Measure, LooksBetweenItsTimesAlone) {
   Measure late = door();
   late.after = 9, late.last = 20;

@@ -4,9 +4,13 @@
 #include <gtest/gtest.h>
 
 #include "sim/input_error.h"
+#include "sim/recording/expected_bytes.h"
+#include "sim/recording/observables.h"
 #include "sim/recording/output_file.h"
 #include "sim/recording/recording.h"
+#include "tests/sim/recording/crowd.h"
 #include "tests/sim/recording/scenes.h"
+#include "tests/sim/scene_from.h"
 
 namespace throng {
 namespace {
@@ -387,6 +391,56 @@ TEST(Selected, SensedAreRowsOfTheirFrame) {
     found += frame.sensed[0]->whom.size();
   }
   EXPECT_GT(found, 10u);
+}
+
+TEST(Selected, MeasuresOfACrowdAreReadAsTheyWere) {
+  const Folder folder;
+  const Scene scene = measured_crowd();
+  record_simulation(folder / "a.h5", scene);
+  const Recording recording(folder / "a.h5");
+  const std::vector<Measure>&before = scene.crowd.measures, &after = recording.geometry().crowd.measures;
+  ASSERT_EQ(after.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(after[i].name, before[i].name);
+    EXPECT_EQ(after[i].line, before[i].line);
+    EXPECT_EQ(after[i].area.rings, before[i].area.rings);
+    EXPECT_EQ(after[i].size, before[i].size);
+  }
+  EXPECT_EQ(after[1].size, 6.0);
+  const auto observed = [&](std::size_t i) { return recording.frame(i).observables.value().crowd.value(); };
+  const CrowdObservables first = observed(0), last = observed(recording.frames() - 1);
+  EXPECT_EQ(first.agents, 4.0);
+  EXPECT_EQ(first, first) << "though nobody's flow is known";
+  EXPECT_TRUE(std::isnan(first.measures[3]));
+  EXPECT_EQ(last.arrived, 1.0);
+  EXPECT_EQ((std::vector(last.measures.begin(), last.measures.begin() + 3)), (std::vector<double>{1, 1, 0}));
+  EXPECT_EQ(last.measures[6], 1.0 / 6.0);
+}
+
+TEST(Selected, WhatIsSensedAndMeasuredIsExpectedToTakeRoom) {
+  const Folder folder;
+  const Scene scene = scene_from(
+      "time = { dt = 0.01, until = 0.2 }\ncontact = { model = \"none\" }\n"
+      "domain = { periodic = [[0, 0], [10, 10]] }\nrecord = { every = 20, observables = 20 }\n"
+      "shapes = { ball = { disc = { radius = 0.01 } } }\n"
+      "[[bodies]]\nshape = \"ball\"\ncount = 2000\nplace = { random = { within = [[0, 0], [10, 10]] } }\n"
+      "[[sensors]]\nname = \"far\"\nradius = 1.5\nfov_degrees = 180\nrecord = true\n");
+  record_simulation(folder / "a.h5", scene);
+  const double takes = static_cast<double>(std::filesystem::file_size(folder / "a.h5"));
+  EXPECT_GT(takes, 10e6);
+  EXPECT_NEAR(recording::expected_bytes(scene) / takes, 1.0, 0.1);
+  EXPECT_LT(recording::least_bytes(scene), 0.1 * takes);
+}
+
+TEST(Selected, PathsHoldNamesThatCanBeToldAgain) {
+  using recording::path_part;
+  EXPECT_EQ(path_part("door"), "door");
+  EXPECT_EQ(path_part("N/S"), "N%2FS");
+  EXPECT_EQ(path_part("."), "%2E");
+  EXPECT_EQ(path_part(".."), "..");
+  EXPECT_EQ(path_part("50 % of it, or %4"), "50 % of it, or %4");
+  EXPECT_EQ(path_part("%41"), "%2541");
+  EXPECT_EQ(path_part("%/%2F"), "%%2F%252F");
 }
 
 /// A file may say anything; ids index.

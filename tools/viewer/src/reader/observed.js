@@ -6,12 +6,20 @@ import { everyOf } from "./quantized.js";
 const MOST = 64;  // columns that are shown
 const OF_LINES = ["count", "flow", "speed"], OF_AREAS = ["count", "density", "speed"];
 
+/** A measure's name as part of a path, as the program writes it. @param {string} name */
+const part = name => name === "." ? "%2E" : name.replace(/%(?=[0-9A-Fa-f]{2})/g, "%25").replaceAll("/", "%2F");
+
+/** The name of the measure that a column is of, if it is of one. @param {string} path */
+export function measureOf(path) {
+  return path.split("/")[1]?.replace(/%(25|2F|2E)/g, code => String.fromCharCode(parseInt(code.slice(1), 16)));
+}
+
 /** Paths below /observables, of those that there are. @param {import("./h5.js").OpenFile} file */
 function columnsOf(file) {
   if (!file.get("observables/agents")) return [];
   const names = file.get("throng/measures") ? texts(file, "throng/measures/name", [-1]) : [];
   const has = (/** @type {string} */ path) => Boolean(file.get(`observables/${path}`));
-  const of = (/** @type {string} */ name) => (has(`measure/${name}/density`) ? OF_AREAS : OF_LINES).map(column => `measure/${name}/${column}`);
+  const of = (/** @type {string} */ name) => (has(`measure/${part(name)}/density`) ? OF_AREAS : OF_LINES).map(column => `measure/${part(name)}/${column}`);
   return ["arrived", ...names.flatMap(of)].slice(0, MOST);
 }
 

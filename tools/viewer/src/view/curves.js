@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The curves of a run: which there are, and the axes they stand on.
+import { measureOf } from "../reader/observed.js";
 import { DYNAMIC } from "../reader/scene.js";
 import { length, short, si } from "./format.js";
 
@@ -35,7 +36,7 @@ const COLOURS = ["var(--curve-1)", "var(--curve-2)", "var(--ink)"];
 function crowdCharts({ observed = [] }) {
   const of = (/** @type {string} */ title, /** @type {(value: number) => string} */ unit, /** @type {string} */ column, /** @type {string[]} */ more = []) => {
     const paths = [...more, ...observed.filter(path => path.startsWith("measure/") && path.endsWith(`/${column}`))].filter(path => observed.includes(path));
-    return { title, unit, curves: paths.map((path, i) => ({ name: path.split("/")[1] ?? path, colour: COLOURS[i % COLOURS.length],
+    return { title, unit, curves: paths.map((path, i) => ({ name: measureOf(path) ?? path, colour: COLOURS[i % COLOURS.length],
                                                             value: (/** @type {Point} */ p) => p.observed[observed.indexOf(path)] ?? NaN })) };
   };
   return [of("Counted", value => short(Math.round(value), 6), "count", ["arrived"]), of("Flow", value => `${short(value, 3)} /s`, "flow"),
