@@ -156,6 +156,27 @@ test("a click picks a body, says what it is and whom it senses, and the camera f
   await done();
 });
 
+test("whom a recorded sensor found is shown instead of who is near", async () => {
+  record("senses", `${MIXED}[[sensors]]\nname = "<b>eyes"\nradius = 3\nfov_degrees = 90\nevery = 5\nrecord = true\nof = { ids = [21, 22] }\n`);
+  assert.equal(throng("replay", path("senses.h5"), "--html", path("senses.html")).status, 0);
+  const { page, errors, done } = await visit("senses.html");
+  await state(page, "open");
+  const told = () => page.evaluate(() => ["radius-text", "sensed"].map(id => document.getElementById(id).textContent));
+  const pick = async id => { await page.fill("#pick", String(id)); await page.keyboard.press("Enter"); };
+  await pick(21);
+  await page.waitForFunction(() => /by its sensor/.test(document.getElementById("radius-text").textContent));
+  const [by, whom] = await told();
+  assert.equal(by, "3 m, by its sensor <b>eyes");
+  const ids = await page.evaluate(() => globalThis.replay.recorded.ids.length);
+  assert.ok(ids > 3 && whom.startsWith(`senses ${ids}: `), `${ids} ${whom}`);
+  assert.equal(await page.isVisible("#radius"), false);
+  await pick(30);
+  await page.waitForFunction(() => !/by its sensor/.test(document.getElementById("radius-text").textContent));
+  assert.equal(await page.isVisible("#radius"), true);
+  assert.deepEqual(errors, []);
+  await done();
+});
+
 test("a large recording is asked for by name, and read where it lies", async () => {
   assert.ok(statSync(path("large.h5")).size > 64e6);
   const { page, requests, errors, done } = await visit("large.html");

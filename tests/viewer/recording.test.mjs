@@ -6,6 +6,7 @@ import { copyFileSync, existsSync, readFileSync, statSync, writeFileSync } from 
 import { before, describe, test } from "node:test";
 import { ContactFinder } from "../../tools/viewer/src/physics/contacts.js";
 import { measure } from "../../tools/viewer/src/physics/measures.js";
+import { neighbours } from "../../tools/viewer/src/physics/neighbours.js";
 import { OpenFile } from "../../tools/viewer/src/reader/h5.js";
 import { overview } from "../../tools/viewer/src/reader/overview.js";
 import { scan } from "../../tools/viewer/src/reader/scan.js";
@@ -253,6 +254,28 @@ describe("of agents", () => {
     const { kinetic, turning, potential, moving } = measure(agents.description, agents.frame(100, FIELDS), 0.5);
     assert.deepEqual([kinetic, turning, potential, moving > 20], [0, NaN, 0, true]);
     assert.deepEqual(charts(agents.description, 0.5, 0).map(({ title }) => title), ["Overlap", "Counts"]);
+  });
+
+  test("whom a recorded sensor found is known, in frames between from its last look", () => {
+    const text = `${scenario("corridor")}\n[[sensors]]\nname = "eyes & ears"\nradius = 1.5\nfov_degrees = 200\nevery = 20\nrecord = true\nof = { ids = [3, 7, 60] }\n`;
+    record("senses", text, ["--until", "20", "--every", "10"]);
+    const recording = open(library, "senses.h5"), { description } = recording, { domain, steps } = description;
+    assert.equal(description.sensors, 1);
+    let found = 0;
+    for (const id of [3, 60]) {
+      for (let i = 0; i < steps.length; i += 1) {
+        const now = recording.sensed(i, id), { position } = recording.frame(i - i % 2, ["position"]);
+        assert.deepEqual(now, recording.sensed(i - i % 2, id), "the last look");
+        if (Number.isNaN(position[2 * (id - 1)])) { assert.equal(now, null, "who has left senses nobody"); continue; }
+        assert.deepEqual([now.name, now.radius], ["eyes & ears", 1.5]);
+        const near = neighbours(position, id - 1, 1.5, domain).map(({ row }) => description.bodies.id[row]);
+        assert.ok(now.ids.every(other => near.includes(other)) && now.ids.every((other, k) => k === 0 || other > now.ids[k - 1]));
+        found += now.ids.length;
+      }
+    }
+    assert.ok(found > 50, `${found}`);
+    assert.equal(recording.sensed(0, 4), null, "who hasn't the sensor");
+    recording.file.close();
   });
 
   test("what was measured of them has curves, up to the numbers of the summary", () => {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One recording being replayed: time, camera, what is shown of it, and the picture of that.
 import { tellsContacts } from "./physics/contacts.js";
-import { neighbours } from "./physics/neighbours.js";
+import { among, neighbours } from "./physics/neighbours.js";
 import { AGENT } from "./reader/scene.js";
 import { blend, bodyAt, faceForward, placeOf } from "./view/blend.js";
 import { Camera } from "./view/camera.js";
@@ -22,6 +22,8 @@ export class Replay {
   following = false;
   showContacts = false;
   dirty = true;
+  #told = /** @type {{row: number, frame: number, found: import("./reader/sensors.js").Found | null, rows: number[]}} */ ({ row: -1, frame: -1, found: null, rows: [] });
+  #asking = false;
   shown = /** @type {{a: Loaded, b: Loaded, t: number, frame: number} | null} */ (null);
   stats = { frames: 0, prepare: 0, upload: 0, draw: 0 };  // ms, sums
 
@@ -31,6 +33,8 @@ export class Replay {
    */
   constructor(source, { description, overview }, stage, failed) {
     const { bodies } = description, radii = bodies.radius.slice().sort();
+    this.source = source;
+    this.failed = failed;
     this.description = description;
     this.overview = overview;
     this.stage = stage;
@@ -91,10 +95,32 @@ export class Replay {
     return bodyAt(stateTexels, this.description.bodies.radius, x - this.camera.x, y - this.camera.y, 8 / this.camera.scale);
   }
 
-  /** Whom the picked body senses in the frame that is shown. */
+  /** What a recorded sensor of the picked body found, as far as that is known by now. */
+  get recorded() { return this.#told.row === this.picked ? this.#told.found : null; }
+
+  /** Asks what it found in the frame that is shown, one question at a time. @param {number} frame */
+  #askSensed(frame) {
+    const { picked: row } = this, told = this.#told;
+    if (row < 0 || this.description.sensors === 0 || this.#asking || (told.row === row && told.frame === frame)) return;
+    this.#asking = true;
+    const { id } = this.description.bodies;
+    this.source.sensed(frame, id[row]).then(found => {
+      const ids = new Set(found?.ids ?? []);
+      this.#asking = false;
+      this.#told = { row, frame, found, rows: found ? [...id.keys()].filter(other => ids.has(id[other])) : [] };
+      this.dirty = true;
+    }, this.failed);
+  }
+
+  /** m, of what tells whom the picked body senses. */
+  get reach() { return this.recorded?.radius ?? this.sensing; }
+
+  /** Whom the picked body senses in the frame that is shown: by its recorded sensor, else all within the radius of the page. */
   sensed() {
-    const position = this.shown?.a.values.position;
-    return this.picked >= 0 && position ? neighbours(position, this.picked, this.sensing, this.description.domain) : [];
+    const position = this.shown?.a.values.position, { domain } = this.description;
+    if (this.picked < 0 || !position) return [];
+    if (!this.recorded) return neighbours(position, this.picked, this.sensing, domain);
+    return among(position, this.picked, this.#told.rows, Infinity, domain);  // who was found may have moved since
   }
 
   /** Time goes on and the picture with it; true where it changed. @param {number} seconds  since the last tick */
@@ -121,6 +147,7 @@ export class Replay {
     const { stage, camera, description } = this, { domain } = description, states = stage.stateTexels;
     if (!states) return;
     const start = performance.now();
+    this.#askSensed(frame);
     colour(this.colouring, description, a, this.places);
     if (this.following) this.#centre(a, b, t);
     blend(a.values, b.values, t, camera, domain, this.places, states);
@@ -130,7 +157,7 @@ export class Replay {
     const uploaded = performance.now();
     const view = this.#view(), place = this.picked >= 0 ? placeOf(states, this.picked, camera) : [NaN], at = Number.isNaN(place[0]) ? null : place;
     this.overlay.prepare(view, { states, contacts: this.showContacts ? a.contacts : undefined, at, picked: this.picked,
-                                 velocity: a.values.velocity, sensing: this.sensing, sensed: this.sensed() });
+                                 velocity: a.values.velocity, sensing: this.reach, sensed: this.sensed() });
     stage.clear(this.overlay.paper);
     stage.draw(view, { turns: Boolean(a.values.angle) || (this.walks && Boolean(a.values.velocity)), trail: this.trails.prepare(frame, this.frames, view), links: this.showContacts });
     const done = performance.now();

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Whom a body senses: as `throng query --radius`, centre to centre.
 
+/** @typedef {{row: number, distance: number, dx: number, dy: number}} Neighbour  dx, dy: from the body to its neighbour (m) */
+
 /**
- * Rows of the bodies whose centres are at most `radius` from that of `row`, nearest first, ties by row; over the borders of a
- * periodic domain, too. O(n).
- * @param {Float32Array | Float64Array} position @param {number} row @param {number} radius  m
+ * Those of `rows` whose centres are at most `radius` from that of `row`, nearest first, ties by row; over the borders of a periodic
+ * domain, too.
+ * @param {Float32Array | Float64Array} position @param {number} row @param {Iterable<number>} rows @param {number} radius  m
  * @param {import("../reader/scene.js").Domain} domain
- * @returns {{row: number, distance: number, dx: number, dy: number}[]}  dx, dy: from the body to its neighbour (m)
+ * @returns {Neighbour[]}
  */
-export function neighbours(position, row, radius, { kind, min, max }) {
+export function among(position, row, rows, radius, { kind, min, max }) {
   const width = max[0] - min[0], height = max[1] - min[1], px = position[2 * row], py = position[2 * row + 1], found = [];
-  for (let other = 0; other < position.length / 2; ++other) {
+  for (const other of rows) {
     let dx = position[2 * other] - px, dy = position[2 * other + 1] - py;
     if (kind === "periodic") {
       dx -= width * Math.round(dx / width);
@@ -22,3 +24,6 @@ export function neighbours(position, row, radius, { kind, min, max }) {
   }
   return found.sort((a, b) => a.distance - b.distance || a.row - b.row);
 }
+
+/** All bodies within `radius` (m) of that of `row`, as `among`. O(n). @param {Float32Array | Float64Array} position @param {number} row @param {number} radius @param {import("../reader/scene.js").Domain} domain */
+export const neighbours = (position, row, radius, domain) => among(position, row, Array(position.length / 2).keys(), radius, domain);

@@ -5,6 +5,7 @@ import { everyOf, Quantized } from "./quantized.js";
 import { Observed } from "./observed.js";
 import { gather, Presence, scatter } from "./presence.js";
 import { readScene } from "./scene.js";
+import { Sensors } from "./sensors.js";
 
 /**
  * @typedef {"position" | "angle" | "velocity" | "spin"} Field
@@ -13,8 +14,8 @@ import { readScene } from "./scene.js";
  * @typedef {{frame: (sample: number, bodies: number, rows?: Int32Array) => Float32Array | Float64Array, extent: number, every: number}} Stored
  *   frame: of the first so many bodies of a sample
  * @typedef {import("./scene.js").Scene & {fields: Field[], rates: {[field in Field]?: number}, times: Float64Array,
- *   steps: Float64Array, complete: boolean, observed: string[]}} Description  rates: steps from one sample of a field to the next;
- *   observed: the columns of what a crowd's measures count
+ *   steps: Float64Array, complete: boolean, observed: string[], sensors: number}} Description  rates: steps from one sample of a field to the next;
+ *   observed: the columns of what a crowd's measures count; sensors: how many were recorded
  */
 
 /** @type {[Field, number][]} */
@@ -49,6 +50,7 @@ export class Recording {
   #samples = /** @type {Map<number, {sample: Int32Array, frame: Int32Array}>} */ (new Map());  // by rate: the last up to each frame
   #presence = /** @type {Presence | null} */ (null);  // null: all bodies are in all frames
   #observed = /** @type {Observed | null} */ (null);
+  #sensors = /** @type {Sensors | null} */ (null);
   #chosen = /** @type {number[]} */ ([]);  // the frames of the file that hold positions, which alone are shown
   /** @type {Description} */
   description;
@@ -65,6 +67,8 @@ export class Recording {
       this.#readRows();
       this.#observed = new Observed(this.file, this.#steps);
       this.description.observed = this.#observed.columns;
+      this.#sensors = new Sensors(this.file, this.#steps);
+      this.description.sensors = this.#sensors.count;
     } catch (error) {
       this.file.close();
       throw error;
@@ -74,7 +78,7 @@ export class Recording {
   /** @returns {Description} */
   #describe() {
     const scene = readScene(this.file);
-    return { ...scene, fields: [], observed: [], rates: {}, times: new Float64Array(0), steps: new Float64Array(0),
+    return { ...scene, fields: [], observed: [], sensors: 0, rates: {}, times: new Float64Array(0), steps: new Float64Array(0),
              complete: numbers(this.file, "throng/finished", "int", [])[0] !== 0 };
   }
 
@@ -167,6 +171,15 @@ export class Recording {
   /** What was observed of the crowd up to frame i, by description.observed; NaN where that isn't known. @param {number} i */
   observed(i) {
     return this.#observed?.at(this.description.steps[i]) ?? [];
+  }
+
+  /** Whom the body of this id sensed at frame i, by the first recorded sensor that it has; null where it has none. Throws BadFile. @param {number} i @param {number} id */
+  sensed(i, id) {
+    try {
+      return this.#sensors?.found(id, this.description.steps[i]) ?? null;
+    } catch (error) {
+      throw error instanceof BadFile ? error : damaged("what sensors found can't be read");
+    }
   }
 
   /** The last up to frame i: which sample, and which frame of the file that was. @param {number} i @param {number} every */

@@ -3,7 +3,8 @@
 
 /**
  * @typedef {{description: import("./recording.js").Description, overview: import("./overview.js").Overview}} Opened
- * @typedef {{values: import("./recording.js").Frame, contacts?: import("../physics/contacts.js").Contacts}} Loaded
+ * @typedef {{values: import("./recording.js").Frame, contacts?: import("../physics/contacts.js").Contacts, sensed?: import("./sensors.js").Found | null}} Loaded
+ * @typedef {{ticket: number, frame: number, fields?: import("./recording.js").Field[], contacts?: boolean, sensed?: number}} Order
  */
 
 const PATIENCE = 30000;  // ms without an answer after which a file counts as damaged: HDF5 may wait for ever
@@ -14,7 +15,7 @@ export class Source {
   #scanner = /** @type {Worker | null} */ (null);
   #blob = /** @type {Blob | null} */ (null);
   #opening = /** @type {{resolve: (opened: Opened) => void, reject: (error: Error) => void} | null} */ (null);
-  #waiting = /** @type {Map<number, {order: {ticket: number, frame: number}, resolve: (loaded: Loaded) => void, reject: (error: Error) => void}>} */ (new Map());  // by ticket
+  #waiting = /** @type {Map<number, {order: Order, resolve: (loaded: Loaded) => void, reject: (error: Error) => void}>} */ (new Map());  // by ticket
   #ticket = 0;
   #watch = 0;  // runs out where an answer is due and the worker says nothing
   #scanWatch = 0;
@@ -71,16 +72,26 @@ export class Source {
     this.#expect();
   }
 
-  /** @param {{ticket: number, error?: string, values?: import("./recording.js").Frame, contacts?: import("../physics/contacts.js").Contacts}} data */
-  #answer({ ticket, error, values, contacts }) {
+  /** @param {{ticket: number, error?: string, values?: import("./recording.js").Frame, contacts?: import("../physics/contacts.js").Contacts,
+   *   sensed?: import("./sensors.js").Found | null}} data */
+  #answer({ ticket, error, values, contacts, sensed }) {
     const waiting = this.#waiting.get(ticket);
     this.#waiting.delete(ticket);
-    if (error || !values) waiting?.reject(new Error(error)); else waiting?.resolve({ values, contacts });
+    if (error || !values) waiting?.reject(new Error(error)); else waiting?.resolve({ values, contacts, sensed });
   }
 
   /** @param {number} frame @param {import("./recording.js").Field[]} fields @param {boolean} contacts @returns {Promise<Loaded>} */
   frame(frame, fields, contacts) {
-    const order = { ticket: ++this.#ticket, frame, fields, contacts };
+    return this.#ask({ ticket: ++this.#ticket, frame, fields, contacts });
+  }
+
+  /** Whom a recorded sensor of the body of this id found; null where there is none. @param {number} frame @param {number} id */
+  async sensed(frame, id) {
+    return (await this.#ask({ ticket: ++this.#ticket, frame, sensed: id })).sensed ?? null;
+  }
+
+  /** @param {Order} order @returns {Promise<Loaded>} */
+  #ask(order) {
     return new Promise((resolve, reject) => {
       this.#waiting.set(order.ticket, { order, resolve, reject });
       this.#worker.postMessage(order);

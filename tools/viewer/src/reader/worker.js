@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The worker that reads a recording in place: {open} answers with its description, {frame} with a frame, {scan} with points.
+// The worker that reads a recording in place: {open} answers with its description, {frame} with a frame, or with whom a body sensed then, {scan} with points.
 import h5wasm from "h5wasm";
 import { ContactFinder, tellsContacts } from "../physics/contacts.js";
 import { mount } from "./mount.js";
@@ -15,8 +15,8 @@ let finder;
 const ready = h5wasm.ready.then(h5 => { h5.activate_throwing_error_handler(); return h5; });
 ready.then(() => postMessage({ ready: true }), error => postMessage({ error: `this browser can't run the reader: ${error}` }));
 
-/** @param {{open?: Blob, ticket?: number, frame?: number, fields?: import("./recording.js").Field[], contacts?: boolean, scan?: number}} order */
-async function obey({ open, ticket, frame, fields, contacts, scan: slow }) {
+/** @param {{open?: Blob, ticket?: number, frame?: number, fields?: import("./recording.js").Field[], contacts?: boolean, sensed?: number, scan?: number}} order  sensed: an id */
+async function obey({ open, ticket, frame, fields, contacts, sensed, scan: slow }) {
   const h5 = await ready;
   if (open) {
     const head = new Uint8Array(await open.slice(0, HEAD).arrayBuffer());
@@ -24,7 +24,9 @@ async function obey({ open, ticket, frame, fields, contacts, scan: slow }) {
     finder = new ContactFinder(recording.description);
     if (slow === undefined) postMessage({ description: recording.description, overview: overview(recording) });
   }
-  if (frame !== undefined) {
+  if (frame !== undefined && sensed !== undefined) {
+    postMessage({ ticket, values: {}, sensed: recording.sensed(frame, sensed) });
+  } else if (frame !== undefined) {
     const values = recording.last(frame, fields ?? []), found = contacts && tellsContacts(recording.description, frame) ? finder.find(values) : undefined;
     const buffers = [...Object.values(values), ...(found ? [found.pairs, found.depths, found.deepest] : [])].map(array => array.buffer);
     postMessage({ ticket, values, contacts: found }, { transfer: buffers });

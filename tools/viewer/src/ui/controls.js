@@ -97,7 +97,7 @@ export class Controls {
     this.charts?.show(player.time);
     byId("no-contacts").hidden = !replay.lacksContacts;
     showFacts(replay.picked >= 0 && shown ? facts(replay.description, shown.frame, replay.picked, shown.a) : null);
-    if (replay.picked >= 0) showSensed(replay.sensed(), replay.description.bodies.id, replay.sensing);
+    if (replay.picked >= 0) showSensed(replay.sensed(), replay.description.bodies.id, replay.sensing, replay.recorded);
   }
 
   /** @param {number} time */

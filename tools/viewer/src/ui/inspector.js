@@ -47,9 +47,10 @@ export function showFacts(all) {
   if (all) fillList(byId("facts"), all);
 }
 
-/** @param {ReturnType<typeof import("../physics/neighbours.js").neighbours>} found @param {Float64Array} id @param {number} radius */
-export function showSensed(found, id, radius) {
-  byId("radius-text").textContent = length(radius);
+/** A recorded sensor tells of itself; without one the radius is the page's to choose. @param {ReturnType<typeof import("../physics/neighbours.js").neighbours>} found @param {Float64Array} id @param {number} radius  m @param {import("../reader/sensors.js").Found | null} recorded */
+export function showSensed(found, id, radius, recorded) {
+  byId("radius-text").textContent = recorded ? `${length(recorded.radius)}, by its sensor ${recorded.name}` : length(radius);
+  byId("radius").hidden = recorded !== null;
   const nearest = found.slice(0, 4).map(({ row, distance }) => `${id[row]} at ${length(distance)}`).join(", ");
   byId("sensed").textContent = found.length === 0 ? "senses nobody" : `senses ${count(found.length)}: ${nearest}${found.length > 4 ? " …" : ""}`;
 }
