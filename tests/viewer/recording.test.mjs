@@ -384,7 +384,7 @@ test("damaged values are never shown as if they were right", () => {
 });
 
 test("the file of a killed run opens, up to its last committed frame", async () => {
-  writeFileSync(path("long.toml"), MIXED.replace("until = 1.0", "until = 1000.0"));
+  writeFileSync(path("long.toml"), MIXED.replace("until = 1.0", "until = 1000.0").replace("name", "sleep = false\nname"));  // else it ends too soon
   const run = spawn(program, ["run", path("long.toml"), "-o", path("long.h5"), "--progress", "none"], { stdio: "ignore" });
   const ended = new Promise(resolve => run.on("exit", resolve));
   for (let waited = 0; !existsSync(path("long.h5.part")); waited += 20) {
