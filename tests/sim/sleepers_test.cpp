@@ -166,8 +166,28 @@ TEST(Sleepers, RestOnADrivenBodyThatStandsAndNotOnOneThatTurns) {
   EXPECT_EQ(sleepers(standing.state), 1u);
   Trial turning(kWorld + body("plank", 10, 5, "kind = \"kinematic\"\nspin = 1e-4\n") +
                 body("brick", 10, 5.75));
-  turning.steps(200);
-  EXPECT_EQ(sleepers(turning.state), 0u);
+  for (int i = 0; i < 300; ++i) {
+    turning.steps(1);
+    ASSERT_EQ(sleepers(turning.state), 0u) << "step " << i;
+  }
+}
+
+TEST(Sleepers, AreNoneThatSpinInTheirPlaces) {
+  Trial run(kWorld + body("ball", 10, 0.5, "spin = 1\n") + "[materials.default]\nfriction = 0\n");
+  run.steps(200);
+  EXPECT_EQ(run.state.position[0].x(), 10.0);
+  EXPECT_EQ(sleepers(run.state), 0u);
+}
+
+/// The second brick slides to its rest a millimetre before the first, which rests from the start.
+TEST(Sleepers, WaitForTheLastOfTheirIsland) {
+  Trial run(kWorld + body("brick", 10, 0.5) + body("brick", 11.1, 0.5, "velocity = [-1, 0]\n"));
+  run.steps(80);
+  const double gap = run.state.position[1].x() - run.state.position[0].x() - 1.0;
+  ASSERT_TRUE(gap > 0.0 && gap < 0.002) << gap << " m";
+  EXPECT_EQ(sleepers(run.state), 0u);
+  run.steps(20);
+  EXPECT_EQ(run.state.sleep.island, (std::vector<std::uint32_t>{1, 1}));
 }
 
 /// The bounding discs overlap: it is the shapes that count.
