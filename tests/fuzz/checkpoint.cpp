@@ -84,9 +84,9 @@ void expect_sound(const State& state) {
            "bodies are numbered, their motion is finite");
 }
 
-/// Bodies, and agents with all that is remembered of them.
-const std::array<Scene, 2>& scenes() {
-  static const std::array<Scene, 2> both{
+/// Bodies, agents with all that is remembered of them, and bodies that sleep.
+const std::array<Scene, 3>& scenes() {
+  static const std::array<Scene, 3> all{
       testing_recordings::mixed_scene(5),
       load_scenario_text(
           "throng = 1\ndomain.box = [[-50, -50], [50, 50]]\n"
@@ -100,15 +100,22 @@ const std::array<Scene, 2>& scenes() {
           "[[measure]]\nname = 'x'\nline = [[0, -50], [0, 50]]\n"
           "[[sensors]]\nname = 'y'\nradius = 30\nfov_degrees = 120\nsight = 'bodies'\n",
           "crowd.toml")
+          .scene,
+      load_scenario_text(
+          "throng = 1\ntime.until = 6000\ngravity = [0, -9.81]\ndomain.box = [[0, 0], [9, 9]]\n"
+          "shapes.ball.disc.radius = 0.5\nshapes.box.polygon = [[0, 0], [1, 0], [1, 1], [0, 1]]\n"
+          "[[bodies]]\nshape = 'box'\nat = [2, 0.5]\n[[bodies]]\nshape = 'ball'\nat = [2.99, 0.5]\n"
+          "[[bodies]]\nshape = 'ball'\nat = [2.49, 1.37]\n[[bodies]]\nshape = 'ball'\nat = [6, 8]\n",
+          "sleep.toml")
           .scene};
-  return both;
+  return all;
 }
 
 /// A run of each, made once: the way to the agents' goals takes seconds to find where all is watched.
 Simulation& run_of(const Scene& scene) {
-  static const std::array<std::unique_ptr<Simulation>, 2> runs{simulation(scenes()[0]),
-                                                               simulation(scenes()[1])};
-  return *runs[&scene == &scenes()[1]];
+  static const std::array<std::unique_ptr<Simulation>, 3> runs{
+      simulation(scenes()[0]), simulation(scenes()[1]), simulation(scenes()[2])};
+  return *runs[static_cast<std::size_t>(&scene - scenes().data())];
 }
 
 /// Contacts of the file may be of bodies that do not touch, or do not exist.
