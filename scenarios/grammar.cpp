@@ -80,7 +80,9 @@ Type material_table() {
       {{{"density", number(1e-9, 1e12, "kg/m^2"), "Mass per area, kg/m^2.", "1.0"},
         {"restitution", number(0, 1), "Speed after over speed before an impact; a pair takes the larger.",
          "0.0"},
-        {"friction", number(0, 1e6), "Coulomb's coefficient; a pair takes the geometric mean.", "0.5"}}});
+        {"friction", number(0, 1e6), "Coulomb's coefficient; a pair takes the geometric mean.", "0.5"},
+        {"rolling_resistance", number(0, 1e6),
+         "Of discs: torque over radius times normal force; a pair takes the larger.", "0.0"}}});
 }
 
 Type disc_table() {

@@ -82,6 +82,7 @@ void read_materials(const toml::table& root, Scene& scene, const Report& report)
       material.density = number(table, "density", material.density);
       material.restitution = number(table, "restitution", material.restitution);
       material.friction = number(table, "friction", material.friction);
+      material.rolling_resistance = number(table, "rolling_resistance", material.rolling_resistance);
     }
     if (material.name == "default")
       scene.materials[0] = material;

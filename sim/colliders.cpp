@@ -2,6 +2,9 @@
 #include "sim/colliders.h"
 
 #include <algorithm>
+#include <iterator>
+
+#include "sim/straight_runs.h"
 
 namespace throng {
 
@@ -42,11 +45,10 @@ Convex moved(Convex shape, const narrowphase::Pose& pose) {
   return shape;
 }
 
-void add_wall(Obstacles& obstacles, const Wall& wall) {
-  const std::size_t n = wall.points.size();
-  for (std::size_t i = 0; i + (wall.closed ? 0 : 1) < n; ++i) {
-    obstacles.part.push_back(narrowphase::segment(wall.points[i], wall.points[(i + 1) % n]));
-    obstacles.material.push_back(wall.material);
+void add_walls(Obstacles& obstacles, const std::vector<Wall>& walls) {
+  for (const StraightRun& run : straight_runs(walls)) {
+    obstacles.part.push_back(narrowphase::segment(run.from, run.to));
+    obstacles.material.push_back(run.material);
   }
 }
 
@@ -84,6 +86,22 @@ void add_images(Obstacles& obstacles, const Domain& domain, double reach) {
       }
 }
 
+/// Each row's rim, of its part among its shape's; discs have the first, which is empty.
+void add_rims(Colliders& colliders, const Scene& scene) {
+  colliders.rims.resize(1);
+  std::vector<std::uint32_t> first;  // of each shape
+  for (const Shape& shape : scene.shapes) {
+    first.push_back(static_cast<std::uint32_t>(colliders.rims.size()));
+    std::ranges::move(narrowphase::rims(shape.parts), std::back_inserter(colliders.rims));
+  }
+  std::uint32_t part = 0;
+  for (std::size_t row = 0; row < colliders.size(); ++row) {
+    part = row > 0 && colliders.body[row] == colliders.body[row - 1] ? part + 1 : 0;
+    const std::uint32_t shape = scene.bodies.shape[colliders.body[row]];
+    colliders.rim.push_back(scene.shapes[shape].parts.empty() ? 0 : first[shape] + part);
+  }
+}
+
 }  // namespace
 
 Colliders colliders(const Scene& scene, const Plan& plan) {
@@ -96,16 +114,18 @@ Colliders colliders(const Scene& scene, const Plan& plan) {
     if (shape.kind == ShapeKind::disc) add_disc(result, row, movable, bodies.radius[row], !plan.polygons);
     for (const Convex& part : shape.parts) add_part(result, row, movable, part);
   }
+  if (plan.composites) add_rims(result, scene);
   return result;
 }
 
 Obstacles obstacles(const Scene& scene, double reach) {
   Obstacles result;
   if (scene.domain.kind == DomainKind::box) add_sides(result, scene.domain);
-  for (const Wall& wall : scene.walls) add_wall(result, wall);
+  add_walls(result, scene.walls);
   for (std::size_t row = 0; row < scene.bodies.size(); ++row)
     if (scene.bodies.kind[row] == BodyKind::fixed) add_static_body(result, scene, row);
   if (scene.domain.kind == DomainKind::periodic) add_images(result, scene.domain, reach);
+  result.rim = narrowphase::rims(result.part);
   return result;
 }
 

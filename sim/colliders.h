@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "narrowphase/half_plane.h"
+#include "narrowphase/rim.h"
 #include "sim/plan.h"
 #include "sim/scene.h"
 
@@ -20,6 +21,8 @@ struct Colliders {
   std::vector<std::uint8_t> movable;              ///< 1 where the body is dynamic
   std::vector<Vec> centre;                        ///< m, of the bounding disc, in the body's frame
   std::vector<const narrowphase::Convex*> shape;  ///< the part; null for a disc about the body's centre
+  std::vector<std::uint32_t> rim;                 ///< row of `rims`; empty where no shape has several parts
+  std::vector<narrowphase::Rim> rims;             ///< of all parts of all shapes
 
   std::size_t size() const { return body.size(); }
 };
@@ -31,6 +34,7 @@ Colliders colliders(const Scene& scene, const Plan& plan);
 struct Obstacles {
   std::vector<narrowphase::HalfPlane> side;  ///< four of a box, else none
   std::vector<narrowphase::Convex> part;
+  std::vector<narrowphase::Rim> rim;    ///< of every part
   std::vector<std::uint32_t> material;  ///< of every row, sides and parts
 
   std::size_t size() const { return side.size() + part.size(); }

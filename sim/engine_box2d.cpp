@@ -75,7 +75,7 @@ class Box2dSimulation : public Simulation {
   explicit Box2dSimulation(const Scene& scene)
       : scene_(scene), state_(initial_state(scene)), world_(to_b2(scene.gravity)), sensing_(scene, 1) {
     refuse_unsupported(scene);
-    world_.SetAllowSleeping(scene.sleep);
+    world_.SetAllowSleeping(false);  // it would stop kinematic bodies that are slow
     for (std::size_t row = 0; row < scene.bodies.size(); ++row) bodies_.push_back(add_body(row));
     add_walls();
     sensing_.sense(state_);
@@ -256,6 +256,9 @@ std::string box2d_refusal(const Scene& scene) {
   if (scene.crowd.size() > 0) return "agents: Box2D moves bodies alone";
   if (scene.domain.kind == DomainKind::periodic) return "domain.periodic: Box2D has no periodic domains";
   if (scene.contact == ContactModel::none) return "contact.model = \"none\": Box2D always handles contacts";
+  for (const Material& material : scene.materials)
+    if (material.rolling_resistance > 0.0)
+      return "materials." + material.name + ".rolling_resistance: Box2D 2.4.1 knows none";
   std::vector<bool> used(scene.shapes.size());
   for (std::uint32_t shape : scene.bodies.shape) used[shape] = true;
   for (std::size_t i = 0; i < used.size(); ++i)

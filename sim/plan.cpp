@@ -20,7 +20,8 @@ std::vector<Surface> surfaces(const Scene& scene) {
   std::vector<Surface> result;
   for (const Material& a : scene.materials)
     for (const Material& b : scene.materials)
-      result.push_back({std::sqrt(a.friction * b.friction), std::max(a.restitution, b.restitution)});
+      result.push_back({std::sqrt(a.friction * b.friction), std::max(a.restitution, b.restitution),
+                        std::max(a.rolling_resistance, b.rolling_resistance)});
   return result;
 }
 
@@ -54,7 +55,9 @@ bool all_elastic(const Scene& scene, const Plan& plan) {
   if (plan.box) met[0] = 1;
   for (std::size_t a = 0; a < count; ++a)
     for (std::size_t b = 0; b < count; ++b)
-      if (moves[a] && met[b] && plan.surfaces[a * count + b].restitution < 1.0) return false;
+      if (moves[a] && met[b] &&
+          (plan.surfaces[a * count + b].restitution < 1.0 || plan.surfaces[a * count + b].rolling > 0.0))
+        return false;
   return true;
 }
 
@@ -103,6 +106,7 @@ std::vector<Stage> stages(const Scene& scene, const Plan& plan) {
       {"friction", plan.friction, plan.friction ? "some surface rubs" : "no surface rubs"},
       {"sleep", plan.sleep,
        plan.sleep ? "bodies at rest leave the loop, island by island" : awake_because(scene, plan)},
+      {"rolling", plan.rolling, plan.rolling ? "some surface resists rolling" : "no surface resists rolling"},
       {"crowd", plan.crowd,
        plan.crowd ? counted(scene.crowd.size(), "agent") + " look, steer, walk and leave at " +
                         (scene.crowd.groups.size() > 1 ? "their goals" : "their goal")
@@ -145,6 +149,8 @@ Plan plan_for(const Scene& scene, ContactModel contact) {
   plan.surfaces = surfaces(scene);
   plan.friction =
       plan.contacts() && std::ranges::any_of(plan.surfaces, [](const Surface& s) { return s.friction > 0; });
+  plan.rolling =
+      plan.contacts() && std::ranges::any_of(plan.surfaces, [](const Surface& s) { return s.rolling > 0; });
   plan.restitution = plan.contacts() &&
                      std::ranges::any_of(plan.surfaces, [](const Surface& s) { return s.restitution > 0; });
   plan.elastic = plan.contacts() &&

@@ -13,6 +13,7 @@ namespace throng {
 struct Surface {
   double friction;     ///< Coulomb's coefficient: the geometric mean of the two
   double restitution;  ///< the larger of the two
+  double rolling;      ///< coefficient of rolling resistance: the larger of the two
 };
 
 /// One stage of the step, for people: does it run, and why.
@@ -32,6 +33,7 @@ struct Plan {
   bool composites = false;        ///< some moving body has several parts
   bool polygons = false;          ///< some moving body is not a disc: manifolds, and angles turn shapes
   bool friction = false;          ///< some surface rubs
+  bool rolling = false;           ///< some surface resists the rolling of discs
   bool restitution = false;       ///< some surface bounces
   bool elastic = false;           ///< some surface keeps all energy
   bool flights = false;           ///< discs alone, all surfaces keep all energy, and nothing pulls

@@ -21,9 +21,10 @@ enum class ShapeKind { disc, polygon, composite };
 
 struct Material {
   std::string name = "default";
-  double density = 1.0;      ///< kg/m², > 0
-  double restitution = 0.0;  ///< 0 to 1; a pair takes the larger of its two
-  double friction = 0.5;     ///< Coulomb's coefficient, >= 0; a pair takes the geometric mean
+  double density = 1.0;             ///< kg/m², > 0
+  double restitution = 0.0;         ///< 0 to 1; a pair takes the larger of its two
+  double friction = 0.5;            ///< Coulomb's coefficient, >= 0; a pair takes the geometric mean
+  double rolling_resistance = 0.0;  ///< torque over radius times normal force, >= 0; a pair takes the larger
 };
 
 /// A rigid shape about its centre of mass.

@@ -14,6 +14,7 @@ struct ContactImpulse {
   std::uint64_t key;       ///< which two colliders; see `Contacts`
   std::uint32_t feature;   ///< the pair of features in contact, and the reference face
   double normal, tangent;  ///< N s
+  double rolling = 0.0;    ///< N m s, where the surfaces resist rolling
 };
 
 /// A contact that pressed when its bodies fell asleep, and does so still.

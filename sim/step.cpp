@@ -80,6 +80,12 @@ void prepare_bounce(Workspace& work, const Vec* period) {
   prepare(work.contacts.point_bounces, work.bodies);
 }
 
+void resist_rolling(Workspace& work) {
+  Contacts& contacts = work.contacts;
+  resist(std::span<RollContact>(contacts.disc_rolls), contacts.discs, work.bodies);
+  resist(std::span<RollContact>(contacts.point_rolls), contacts.faces, work.bodies);
+}
+
 void substep(const Scene& scene, const Plan& plan, Workspace& work) {
   const Vec kick = work.solver.h * scene.gravity;
   const Vec size = scene.domain.max - scene.domain.min, *period = plan.periodic ? &size : nullptr;
@@ -95,13 +101,17 @@ void substep(const Scene& scene, const Plan& plan, Workspace& work) {
   if (plan.contacts()) {
     prepare_and_start(discs, bodies, period);
     prepare_and_start(faces, bodies);
+    warm_start(work.contacts.disc_rolls, bodies);
+    warm_start(work.contacts.point_rolls, bodies);
     push_apart(discs, bodies, work.solver);
     push_apart(faces, bodies, work.solver);
+    resist_rolling(work);
   }
   move(bodies, awake, work.solver.h);
   if (plan.contacts()) {
     relax(discs, bodies, work.solver, plan.periodic);
     relax(faces, bodies, work.solver);
+    resist_rolling(work);
   }
 }
 

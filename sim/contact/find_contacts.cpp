@@ -7,6 +7,7 @@
 
 #include "narrowphase/half_plane.h"
 #include "sim/contact/contact_key.h"
+#include "sim/contact/find_rolls.h"
 
 namespace throng {
 
@@ -64,6 +65,27 @@ double effective_mass(const SolverBody& a, const SolverBody& b, const Vec& arm_a
                 b.inverse_inertia * turn_b * turn_b);
 }
 
+using narrowphase::Placed;
+using narrowphase::Rim;
+
+/// What is left of the contact of a and b once one of them is a piece of its whole: a seam matters to what is
+/// smaller than the part beside it.
+Manifold on_outline_of_a(const Manifold& m, const Placed& a, const Rim& rim, const Placed& b, double reach) {
+  return rim.empty() ? m : on_outline(m, a, rim, b, reach);
+}
+Manifold on_outline_of_b(Manifold m, const Placed& a, const Placed& b, const Rim& rim, double reach) {
+  if (rim.empty()) return m;
+  m.normal = -m.normal;
+  m = on_outline(m, b, rim, a, reach);
+  m.normal = -m.normal;
+  return m;
+}
+
+const Rim& rim(const Colliders& colliders, std::uint32_t row) {
+  static const Rim alone;
+  return colliders.rim.empty() ? alone : colliders.rims[colliders.rim[row]];
+}
+
 bool is_disc(const Colliders& colliders, std::uint32_t row) {
   return colliders.shape.empty() || !colliders.shape[row];
 }
@@ -106,6 +128,13 @@ void ContactFinder::find(const Candidates& candidates, const State& state, std::
                          Rows awake, Contacts& contacts, Workers& workers) {
   contacts.start(bodies.size());
   sort_out(candidates, state, bodies, contacts);
+  find_touches(candidates, state, bodies, awake, contacts, workers);
+  if (plan_.rolling) find_rolls(scene_, plan_, candidates, state, bodies, contacts);
+}
+
+void ContactFinder::find_touches(const Candidates& candidates, const State& state,
+                                 std::span<const SolverBody> bodies, Rows awake, Contacts& contacts,
+                                 Workers& workers) {
   if (touches_.empty()) return;
   manifolds_.resize(touches_.size());
   if (plan_.polygons) {
@@ -169,14 +198,20 @@ Manifold ContactFinder::manifold(const Candidates& candidates, const State& stat
     Pose pose_b = pose(state, colliders.body[row_b]);
     pose_b.position += touch.shift;
     const Convex& b = shape(row_b, disc_b);
-    return narrowphase::manifold(a, pose_a, b, pose_b, candidates.reach(touch.pair), reference(kept, a, b));
+    const double reach = candidates.reach(touch.pair);
+    const Manifold m = narrowphase::manifold(a, pose_a, b, pose_b, reach, reference(kept, a, b));
+    return colliders.radius[row_a] >= colliders.radius[row_b]
+               ? on_outline_of_a(m, {a, pose_a}, rim(colliders, row_a), {b, pose_b}, reach)
+               : on_outline_of_b(m, {a, pose_a}, {b, pose_b}, rim(colliders, row_b), reach);
   }
   const Obstacles& obstacles = candidates.obstacles();
   const double reach = candidates.reach(row_a);
   const std::size_t sides = obstacles.side.size();
   if (row_b < sides) return narrowphase::manifold(a, pose_a, obstacles.side[row_b], reach);
   const Convex& part = obstacles.part[row_b - sides];
-  return narrowphase::manifold(a, pose_a, part, Pose{touch.shift}, reach, reference(kept, a, part));
+  const Pose pose_b{touch.shift};
+  return on_outline_of_b(narrowphase::manifold(a, pose_a, part, pose_b, reach, reference(kept, a, part)),
+                         {a, pose_a}, {part, pose_b}, obstacles.rim[row_b - sides], reach);
 }
 
 /// What all points of one manifold share but the normal.
@@ -228,6 +263,7 @@ void ContactFinder::add_points(const Candidates& candidates, const State& state,
 void Contacts::start(std::size_t bodies) {
   discs.start(bodies), disc_key.clear(), disc_bounces.clear();
   faces.start(bodies), point_key.clear(), point_feature.clear(), point_bounces.clear();
+  disc_rolls.clear(), point_rolls.clear();
 }
 
 void Contacts::save(State& state) const {
@@ -238,6 +274,8 @@ void Contacts::save(State& state) const {
   for (std::size_t i = 0; i < faces.size(); ++i)
     if (const double normal = faces.normal_impulse(i); normal > 0.0)
       state.point_contacts.push_back({point_key[i], point_feature[i], normal, faces.tangent_impulse(i)});
+  save_rolls(discs, disc_rolls, state.disc_contacts);
+  save_rolls(faces, point_rolls, state.point_contacts);
 }
 
 }  // namespace throng

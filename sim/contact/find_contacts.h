@@ -9,6 +9,7 @@
 #include "sim/contact/contact.h"
 #include "sim/contact/disc_blocks.h"
 #include "sim/contact/face_blocks.h"
+#include "sim/contact/roll.h"
 #include "sim/rows.h"
 #include "sim/workers.h"
 
@@ -22,6 +23,8 @@ struct Contacts {
   FaceBlocks faces;
   std::vector<std::uint64_t> point_key;
   std::vector<std::uint32_t> point_feature;
+  std::vector<RollContact> disc_rolls;  ///< of the same contacts; empty where nothing resists rolling
+  std::vector<RollContact> point_rolls;
   std::vector<DiscContact> disc_bounces;  ///< the same contacts once more; empty where no surface bounces
   std::vector<PointContact> point_bounces;
 
@@ -49,6 +52,8 @@ class ContactFinder {
     std::uint64_t key() const;
   };
 
+  void find_touches(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
+                    Rows awake, Contacts& contacts, Workers& workers);
   void sort_out(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
                 Contacts& contacts);
   narrowphase::Pose pose(const State& state, std::uint32_t body) const;

@@ -28,7 +28,7 @@ namespace {
 using Bytes = std::span<const std::byte>;
 
 constexpr std::array<char, 8> kMagic{'t', 'h', 'r', 'o', 'n', 'g', 'C', 'K'};
-constexpr std::uint64_t kLayout = 7;  // grows with every change of State
+constexpr std::uint64_t kLayout = 8;  // grows with every change of State
 
 struct Header {
   std::array<char, 8> magic = kMagic;
@@ -59,14 +59,14 @@ static_assert(sizeof(Measured) == 6 * sizeof(std::int64_t) + 2 * sizeof(double),
 struct Columns {
   std::vector<std::uint64_t> key;
   std::vector<std::uint32_t> feature;
-  std::vector<double> normal, tangent;
+  std::vector<double> normal, tangent, rolling;
 
-  explicit Columns(std::size_t n) : key(n), feature(n), normal(n), tangent(n) {}
+  explicit Columns(std::size_t n) : key(n), feature(n), normal(n), tangent(n), rolling(n) {}
 
   explicit Columns(const std::vector<ContactImpulse>& contacts) : Columns(contacts.size()) {
     for (std::size_t i = 0; i < contacts.size(); ++i) {
-      const auto& [k, f, n, t] = contacts[i];  // a member added there belongs here too
-      key[i] = k, feature[i] = f, normal[i] = n, tangent[i] = t;
+      const auto& [k, f, n, t, r] = contacts[i];  // a member added there belongs here too
+      key[i] = k, feature[i] = f, normal[i] = n, tangent[i] = t, rolling[i] = r;
     }
   }
 
@@ -74,7 +74,7 @@ struct Columns {
     std::vector<ContactImpulse> result;
     result.reserve(key.size());
     for (std::size_t i = 0; i < key.size(); ++i)
-      result.push_back({key[i], feature[i], normal[i], tangent[i]});
+      result.push_back({key[i], feature[i], normal[i], tangent[i], rolling[i]});
     return result;
   }
 };
@@ -127,7 +127,8 @@ void for_each_array(S& state, F visit) {
 template <class C, class F>
 void for_each_column(C& all, F visit) {
   const auto shared = [&](auto& columns) {
-    visit(columns.key), visit(columns.feature), visit(columns.normal), visit(columns.tangent);
+    visit(columns.key), visit(columns.feature), visit(columns.normal), visit(columns.tangent),
+        visit(columns.rolling);
   };
   const auto sleeping = [&](auto& columns) {
     shared(columns);
@@ -245,7 +246,7 @@ Header read_header(int fd, const std::string& path, std::uint64_t size) {
 void expect_size(const std::string& path, const Header& header, std::uint64_t size) {
   constexpr std::uint64_t body = sizeof(std::uint32_t) + 6 * sizeof(double);
   constexpr std::uint64_t agent = 4 * sizeof(double) + 2 * sizeof(std::int64_t) + 3 * sizeof(std::uint32_t);
-  constexpr std::uint64_t contact = sizeof(std::uint64_t) + sizeof(std::uint32_t) + 2 * sizeof(double);
+  constexpr std::uint64_t contact = sizeof(std::uint64_t) + sizeof(std::uint32_t) + 3 * sizeof(double);
   constexpr std::uint64_t sleeper = 2 * sizeof(std::uint32_t);
   constexpr std::uint64_t sleeping = contact + 3 * sizeof(std::uint32_t) + 2 * sizeof(double);
   const std::uint64_t counts[] = {header.scenario_bytes,
@@ -274,7 +275,7 @@ bool is_sound(const std::vector<ContactImpulse>& contacts) {
   return std::is_sorted(contacts.begin(), contacts.end(),
                         [](const ContactImpulse& a, const ContactImpulse& b) { return a.key < b.key; }) &&
          std::all_of(contacts.begin(), contacts.end(), [](const ContactImpulse& c) {
-           return std::isfinite(c.normal) && std::isfinite(c.tangent);
+           return std::isfinite(c.normal) && std::isfinite(c.tangent) && std::isfinite(c.rolling);
          });
 }
 

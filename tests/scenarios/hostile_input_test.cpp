@@ -54,7 +54,7 @@ bool is_sound(const Scene& scene) {
           near(scene.domain.max);
   for (const Material& m : scene.materials)
     sound = sound && m.density > 0 && m.restitution >= 0 && m.restitution <= 1 && m.friction >= 0 &&
-            std::isfinite(m.density);
+            m.rolling_resistance >= 0 && std::isfinite(m.density);
   for (std::size_t row = 0; row < scene.bodies.size(); ++row) {
     const Bodies& b = scene.bodies;
     sound = sound && near(b.position[row]) && near(b.velocity[row]) && b.radius[row] > 0 &&

@@ -44,6 +44,7 @@ TEST(Load, PutsTheDefaultMaterialFirst) {
   EXPECT_EQ(scene.materials[1].name, "ice");
   EXPECT_EQ(scene.materials[1].density, 900.0);
   EXPECT_EQ(scene.materials[1].friction, 0.02);
+  EXPECT_EQ(scene.materials[1].rolling_resistance, 0.01);
 }
 
 TEST(Load, ReadsABodyThatStandsAlone) {

@@ -31,6 +31,7 @@ inline void expect_same(const Scene& a, const Scene& b) {
     EXPECT_EQ(a.materials[i].density, b.materials[i].density);
     EXPECT_EQ(a.materials[i].restitution, b.materials[i].restitution);
     EXPECT_EQ(a.materials[i].friction, b.materials[i].friction);
+    EXPECT_EQ(a.materials[i].rolling_resistance, b.materials[i].rolling_resistance);
   }
   ASSERT_EQ(a.shapes.size(), b.shapes.size());
   for (std::size_t i = 0; i < a.shapes.size(); ++i) {

@@ -25,6 +25,7 @@ record = { every = 2, fields = ["position", "spin"], precision = "single" }
 density = 900
 restitution = 0.1
 friction = 0.02
+rolling_resistance = 0.01
 [shapes]
 ball = { disc = { radius = 0.4 } }
 grain = { disc = { radius = { uniform = [0.1, 0.2] } } }

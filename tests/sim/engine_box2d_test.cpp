@@ -30,6 +30,8 @@ const char* const kBall =
 TEST(Box2dEngine, RefusesWhatBox2dCannotDoAndSaysWhy) {
   EXPECT_THAT(refusal(std::string("domain = { periodic = [[-9, -9], [9, 9]] }\n") + kBall),
               HasSubstr("periodic"));
+  EXPECT_THAT(refusal(std::string("[materials.default]\nrolling_resistance = 0.1\n") + kBall),
+              HasSubstr("materials.default.rolling_resistance"));
   EXPECT_THAT(refusal(std::string("contact = { model = \"none\" }\n") + kBall), HasSubstr("contact.model"));
   EXPECT_THAT(refusal("[shapes]\nchip = { polygon = [[0, 0], [0.004, 0], [0.004, 0.004], [0, 0.004]] }\n"
                       "[[bodies]]\nshape = \"chip\"\nat = [0, 2]\n"),

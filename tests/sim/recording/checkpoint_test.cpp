@@ -19,7 +19,7 @@ using testing::HasSubstr;
 
 State touching_state(std::int64_t step) {
   State state = state_at(mixed_scene(7), step);
-  state.disc_contacts = {{1, 0, 0.5, -0.25}, {1u << 30, 0, 1.5, 0.0}};
+  state.disc_contacts = {{1, 0, 0.5, -0.25, 0.125}, {1u << 30, 0, 1.5, 0.0}};
   state.point_contacts = {{3, 9, 0.1, 0.2}, {3, 10, 0.3, -0.4}, {std::uint64_t{1} << 63, 0, 7.0, -0.0}};
   return state;
 }
@@ -49,6 +49,7 @@ void expect_equal(const std::vector<ContactImpulse>& a, const std::vector<Contac
     EXPECT_EQ(a[i].feature, b[i].feature);
     EXPECT_EQ(a[i].normal, b[i].normal);
     EXPECT_EQ(a[i].tangent, b[i].tangent);
+    EXPECT_EQ(a[i].rolling, b[i].rolling);
   }
 }
 
@@ -171,6 +172,7 @@ TEST(Checkpoint, RefusesStatesThatNoRunHas) {
   EXPECT_TRUE(refused([](State& s) { s.spin[6] = nan; }));
   EXPECT_TRUE(refused([](State& s) { s.disc_contacts[1].normal = nan; }));
   EXPECT_TRUE(refused([](State& s) { s.point_contacts[2].tangent = nan; }));
+  EXPECT_TRUE(refused([](State& s) { s.disc_contacts[0].rolling = nan; }));
   EXPECT_TRUE(refused([](State& s) { std::swap(s.disc_contacts[0], s.disc_contacts[1]); }));
   EXPECT_TRUE(refused([](State& s) { std::swap(s.point_contacts[0], s.point_contacts[2]); }));
   EXPECT_TRUE(refused([](State& s) { s.id[3] = s.id[2]; }));

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "sim/contact/find_rolls.h"
+
+#include "sim/contact/contact_key.h"
+
+namespace throng {
+
+namespace {
+
+/// Of a disc; 0 for what is none.
+double rolling_radius(const narrowphase::Convex& shape) {
+  return shape.vertices.size() == 1 ? shape.radius : 0.0;
+}
+
+double rolling_radius(const Colliders& colliders, std::uint32_t row) {
+  const bool disc = colliders.shape.empty() || !colliders.shape[row];
+  return disc ? colliders.radius[row] : rolling_radius(*colliders.shape[row]);
+}
+
+double rolling_radius(const Obstacles& obstacles, std::uint32_t row) {
+  const std::size_t sides = obstacles.side.size();
+  return row < sides ? 0.0 : rolling_radius(obstacles.part[row - sides]);
+}
+
+/// The impulses that the last step kept of one kind of contact. They and the questions ascend by key.
+class KeptRolls {
+ public:
+  explicit KeptRolls(std::span<const ContactImpulse> contacts) : contacts_(contacts) {}
+
+  double find(std::uint64_t key, std::uint32_t feature) {
+    while (next_ < contacts_.size() && contacts_[next_].key < key) ++next_;
+    const std::uint32_t touch = narrowphase::without_reference(feature);
+    for (std::size_t i = next_; i < contacts_.size() && contacts_[i].key == key; ++i)
+      if (narrowphase::without_reference(contacts_[i].feature) == touch) return contacts_[i].rolling;
+    return 0.0;
+  }
+
+ private:
+  std::span<const ContactImpulse> contacts_;
+  std::size_t next_ = 0;
+};
+
+class RollFinder {
+ public:
+  RollFinder(const Scene& scene, const Plan& plan, const Candidates& candidates,
+             std::span<const SolverBody> bodies)
+      : scene_(scene), plan_(plan), candidates_(candidates), bodies_(bodies) {}
+
+  void add(std::uint64_t key, std::uint32_t contact, double kept, std::vector<RollContact>& rolls) const {
+    const Colliders& colliders = candidates_.colliders();
+    const Obstacles& obstacles = candidates_.obstacles();
+    const auto [row_a, row_b] = pair_of(key);
+    const bool fixed = is_of_obstacle(key);
+    const std::uint32_t a = colliders.body[row_a];
+    const std::uint32_t b = fixed ? static_cast<std::uint32_t>(bodies_.size() - 1) : colliders.body[row_b];
+    const std::uint32_t material_b = fixed ? obstacles.material[row_b] : scene_.bodies.material[b];
+    const double coefficient =
+        plan_.surfaces[scene_.bodies.material[a] * scene_.materials.size() + material_b].rolling;
+    const double radius =
+        effective_radius(rolling_radius(colliders, row_a),
+                         fixed ? rolling_radius(obstacles, row_b) : rolling_radius(colliders, row_b));
+    if (!(coefficient * radius > 0.0)) return;
+    const double turns = bodies_[a].inverse_inertia + bodies_[b].inverse_inertia;
+    rolls.push_back({a, b, contact, coefficient * radius, 1.0 / turns, kept});
+  }
+
+ private:
+  const Scene& scene_;
+  const Plan& plan_;
+  const Candidates& candidates_;
+  std::span<const SolverBody> bodies_;
+};
+
+}  // namespace
+
+void find_rolls(const Scene& scene, const Plan& plan, const Candidates& candidates, const State& state,
+                std::span<const SolverBody> bodies, Contacts& contacts) {
+  const RollFinder finder(scene, plan, candidates, bodies);
+  KeptRolls kept_discs(state.disc_contacts), kept_points(state.point_contacts);
+  for (std::uint32_t i = 0; i < contacts.disc_key.size(); ++i) {
+    const std::uint64_t key = contacts.disc_key[i];
+    finder.add(key, i, kept_discs.find(key, 0), contacts.disc_rolls);
+  }
+  for (std::uint32_t i = 0; i < contacts.point_key.size(); ++i) {
+    const std::uint64_t key = contacts.point_key[i];
+    finder.add(key, i, kept_points.find(key, contacts.point_feature[i]), contacts.point_rolls);
+  }
+}
+
+}  // namespace throng

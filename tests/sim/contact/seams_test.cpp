@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+// Bodies that slide over the seams of walls and of solids in parts: as over one piece.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/sim/trial.h"
+
+namespace throng {
+namespace {
+
+const char* const kSliders =
+    "[shapes]\nball = { disc = { radius = 0.25 } }\n"
+    "box = { polygon = [[-0.25, -0.25], [0.25, -0.25], [0.25, 0.25], [-0.25, 0.25]] }\n"
+    "ell = { polygon = [[0, 0], [0.8, 0], [0.8, 0.25], [0.4, 0.25], [0.4, 0.75], [0, 0.75]] }\n"
+    "tile = { polygon = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]] }\n";
+
+std::string pair(const Vec& v) {
+  std::ostringstream out;
+  out.precision(17);
+  out << "[" << v.x() << ", " << v.y() << "]";
+  return out.str();
+}
+
+/// A plane that is turned by an angle: what stands along and above its floor.
+struct Tilted {
+  double angle = 0.0;
+
+  Vec operator()(double along, double above) const {
+    return {std::cos(angle) * along - std::sin(angle) * above,
+            std::sin(angle) * along + std::cos(angle) * above};
+  }
+  std::string slider(const std::string& shape, double above) const {
+    std::ostringstream out;
+    out.precision(17);
+    out << "gravity = " << pair((*this)(0, -9.81)) << "\n[materials.default]\nfriction = 0\n"
+        << kSliders << "[[bodies]]\nshape = \"" << shape << "\"\nangle = " << angle
+        << "\nat = " << pair((*this)(1, above)) << "\nvelocity = " << pair((*this)(10, 0)) << "\n";
+    return out.str();
+  }
+};
+
+/// The fastest that the body leaves the floor, from the second second on until it has slid over 80 m.
+double kick(Trial& trial, const Tilted& tilted, double speed_error = 1e-8) {
+  trial.steps(200);
+  double most = 0.0;
+  for (int i = 0; i < 600; ++i) {
+    trial.steps(1);
+    most = std::max(most, std::abs(trial.state.velocity[0].dot(tilted(0, 1))));
+  }
+  EXPECT_NEAR(trial.state.velocity[0].dot(tilted(1, 0)), 10.0, speed_error);
+  EXPECT_GT(trial.state.position[0].dot(tilted(1, 0)), 80.0);
+  return most;
+}
+
+TEST(Seams, OfAPolylineKickNobody) {
+  for (const double angle : {0.0, 0.3})
+    for (const std::string shape : {"ball", "box", "ell"}) {
+      const Tilted tilted{angle};
+      std::string floor = "[[walls]]\npolyline = [";
+      for (int i = 0; i <= 1000; ++i) floor += pair(tilted(0.1 * i, 0)) + ", ";
+      Trial trial(tilted.slider(shape, 0.32) + floor + "]\n");
+      EXPECT_LT(kick(trial, tilted), 1e-11) << shape << " at " << angle;  // 1e-12 of its speed
+    }
+}
+
+TEST(Seams, OfAThousandSegmentsKickNobody) {
+  for (const std::string shape : {"ball", "box", "ell"}) {
+    const Tilted tilted{0.3};
+    std::string floor;
+    for (int i = 0; i < 1000; ++i)
+      floor +=
+          "[[walls]]\nsegment = [" + pair(tilted(0.1 * i, 0)) + ", " + pair(tilted(0.1 * (i + 1), 0)) + "]\n";
+    Trial trial(tilted.slider(shape, 0.32) + floor);
+    EXPECT_LT(kick(trial, tilted), 1e-11) << shape;
+  }
+}
+
+/// A floor with a straight top and teeth below: dozens of parts, whose seams reach the top's ends only.
+TEST(Seams, OfADecomposedPolygonKickNobody) {
+  for (const std::string shape : {"ball", "box", "ell"}) {
+    const Tilted tilted;
+    std::string floor = "[shapes.comb]\npolygon = [[100, 0], [0, 0], [0, -3]";
+    for (int i = 0; i < 100; ++i)
+      floor += ", " + pair({i + 0.2, -3}) + ", " + pair({i + 0.5, -1}) + ", " + pair({i + 0.8, -3});
+    floor += ", [100, -3]]\n[[bodies]]\nshape = \"comb\"\nkind = \"static\"\nat = [50, -1.2]\n";
+    Trial trial(tilted.slider(shape, 0.45) + floor);
+    EXPECT_LT(kick(trial, tilted), 1e-11) << shape;
+  }
+}
+
+/// What slides from one body to the next is handed over: nothing stops it, and it doesn't jump.
+TEST(Seams, OfTilesStopNobody) {
+  for (const double angle : {0.0, 0.3})
+    for (const std::string shape : {"ball", "box", "ell"}) {
+      const Tilted tilted{angle};
+      std::ostringstream floor;
+      floor.precision(17);
+      for (int i = 0; i < 100; ++i)
+        floor << "[[bodies]]\nshape = \"tile\"\nkind = \"static\"\nangle = " << angle
+              << "\nat = " << pair(tilted(i + 0.5, -0.5)) << "\n";
+      Trial trial(tilted.slider(shape, 0.32) + floor.str());
+      EXPECT_LT(kick(trial, tilted, 1e-5), 0.1) << shape << " at " << angle;
+    }
+}
+
+TEST(Seams, UnderAWallThatEndsOnTheFloorsOtherSideKickNobody) {
+  const Tilted tilted{0.3};
+  std::string floor = "[[walls]]\nsegment = [" + pair(tilted(0, 0)) + ", " + pair(tilted(100, 0)) + "]\n";
+  for (int i = 1; i < 50; ++i)
+    floor += "[[walls]]\nsegment = [" + pair(tilted(2 * i, 0)) + ", " + pair(tilted(2 * i, -1)) + "]\n";
+  Trial trial(tilted.slider("ball", 0.25) + floor);
+  EXPECT_LT(kick(trial, tilted, 1e-5), 1e-3);
+}
+
+/// On waves of many short pieces a body without friction loses the little that a body that
+/// doesn't bounce loses in hollows of some thousandths: the turn's square of its energy at each.
+TEST(Seams, OfWavesCostLittle) {
+  for (const std::string shape : {"ball", "box", "ell"}) {
+    const Tilted tilted;
+    std::string floor = "[[walls]]\npolyline = [";
+    for (int i = 0; i <= 1000; ++i) floor += pair({0.1 * i, 0.3 * std::sin(0.05 * i)}) + ", ";
+    Trial trial(tilted.slider(shape, 0.55) + floor + "]\n");
+    trial.steps(100);
+    const double mass = throng::mass(trial.scene, 0);
+    const double before = trial.energy() / mass;
+    trial.steps(700);
+    EXPECT_GT(trial.state.position[0].x(), 75.0) << shape;
+    EXPECT_LT(before - trial.energy() / mass, 0.08 * before) << shape;
+  }
+}
+
+/// A square that falls on its corner onto a seam, and one beside it: the deepest that it gets.
+double deepest(const std::string& floor, double x, double speed) {
+  std::ostringstream text;
+  text << "gravity = [0, -9.81]\nsleep = false\n"
+       << kSliders << "[[bodies]]\nshape = \"box\"\nangle = 0.7853981633974483\nat = [" << x
+       << ", 0.40]\nvelocity = [0, " << -speed << "]\n"
+       << floor;
+  Trial trial(text.str());
+  double least = 1.0;
+  for (int i = 0; i < 100; ++i) {
+    trial.steps(1);
+    least = std::min(least, trial.state.position[0].y());
+  }
+  return least;
+}
+
+/// Resting on a face the middle is 0.25 m high, on a corner 0.35 m.
+TEST(Seams, HoldCornersThatFallOnThem) {
+  const std::string tiles =
+      "[[bodies]]\nshape = \"tile\"\nkind = \"static\"\nat = [-0.5, -0.5]\n"
+      "[[bodies]]\nshape = \"tile\"\nkind = \"static\"\nat = [0.5, -0.5]\n";
+  const std::string ridge = "[[walls]]\npolyline = [[-3, -0.03], [0, 0], [3, -0.03]]\n";
+  const std::string valley = "[[walls]]\npolyline = [[-3, 0.03], [0, 0], [3, 0.03]]\n";
+  for (const std::string& floor : {tiles, ridge, valley})
+    for (const double x : {-0.02, -1e-9, 0.0, 1e-3, 0.02})
+      for (const double speed : {0.0, 5.0})
+        EXPECT_GT(deepest(floor, x, speed), 0.23) << floor << " at " << x << ", " << speed << " m/s";
+}
+
+/// Two rooms that share a side, which so stands there twice.
+TEST(Seams, OfWallsThatStandTwiceHold) {
+  const std::string rooms =
+      "[[walls]]\npolygon = [[-9, -9], [0, -9], [0, 9], [-9, 9]]\n"
+      "[[walls]]\npolygon = [[0, -9], [9, -9], [9, 9], [0, 9]]\n";
+  for (const std::string shape : {"ball", "box", "ell"})
+    for (const double speed : {1.0, 30.0}) {
+      std::ostringstream text;
+      text << kSliders << "[[bodies]]\nshape = \"" << shape << "\"\nat = [-3, 0]\nvelocity = [" << speed
+           << ", 0]\n"
+           << rooms;
+      Trial trial(text.str());
+      double most = -9.0;
+      for (int i = 0; i < 400; ++i) {
+        trial.steps(1);
+        most = std::max(most, trial.state.position[0].x());
+      }
+      EXPECT_GT(most, -0.6) << shape << " gets there";
+      EXPECT_LT(most, -0.2) << shape << " at " << speed;
+    }
+}
+
+}  // namespace
+}  // namespace throng
