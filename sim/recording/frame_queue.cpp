@@ -92,7 +92,7 @@ void FrameQueue::pop() {
   const bool was_full = is_full();
   bytes_ -= slot.bytes;
   if (slot.bytes > kBytes / slots_.size())
-    slot.contacts = {}, slot.sensed = {};  // all slots would keep as much
+    slot.contacts = std::vector<ContactRow>(), slot.sensed = std::vector<Sensed>();  // else all keep as much
   head_ = (head_ + 1) % slots_.size();
   --count_;
   if (was_full) changed_.notify_all();

@@ -30,7 +30,7 @@ struct QueueEntry {
 class FrameQueue {
  public:
   /// As many frames as fit into 64 MB, at least 2 and at most 16, all as large as `first`. Contacts and what
-  /// was sensed come on top: of these, too, 64 MB and those of one frame at most.
+  /// was sensed come on top: of these, too, 64 MB and those of one frame at most, and room for as many again.
   explicit FrameQueue(const State& first);
 
   /// Copies a frame in; waits while the queue is full. Allocates nothing while the number of bodies is that

@@ -18,10 +18,8 @@ using broadphase::FieldOfView;
 
 namespace {
 
-/// Who asks at a time: the answers of all would take four times the memory of what is kept of them.
-std::size_t block(std::size_t asking) {
-  return std::max<std::size_t>(4096, asking / 16);
-}
+/// Who asks at a time: the answers of all would take six times the memory of what is kept of them.
+constexpr std::size_t kBlock = 4096;
 
 }  // namespace
 
@@ -156,7 +154,7 @@ SensedSum Sensing::Impl::look_with(const Sensor& sensor, Sensed* found) {
   choose(sensor);
   std::size_t sum = 0, count = 0;
   for (std::size_t first = 0; first < has.size(); first += count) {
-    count = std::min(block(has.size()), has.size() - first);
+    count = std::min(kBlock, has.size() - first);
     find_lists(sensor, first, count);
     const bool is_all = !found && sensor.screens == Screens::none;  // but who asks
     if (!is_all) drop_unsensed(sensor, first);

@@ -177,6 +177,21 @@ test("whom a recorded sensor found is shown instead of who is near", async () =>
   await done();
 });
 
+test("those whom a sensor found count though the recording leaves them out", async () => {
+  record("few", `${MIXED}[[sensors]]\nname = "eyes"\nradius = 3\nevery = 5\nrecord = true\nof = { ids = [21] }\n`.replace('"spin"] }', '"spin"], of = { ids = [21, 22, 30] } }'));
+  const found = JSON.parse(throng("query", path("few.toml"), "--radius", "3", "--id", "21", "--format", "json").stdout)[0].neighbours.length;
+  assert.equal(throng("replay", path("few.h5"), "--html", path("few.html")).status, 0);
+  const { page, errors, done } = await visit("few.html");
+  await state(page, "open");
+  await page.fill("#pick", "21");
+  await page.keyboard.press("Enter");
+  await page.waitForFunction(() => /by its sensor/.test(document.getElementById("radius-text").textContent));
+  const whom = await page.textContent("#sensed");
+  assert.ok(found > 3 && whom.startsWith(`senses ${found}: `) && /not recorded$/.test(whom), `${found} ${whom}`);
+  assert.deepEqual(errors, []);
+  await done();
+});
+
 test("a large recording is asked for by name, and read where it lies", async () => {
   assert.ok(statSync(path("large.h5")).size > 64e6);
   const { page, requests, errors, done } = await visit("large.html");

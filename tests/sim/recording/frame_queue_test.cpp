@@ -138,6 +138,24 @@ TEST(FrameQueue, TakesNoMoreThan64MegabytesAndAFrameOfWhatWasSensed) {
   EXPECT_EQ(came, 7);
 }
 
+/// Slots that had to hold very much would together keep what the bound forbids.
+TEST(FrameQueue, ForgetsTheRoomOfFramesThatWereVeryLarge) {
+  const State state = initial_state(mixed_scene(3));
+  const std::vector<ContactRow> many(1'000'000);
+  const Sensed crowd = crowd_of(3'250'000);
+  FrameQueue queue(state);
+  for (std::size_t i = 0; i < 2 * queue.capacity(); ++i) {
+    const bool large = i < queue.capacity();
+    queue.push(state, large ? many : std::vector<ContactRow>(1), std::span(&crowd, large ? 1 : 0));
+    const QueueEntry& entry = *queue.front();
+    if (!large) {
+      EXPECT_LT(entry.contacts.capacity(), 1000u) << i;
+      for (const Sensed& kept : entry.sensed) EXPECT_LT(kept.whom.capacity(), 1000u) << i;
+    }
+    queue.pop();
+  }
+}
+
 TEST(FrameQueue, KeepsWhatItHoldsOfSensedBetweenFramesWithout) {
   const State state = initial_state(mixed_scene(3));
   const Sensed some = crowd_of(100);

@@ -109,7 +109,11 @@ export class Replay {
       this.#asking = false;
       this.#told = { row, frame, found, rows: found ? [...id.keys()].filter(other => ids.has(id[other])) : [] };
       this.dirty = true;
-    }, this.failed);
+    }, error => {
+      this.#asking = false;
+      this.#told = { row, frame, found: null, rows: [] };
+      this.failed(error);
+    });
   }
 
   /** m, of what tells whom the picked body senses. */

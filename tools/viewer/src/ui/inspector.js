@@ -52,5 +52,7 @@ export function showSensed(found, id, radius, recorded) {
   byId("radius-text").textContent = recorded ? `${length(recorded.radius)}, by its sensor ${recorded.name}` : length(radius);
   byId("radius").hidden = recorded !== null;
   const nearest = found.slice(0, 4).map(({ row, distance }) => `${id[row]} at ${length(distance)}`).join(", ");
-  byId("sensed").textContent = found.length === 0 ? "senses nobody" : `senses ${count(found.length)}: ${nearest}${found.length > 4 ? " …" : ""}`;
+  const all = recorded ? recorded.ids.length : found.length, unseen = all - found.length;  // those who are not in the recording
+  const who = [nearest + (found.length > 4 ? " …" : ""), unseen > 0 ? `${count(unseen)} not recorded` : ""].filter(Boolean).join(", ");
+  byId("sensed").textContent = all === 0 ? "senses nobody" : `senses ${count(all)}: ${who}`;
 }
