@@ -137,9 +137,10 @@ TEST(Load, TakesLineEndsOfOtherSystemsAndAByteOrderMark) {
 }
 
 TEST(Load, AppliesOverrides) {
-  const Loaded loaded = load_text(
-      kEverything, {"time.dt=0.005", "bodies.0.velocity=[3, 4]", "bodies[1].count=2", "engine=box2d",
-                    "name=\"quoted\"", "materials.\"ice\".friction=0.5", "contact.model = impulse"});
+  const Loaded loaded =
+      load_text(kEverything, {"time.dt=0.005", "bodies.0.velocity=[3, 4]", "bodies[1].count=2",
+                              "engine=box2d", "name=\"quoted\"", "materials.\"ice\".friction=0.5",
+                              "materials.ice.rolling_resistance=0", "contact.model = impulse"});
   ASSERT_EQ(faults(loaded), "");
   EXPECT_EQ(loaded.scene.time.dt, 0.005);
   EXPECT_EQ(loaded.scene.bodies.velocity[0], Vec(3.0, 4.0));

@@ -34,9 +34,9 @@ void PrintTo(const Golden& golden, std::ostream* out) {
 constexpr Golden kGallery[] = {
     {"gas", 400, 0xb7deb10a72f11b9f},          {"pile", 60, 0xb8540073a928d52a},
     {"polygons", 40, 0xafd4f107ecd47cb5},      {"pyramid", 10, 0x638ede55caa31237},
-    {"hopper", 100, 0xd9a9662857617237},       {"gears", 100, 0xe5bc0003a2b65e0c},
+    {"hopper", 100, 0xd9a9662857617237},       {"gears", 100, 0x0fc76281c55d3e39},
     {"billiard", 1500, 0x8dd8bcba2d1db68a},    {"cradle", 2000, 0x7db3d1ee537b00be},
-    {"mixed", 200, 0x97d804c0c9b9d94c},        {"corridor", 1200, 0x467109d56963dd86},
+    {"mixed", 200, 0x59836813f7cf96c3},        {"corridor", 1200, 0x467109d56963dd86},
     {"bottleneck", 1200, 0x671e4b9002b978b8},  {"circle_swap", 300, 0x3098722b25df02fc},
     {"counterflow", 1200, 0xecea7466fa535e26}, {"evacuation", 1500, 0x12c6dd9b2996fcda},
     {"station", 200, 0x7d02b7eb906cc254},      {"stadium", 6, 0xea197326c117286a},
