@@ -3,41 +3,41 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 #include <utility>
 
 namespace throng::narrowphase {
 
 namespace {
 
+constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
 using Cell = std::pair<double, double>;
 
-struct CellHash {
-  std::size_t operator()(const Cell& cell) const {
-    return std::hash<double>()(cell.first) * 0x9E3779B97F4A7C15u ^ std::hash<double>()(cell.second);
-  }
-};
-
-/// The points known so far, by cells four slacks wide: whoever is within a slack is in one of nine cells.
-class Known {
+/// The points by cells four slacks wide: whoever is within a slack is in one of nine cells.
+class ByCell {
  public:
-  explicit Known(double slack) : slack_(slack), width_(4.0 * slack) {}
+  ByCell(std::span<const Vec> points, double slack) : width_(4.0 * slack) {
+    for (std::uint32_t i = 0; i < points.size(); ++i) places_.emplace_back(cell(points[i]), i);
+    std::ranges::sort(places_);
+  }
 
-  std::uint32_t number(const Vec& p) {
-    const Cell cell{std::floor(p.x() / width_), std::floor(p.y() / width_)};
-    for (double dx = -1.0; dx <= 1.0; ++dx)
-      for (double dy = -1.0; dy <= 1.0; ++dy)
-        if (const auto found = cells_.find({cell.first + dx, cell.second + dy}); found != cells_.end())
-          if ((points_[found->second] - p).lpNorm<Eigen::Infinity>() <= slack_) return found->second;
-    points_.push_back(p);
-    cells_.emplace(cell, static_cast<std::uint32_t>(points_.size() - 1));
-    return static_cast<std::uint32_t>(points_.size() - 1);
+  /// Calls visit(row) for all in the cells round a point.
+  template <class F>
+  void for_each_near(const Vec& point, F visit) const {
+    const Cell own = cell(point);
+    for (double dx = -1.0; dx <= 1.0; ++dx) {  // three cells one above the other stand together
+      const Cell low(own.first + dx, own.second - 1.0), high(own.first + dx, own.second + 1.0);
+      for (auto at = std::ranges::lower_bound(places_, std::pair(low, std::uint32_t{0}));
+           at != places_.end() && at->first <= high; ++at)
+        visit(at->second);
+    }
   }
 
  private:
-  double slack_, width_;
-  std::vector<Vec> points_;
-  std::unordered_map<Cell, std::uint32_t, CellHash> cells_;
+  Cell cell(const Vec& p) const { return {std::floor(p.x() / width_), std::floor(p.y() / width_)}; }
+
+  double width_;
+  std::vector<std::pair<Cell, std::uint32_t>> places_;
 };
 
 }  // namespace
@@ -50,9 +50,17 @@ double rounding(std::span<const Vec> points) {
 
 std::vector<std::uint32_t> weld(std::span<const Vec> points) {
   const double slack = rounding(points);
-  Known known(slack > 0.0 ? slack : 1.0);  // where all stand at the origin, any cell does
-  std::vector<std::uint32_t> numbers;
-  for (const Vec& p : points) numbers.push_back(known.number(p));
+  const ByCell by_cell(points, slack > 0.0 ? slack : 1.0);  // where all stand at the origin, any cell does
+  std::vector<std::uint32_t> numbers(points.size(), kNone);
+  std::uint32_t next = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (numbers[i] != kNone) continue;
+    by_cell.for_each_near(points[i], [&](std::uint32_t j) {
+      if (numbers[j] == kNone && (points[j] - points[i]).lpNorm<Eigen::Infinity>() <= slack)
+        numbers[j] = next;
+    });
+    ++next;
+  }
   return numbers;
 }
 
