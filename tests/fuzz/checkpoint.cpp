@@ -103,7 +103,8 @@ const std::array<Scene, 3>& scenes() {
           .scene,
       load_scenario_text(
           "throng = 1\ntime.until = 6000\ngravity = [0, -9.81]\ndomain.box = [[0, 0], [9, 9]]\n"
-          "shapes.ball.disc.radius = 0.5\nshapes.box.polygon = [[0, 0], [1, 0], [1, 1], [0, 1]]\n"
+          "materials.default.rolling_resistance = 0.1\nshapes.ball.disc.radius = 0.5\nshapes.box.polygon = "
+          "[[0, 0], [1, 0], [1, 1], [0, 1]]\n"
           "[[bodies]]\nshape = 'box'\nat = [2, 0.5]\n[[bodies]]\nshape = 'ball'\nat = [2.99, 0.5]\n"
           "[[bodies]]\nshape = 'ball'\nat = [2.49, 1.37]\n[[bodies]]\nshape = 'ball'\nat = [6, 8]\n",
           "sleep.toml")
