@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // throng export: a recording in the formats of the field's tools.
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -44,8 +45,8 @@ void check_contents(const Options& options, const Recording& recording) {
     throw InputError(options.file + " holds no positions, which " + options.format + " can't do without");
   if (record.quantum > 0.0 && options.format == "xdmf")
     throw InputError(options.file +
-                     " holds quantized positions, which ParaView can't read in place; csv, pedpy and h5md3 "
-                     "unpack them");
+                     " holds quantized positions, which ParaView can't read in place; csv, pedpy, "
+                     "h5md3 and lammps unpack them");
 }
 
 std::string seconds(double time) {
@@ -60,23 +61,33 @@ std::string span_text(const Options& options) {
          (options.to ? " to " + seconds(*options.to) : "");
 }
 
-/// Each --every-th frame from the first that is not before --from, up to rounding.
+/// Whether a frame has lines of csv; other formats know frames with positions alone.
+bool has_lines(const Recording& recording, std::size_t frame) {
+  return std::ranges::any_of(kRecordFields, [&](RecordField field) {
+    return field != RecordField::contacts && recording.sample(field, frame);
+  });
+}
+
+/// Each --every-th of the frames that the format shows, from the first that is not before --from, up to
+/// rounding.
 std::vector<std::size_t> select(const Options& options, const Recording& recording) {
   const auto times = recording.times();
+  const bool csv = options.format == "csv";
   const double slack = 1e-9 * times.back();
   const double from = options.from.value_or(times.front()), to = options.to.value_or(times.back());
   if (options.from && options.to && from > to)
     throw InputError("--from " + seconds(from) + " is after --to " + seconds(to));
   std::vector<std::size_t> frames;
   std::int64_t skip = 0;
-  for (std::size_t i = 0; i < times.size(); ++i)
-    if (times[i] >= from - slack && times[i] <= to + slack && skip-- == 0) {
-      frames.push_back(i);
-      skip = options.every - 1;
-    }
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (times[i] < from - slack || times[i] > to + slack || (csv && !has_lines(recording, i))) continue;
+    if (skip-- > 0) continue;
+    frames.push_back(i);
+    skip = options.every - 1;
+  }
   if (!frames.empty()) return frames;
-  throw InputError(options.file + " has no frame" + span_text(options) + ": its frames go from " +
-                   seconds(times.front()) + " to " + seconds(times.back()));
+  throw InputError(options.file + " has no frame" + (csv ? " of bodies" : "") + span_text(options) +
+                   ": its frames go from " + seconds(times.front()) + " to " + seconds(times.back()));
 }
 
 void warn_of_velocities(const Options& options, const Recording& recording,
@@ -150,7 +161,7 @@ void add_export(CLI::App& app, int& exit_code) {
       ->check(real_number());
   command->add_option("--to", options->to, "no frame after this time (s); up to the last one without it")
       ->check(real_number());
-  command->add_option("--every", options->every, "exports each Nth recorded frame")
+  command->add_option("--every", options->every, "exports each Nth of the frames that the format shows")
       ->transform(whole_number() & CLI::Range(std::int64_t{1}, std::int64_t{1} << 40));
   command->add_flag("--force", options->force, "overwrites the output where it exists");
   command->footer(

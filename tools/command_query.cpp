@@ -89,8 +89,9 @@ std::vector<Vec> headings(const Options& options, const Crowd& crowd, const Fiel
   if (options.point) throw InputError("query: --point with --fov needs --heading DEG");
   const bool by_angle = options.heading == "angle";
   if ((by_angle ? crowd.angle.size() : crowd.velocity.size()) != crowd.id.size())
-    throw InputError(options.source + ": " + (by_angle ? "angles" : "velocities") +
-                     " were not recorded (record.fields); choose another --heading");
+    throw InputError(options.source + ": " +
+                     (by_angle ? "angles " + crowd.no_angle : "velocities " + crowd.no_velocity) +
+                     "; choose another --at or --heading");
   if (!by_angle) return crowd.velocity;
   std::vector<Vec> result;
   for (const double angle : crowd.angle) result.push_back(direction_of_angle(angle));
@@ -222,8 +223,7 @@ void place_screens(const Options& options, const Crowd& crowd, std::optional<Bod
     return crowd.scene.shapes[bodies.shape[row - 1]].kind == ShapeKind::disc;
   };
   if (crowd.angle.size() != crowd.id.size() && !std::ranges::all_of(crowd.body, is_disc))
-    throw InputError(options.source +
-                     ": --bodies-hide needs angles, which were not recorded (record.fields)");
+    throw InputError(options.source + ": --bodies-hide needs angles, which " + crowd.no_angle);
   screens.emplace(crowd.scene);
   screens->place(crowd.body, crowd.position, crowd.angle);
 }

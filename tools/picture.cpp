@@ -82,12 +82,19 @@ void draw_colour_bar(cairo_t* cairo, const Page& page, const SpeedScale& scale) 
   write(cairo, (scale.beyond ? "≥ " : "") + number(scale.top), x + width, baseline, Align::right);
 }
 
-void draw_legend(cairo_t* cairo, const Page& page, const Frame& frame, const SpeedScale& scale) {
+std::string why_no_velocity(const Record& record) {
+  if (!record.velocity) return "velocity not recorded";
+  return "velocity not in this frame; recorded each " + std::to_string(every(record, RecordField::velocity)) +
+         " steps";
+}
+
+void draw_legend(cairo_t* cairo, const Page& page, const Record& record, const Frame& frame,
+                 const SpeedScale& scale) {
   draw_scale_bar(cairo, page.border, page.height - 2.9 * page.unit, page.width, page.scale, page.unit);
   const double y = page.height - 2.6 * page.unit;
   if (scale.top > 0) return draw_colour_bar(cairo, page, scale);
   set_colour(cairo, kFaint);
-  write(cairo, frame.velocity.empty() ? "velocity not recorded" : "nobody moves", page.width - page.border, y,
+  write(cairo, frame.velocity.empty() ? why_no_velocity(record) : "nobody moves", page.width - page.border, y,
         Align::right);
 }
 
@@ -125,7 +132,7 @@ void Picture::draw(const Frame& frame) {
   cairo_paint(cairo.get());
   draw_scene(cairo.get(), page_, view_.extent, scene_, frame, view_.speeds.top);
   draw_title(cairo.get(), page_, scene_, frame);
-  draw_legend(cairo.get(), page_, frame, view_.speeds);
+  draw_legend(cairo.get(), page_, scene_.record, frame, view_.speeds);
 }
 
 std::span<const unsigned char> Picture::pixels() {

@@ -172,6 +172,7 @@ std::string other_difference(const Comparison& comparison, const Frame& frame, c
 int verify(const Recording& recording, const std::string& file, int threads) {
   warn_of_other_version(recording.origin());
   const Loaded loaded = load_embedded(recording, file);
+  recording.expect_tables(loaded.scene);
   const bool hashes = compares_hashes(recording.origin());
   const Comparison comparison(loaded.scene);
   const auto run = simulation(loaded.scene, threads);

@@ -15,6 +15,7 @@
 #include "sim/recording/layout.h"
 #include "sim/recording/output_file.h"
 #include "sim/recording/scene_reader.h"
+#include "sim/recording/scene_tables.h"
 
 namespace throng {
 
@@ -84,7 +85,7 @@ struct Recording::Impl {
   Scene scene;
   RecordingOrigin origin;
   FrameReader reader;
-  std::size_t bodies_of_run = 0;
+  std::size_t bodies_of_run = 0, frames_of_file = 0;
   std::vector<std::size_t> chosen;  ///< frames of the file; empty: all
   std::vector<std::int64_t> steps;
   std::vector<double> times;
@@ -206,6 +207,7 @@ void Recording::Impl::open_fields() {
 
 /// From now on frame i is the chosen[i]-th of the file.
 void Recording::Impl::choose(FrameChoice choice) {
+  frames_of_file = steps.size();
   const Schedule& positions = reader.schedule(RecordField::position);
   if (choice == FrameChoice::all || positions.every() == 0 || positions.samples() == steps.size()) return;
   for (std::size_t i = 0; i < steps.size(); ++i)
@@ -249,6 +251,12 @@ std::size_t Recording::bodies_of_run() const {
 }
 std::span<const std::uint32_t> Recording::ids() const {
   return impl_->reader.ids();
+}
+std::size_t Recording::frame_of_file(std::size_t i) const {
+  return impl_->in_file(i);
+}
+std::size_t Recording::frames_of_file() const {
+  return impl_->frames_of_file;
 }
 std::optional<std::size_t> Recording::sample(RecordField field, std::size_t i) const {
   return impl_->reader.schedule(field).sample(impl_->in_file(i));
@@ -304,6 +312,15 @@ void Recording::read(std::size_t i, Frame& frame) const {
   frame.id = impl_->reader.ids();
   const std::size_t in_file = impl_->in_file(i);
   impl_->read_frame(in_file, [&] { impl_->reader.read(in_file, frame); });
+}
+
+void Recording::expect_tables(const Scene& scene) const {
+  try {
+    h5::prepare();
+    recording::expect_tables(impl_->file, impl_->scene, impl_->reader.ids(), scene);
+  } catch (const h5::Error& error) {
+    throw InputError(impl_->path + " is damaged: " + error.what());
+  }
 }
 
 void Recording::carry_angles(std::size_t i, Frame& frame) const {

@@ -97,6 +97,15 @@ class Recording {
   /// that frame the checksums alone are checked. O(bodies) where there is anything to do. Throws as `read`.
   void carry_angles(std::size_t i, Frame& frame) const;
 
+  /// Which frame of the file frame i is, of how many: others than those chosen count.
+  std::size_t frame_of_file(std::size_t i) const;
+  std::size_t frames_of_file() const;
+
+  /// Holds what this class doesn't read against the scene that the file's scenario makes: masses and the box
+  /// that other programs read, and the tables of bodies. O(bodies). Throws InputError where it is damaged or
+  /// otherwise.
+  void expect_tables(const Scene& scene) const;
+
   /// In which sample of a field's own, where it is stored, frame i stands; nothing where it does not.
   std::optional<std::size_t> sample(RecordField field, std::size_t i) const;
 

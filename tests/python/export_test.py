@@ -86,6 +86,14 @@ class Csv(Export):
         self.assertEqual(self.steps("--from", "0.2"), [20])
         self.assertEqual(self.steps("--to", "0"), [0])
 
+    def test_counts_the_frames_that_have_rows(self):
+        self.record("a.h5", "--every", "4", "--set", "record.observables=10")
+        for steps, options in (([0, 8, 16], "--every 2"), ([12, 20], "--from 0.1 --every 2")):
+            self.assertEqual(self.throng("export", "a.h5", "--format", "csv", "-o", "b.csv", "--force", *options.split())[0], 0)
+            self.assertEqual([int(row["step"]) for row in self.rows(self.path("b.csv"))[::4]], steps)
+        self.assertIn("a.h5 has no frame of bodies from 0.09 s to 0.11 s",
+                      self.refused("a.h5", "--format", "csv", "-o", "c.csv", "--from", "0.09", "--to", "0.11"))
+
     def test_writes_into_a_pipe(self):
         self.record()
         printed = subprocess.run([PROGRAM, "export", self.path("a.h5"), "--format", "csv", "-o", "/dev/stdout"],

@@ -119,6 +119,26 @@ TEST_F(Replay, CallsADamagedFileUnusable) {
   EXPECT_THAT(answer.text, HasSubstr("frame 4: it does not match its hash"));
 }
 
+/// It happened: masses and edges that other programs could not read were called verified.
+TEST_F(Replay, VerifiesTheTablesThatOtherProgramsRead) {
+  const std::string kept = content("a.h5");
+  for (const char* table : {"throng/bodies/mass", "particles/trajectory/box/edges", "throng/bodies/radius"}) {
+    alter("f['" + std::string(table) + "'][0] *= 1.5");
+    const Answer other = throng("replay a.h5 --verify");
+    EXPECT_EQ(other.code, 2) << table;
+    EXPECT_THAT(other.text, HasSubstr("is not that of the scenario"));
+    std::ofstream(folder / "a.h5", std::ios::binary) << kept;
+    alter("at = f['" + std::string(table) +
+          "'].id.get_chunk_info(0).byte_offset; f.close(); f = open('a.h5', 'r+b'); f.seek(at + 6);"
+          "byte = f.read(1)[0]; f.seek(at + 6); f.write(bytes([byte ^ 16]))");
+    const Answer broken = throng("replay a.h5 --verify");
+    EXPECT_EQ(broken.code, 2) << table;
+    EXPECT_THAT(broken.text, HasSubstr("a.h5 is damaged"));
+    std::ofstream(folder / "a.h5", std::ios::binary) << kept;
+  }
+  EXPECT_EQ(throng("replay a.h5 --verify").text, "verified: 21 frames\n");
+}
+
 TEST_F(Replay, NamesTheFirstStepAndBodyThatDiverge) {
   const Answer other = throng("run three.toml -o other.h5 --progress none --set gravity=[0.0,-9.8]");
   ASSERT_EQ(other.code, 0) << other.text;
@@ -318,6 +338,16 @@ double grey_share(const std::filesystem::path& file) {
   for (int y = 0; y < picture.height(); ++y)
     for (int x = 0; x < picture.width(); ++x) grey += picture.at(x, y) == std::array{158, 161, 166};
   return static_cast<double>(grey) / (picture.width() * picture.height());
+}
+
+/// The legend tells frames without velocities from recordings without any.
+TEST_F(Replay, SaysWhyAPictureShowsNoSpeeds) {
+  const std::string run = "run three.toml --progress none --set 'record.fields=[\"position\",\"angle\"]' ";
+  ASSERT_EQ(throng(run + "-o none.h5").code, 0);
+  ASSERT_EQ(throng(run + "--set 'record.also=[{ every = 7, fields = [\"velocity\"] }]' -o some.h5").code, 0);
+  for (const std::string name : {"none", "some"})
+    ASSERT_EQ(throng("replay " + name + ".h5 --png " + name + ".png --at 0.05").code, 0);
+  EXPECT_NE(content("none.png"), content("some.png"));
 }
 
 TEST_F(Replay, ShowsThroughTheHolesOfPolygons) {

@@ -157,6 +157,55 @@ TEST_F(Query, NeedsTheHeadingToBeRecorded) {
             "id,neighbour,distance\n1,4,9\n");
 }
 
+TEST_F(Query, SaysWhenAFieldIsRecordedThatTheFrameLacks) {
+  const std::string recording = path("rates.h5");
+  const Result run = throng("run " +
+                            write("s.toml", kHead +
+                                                "record = { fields = [\"position\"], observables = 3, "
+                                                "also = [{ every = 2, fields = [\"velocity\"] }, "
+                                                "{ every = 9, fields = [\"angle\"] }] }\n" +
+                                                kBodies) +
+                            " --set time.dt=0.125 --set record.every=1 -o " + recording);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const std::string ask = recording + " --radius 9 --id 1 --fov 90 --at ";
+  expect_refused(ask + "0.125",
+                 "velocities are not in this frame; recorded each 2 steps, next at 0.25 s; choose another "
+                 "--at or --heading");
+  expect_refused(ask + "0.5 --heading angle",
+                 "angles are not in this frame; recorded each 9 steps, last at 0 s");
+  EXPECT_EQ(throng("query " + ask + "0.25").exit_code, 0);
+}
+
+/// Observables alone make frames that no question is about: their numbers count all the same.
+TEST_F(Query, NumbersFramesAsTheRecordingDoes) {
+  const std::string recording = path("sparse.h5");
+  const Result run =
+      throng("run " + write("s.toml", kHead + "record = { every = 2, observables = 1 }\n" + kBodies) +
+             " -o " + recording);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(throng("query " + recording + " --radius 1 --id 1").err,
+            "throng: " + recording + ": frame 4 (of 0 to 4), at 1 s\n");
+  EXPECT_EQ(throng("query " + recording + " --radius 1 --id 1 --at 0.5").err,
+            "throng: " + recording + ": frame 2 (of 0 to 4), at 0.5 s\n");
+}
+
+TEST_F(Query, SaysWhyABodyIsNotInAFrame) {
+  const std::string recording = path("some.h5");
+  const Result run = throng("run " +
+                            write("s.toml", kHead +
+                                                "record = { of = { ids = [1, 3] }, "
+                                                "within = [[-5, -5], [1.2, 9]] }\n" +
+                                                kBodies) +
+                            " -o " + recording);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(throng("query " + recording + " --radius 1 --id 1 --at 0.5").exit_code, 0);
+  expect_refused(recording + " --radius 1 --id 1 --at 1", "body 1 is not there at 1 s");
+  expect_refused(recording + " --radius 1 --id 2 --at 1", "body 2 is not recorded (record.of)");
+  for (const char* id : {"0", "5", "-1", "4294967297"})
+    expect_refused(recording + " --radius 1 --at 1 --id=" + id,
+                   std::string("no body has the id ") + id + "; ids go from 1 to 4");
+}
+
 TEST_F(Query, AnswersForAFrameOfARecording) {
   const std::string recording = path("r.h5");
   const Result run = throng("run " + write("s.toml", kTorus) + " -o " + recording);
