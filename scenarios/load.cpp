@@ -53,8 +53,8 @@ void read_scene(const toml::table& root, Scene& scene, Report& report) {
   place_bodies(entries, draws, scene, report);
   add_bodies_to_floor(entries, scene, report);
   if (report.errors() > 0) return;
-  check_queues(root, scene, report);
   place_agents(agents, scene, report);
+  check_queues(root, scene, report);
   read_recorded_bodies(root, scene, report);
   if (report.errors() > 0) return;
   read_sensors(root, scene, report);

@@ -4,6 +4,7 @@
 #include "scenarios/path.h"
 #include "scenarios/read_crowd.h"
 #include "scenarios/region_sets.h"
+#include "sim/crowd/queue_line.h"
 
 namespace throng::scenarios {
 
@@ -166,6 +167,11 @@ void read_queue(const toml::table& table, const Path& path, Queue& queue, Scene&
   if (std::ranges::adjacent_find(queue.line) != queue.line.end())
     return fail("must not hold a point twice in a row");
   if (const std::string fault = too_short(queue.line, false); !fault.empty()) return fail(fault);
+  double length = 0.0;
+  for (std::size_t i = 1; i < queue.line.size(); ++i) length += (queue.line[i] - queue.line[i - 1]).norm();
+  if (!(length / queue.spacing < QueueLine::kMostPlaces))
+    return fail("has places for " + to_text(length / queue.spacing) + " agents, must have at most " +
+                to_text(QueueLine::kMostPlaces));
   queue.goal = static_cast<std::uint32_t>(scene.crowd.goals.size());
   scene.crowd.goals.push_back({in_quotes(queue.name), {}, band(queue.line, 0.25 * queue.spacing)});
 }

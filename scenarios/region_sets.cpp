@@ -104,11 +104,13 @@ Region band(std::span<const Vec> line, double half) {
 Region united(std::span<const Region> regions) {
   if (regions.size() == 1) return regions.front();
   const Geos geos;
-  std::vector<GEOSGeometry*> pieces;
-  for (const Region& region : regions) pieces.push_back(solid(geos, region).release());
+  std::vector<Geometry> pieces;
+  for (const Region& region : regions) pieces.push_back(solid(geos, region));
+  std::vector<GEOSGeometry*> given;
+  for (Geometry& piece : pieces) given.push_back(piece.release());
   const Geometry all =
-      made(geos, GEOSGeom_createCollection_r(geos.handle, GEOS_GEOMETRYCOLLECTION, pieces.data(),
-                                             static_cast<unsigned>(pieces.size())));
+      made(geos, GEOSGeom_createCollection_r(geos.handle, GEOS_GEOMETRYCOLLECTION, given.data(),
+                                             static_cast<unsigned>(given.size())));
   return region_of(geos, made(geos, GEOSUnaryUnion_r(geos.handle, all.get())).get());
 }
 

@@ -14,18 +14,6 @@ using Segment = Barriers::Segment;
 
 constexpr double kRounding = 1e-9;  // of a squared distance
 
-double distance(const Segment& one, const Segment& other) {
-  if (narrowphase::segments_meet(one.a, one.b, other.a, other.b)) return 0.0;
-  const auto to = [](const Segment& segment, const Vec& p) {
-    return (nearest_on_segment(segment.a, segment.b, p) - p).squaredNorm();
-  };
-  return std::sqrt(std::min({to(one, other.a), to(one, other.b), to(other, one.a), to(other, one.b)}));
-}
-
-Eigen::AlignedBox2d box_of(const Segment& segment) {
-  return {Vec(segment.a.cwiseMin(segment.b)), Vec(segment.a.cwiseMax(segment.b))};
-}
-
 }  // namespace
 
 Barriers::Barriers(std::span<const BarrierLine> lines, double reach) {
@@ -99,19 +87,6 @@ double Barriers::distance(const Vec& p, double most) const {
     least = std::min(least, (nearest_on_segment(segment.a, segment.b, p) - p).squaredNorm());
   });
   return std::sqrt(least);
-}
-
-double Barriers::narrowest(double least, double most) const {
-  double width = most;
-  const Vec far(most, most);
-  for (const Segment& one : segments()) {
-    const Eigen::AlignedBox2d box = box_of(one);
-    for_each_near({Vec(box.min() - far), Vec(box.max() + far)}, [&](const Segment& other) {
-      const double between = &other > &one ? throng::distance(one, other) : most;
-      if (between >= least) width = std::min(width, between);
-    });
-  }
-  return width;
 }
 
 }  // namespace throng

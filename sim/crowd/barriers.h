@@ -68,10 +68,6 @@ class Barriers {
   /// m, from `p` to the nearest segment; `most` where that is farther.
   double distance(const Vec& p, double most) const;
 
-  /// The least width (m) of a passage: of all pairs of segments that don't follow on one another those that
-  /// are at least `least` apart count. `most` where none are nearer than that.
-  double narrowest(double least, double most) const;
-
  private:
   /// Whether the nearest point of the segment is a local minimum over its line too.
   bool is_minimum(const Segment& segment, const Vec& nearest, const Vec& p) const;

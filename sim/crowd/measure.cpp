@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sim/crowd/measure.h"
 
+#include "sim/crowd/inside.h"
+
 namespace throng {
 
 namespace {
@@ -30,8 +32,8 @@ void measure_line(const Measure& measure, std::span<const Stride> strides, std::
 
 void measure_area(const Measure& measure, std::span<const Stride> strides, std::int64_t step,
                   Measured& measured) {
-  const Eigen::AlignedBox2d box = bounds(measure.area);
-  const auto is_in = [&](const Vec& p) { return box.contains(p) && contains(measure.area, p); };
+  thread_local Inside is_in;
+  is_in.set(measure.area);
   for (const Stride& stride : strides) {
     if (!is_in(stride.to)) continue;
     if (measured.steps == 0 || !is_in(stride.from)) count(step, measured.count, measured);
@@ -47,11 +49,11 @@ constexpr const char* kAreaColumns[] = {"count", "density", "speed", "flow"};
 /// Density, speed and flow in an area.
 std::array<double, 3> measure_instant(const Measure& measure, const Instant& instant) {
   if (!measure.is_on(instant.step)) return {kUnknown, kUnknown, kUnknown};
-  const Eigen::AlignedBox2d box = bounds(measure.area);
+  const Inside is_in(measure.area);
   double agents = 0.0, sum = 0.0;
   for (std::size_t row = 0; row < instant.position.size(); ++row) {
     const Vec& p = instant.position[row];
-    if (!box.contains(p) || !contains(measure.area, p)) continue;
+    if (!is_in(p)) continue;
     ++agents;
     sum += instant.velocity[row].norm();
   }

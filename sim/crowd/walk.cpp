@@ -80,6 +80,18 @@ void Walk::Ranks::resize(std::size_t n) {
     all->resize(n + CrowdView::kPadding);
 }
 
+/// Has the memory brought near that ranking who has that place reads.
+void Walk::prefetch(const State& state, std::size_t place) const {
+  const std::size_t i = cells_.row()[place], row = scene_.crowd.first + i;
+  const CrowdState& crowd = state.crowd;
+  for (const void* each :
+       {static_cast<const void*>(&state.id[row]), static_cast<const void*>(&state.position[row]),
+        static_cast<const void*>(&state.velocity[row]), static_cast<const void*>(&crowd.stage[i]),
+        static_cast<const void*>(&crowd.option[i]), static_cast<const void*>(&crowd.place[i]),
+        static_cast<const void*>(&crowd.stand_step[i])})
+    __builtin_prefetch(each);
+}
+
 void Walk::rank(const State& state, std::size_t place) {
   const std::size_t row = this->row(place), its = agent(state, row);
   const Vec &p = state.position[row], &v = state.velocity[row];
@@ -114,6 +126,7 @@ void Walk::look(State& state, Workers& workers) {
   ranks_.resize(n);
   workers.for_ranges(n, [&](std::size_t begin, std::size_t end) {
     for (std::size_t place = begin; place < end; ++place) {
+      prefetch(state, std::min(place + 2 * kAhead, end - 1));
       journeys_->prefetch(state, cells_.row()[std::min(place + kAhead, end - 1)]);
       rank(state, place);
     }
@@ -163,6 +176,8 @@ void Walk::walk(State& state, Workers& workers) {
   corrected_.resize(n), squeezed_.resize(n);
   workers.for_ranges(n, [&](std::size_t begin, std::size_t end) {
     for (std::size_t place = begin; place < end; ++place) {
+      const std::size_t ahead = this->row(std::min(place + kAhead, end - 1));
+      __builtin_prefetch(&state.position[ahead], 1), __builtin_prefetch(&state.velocity[ahead], 1);
       const std::size_t row = this->row(place);
       const double core = ranks_.radius[place] * models_[scene_.crowd.group[agent(state, row)]]->core();
       const Vec from = state.position[row], by = dt * velocity_[place];

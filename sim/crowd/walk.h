@@ -55,6 +55,7 @@ class Walk {
   };
 
   void look_at_movers(const State& state);
+  void prefetch(const State& state, std::size_t place) const;
   void rank(const State& state, std::size_t place);
   void measure_all(State& state);
   bool is_due(const State& state, std::size_t group) const;

@@ -44,7 +44,7 @@ Ways::Ways(const Scene& scene, const Barriers& barriers) : scene_(scene), goals_
     const Region& region = crowd.goals[goal].region;
     goals_[goal].field =
         std::make_unique<DistanceField>(plan(least[goal], largest[goal], barriers), barriers, region);
-    goals_[goal].bounds = bounds(region);
+    goals_[goal].inside.emplace(region);
   }
   expect_ways();
 }

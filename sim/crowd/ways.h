@@ -3,11 +3,13 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "sim/crowd/barriers.h"
 #include "sim/crowd/distance_field.h"
 #include "sim/crowd/floor_plan.h"
+#include "sim/crowd/inside.h"
 #include "sim/scene.h"
 
 namespace throng {
@@ -36,10 +38,8 @@ class Ways {
   /// Expects a goal that some agent has.
   const DistanceField& to(std::uint32_t goal) const { return *goals_[goal].field; }
 
-  /// Whether `p` is in the goal.
-  bool is_in(std::uint32_t goal, const Vec& p) const {
-    return goals_[goal].bounds.contains(p) && contains(scene_.crowd.goals[goal].region, p);
-  }
+  /// Whether `p` is in the goal, which some agent has.
+  bool is_in(std::uint32_t goal, const Vec& p) const { return (*goals_[goal].inside)(p); }
 
   /// Whether ways lead from there to all goals of the group's journey.
   bool lead_on(const AgentGroup& group, const Vec& place) const;
@@ -51,7 +51,7 @@ class Ways {
   };
   struct Goal {
     std::unique_ptr<DistanceField> field;
-    Eigen::AlignedBox2d bounds;  ///< m, of its region
+    std::optional<Inside> inside;
   };
 
   const FloorPlan& plan(double least, double largest, const Barriers& barriers);

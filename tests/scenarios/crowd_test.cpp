@@ -167,6 +167,12 @@ TEST(Crowd, BearsNoBodiesThatItWouldPush) {
   expect_fault(
       kFloor + kGroup + beside + "kind = 'static'\n",
       "agents[0].at: an agent of radius 0.2 m at [1, 1] is not wholly on the walkable area, or overlaps");
+  expect_fault(
+      kFloor + kGroup +
+          "at = [1, 1]\n[shapes]\nb.disc.radius = 1\n[[bodies]]\nshape = 'b'\nat = [7, 4]\n"
+          "kind = 'kinematic'\nspin = -60\n",
+      "bodies[0].spin: turns by 0.6 rad in a step; beside agents it must be at most 0.5, so time.dt at most "
+      "0.008333");
   expect_fault("throng = 1\nengine = 'box2d'\n" + kFloor.substr(11) + kGroup + "at = [1, 1]\n",
                "engine: box2d: agents: ");
 }
@@ -351,6 +357,16 @@ TEST(Crowd, IsRefusedWhereItsJourneyMakesNoSense) {
   expect_fault(queue("[[5, 2.5], [7, 2.5]]"), "is o");
   expect_fault(queue("[[7, 4], [6, 4]]") + "[[walls]]\nsegment = [[6.7, 0], [6.7, 5]]\n",
                "queues.gate.line: its place 2 at [6.4, 4] is behind a wall, seen from the one before it");
+  const auto narrow = [](const std::string& spacing) {
+    return kFloor + "[queues]\ngate = { service = 1, line = [[7, 4.875], [6, 4.875]], spacing = " + spacing +
+           " }\n" + kGroup.substr(0, kGroup.find("goal")) + kRandom + "goal = [{ queue = 'gate' }, 'exit']\n";
+  };
+  expect_fault(narrow("0.05"),
+               "its place 1 at [7, 4.875] is 0.125 m from a wall: agents of radius 0.2 m get no nearer");
+  EXPECT_EQ(load_text(narrow("0.15")).errors(), 0);
+  expect_fault(
+      queue("[[7, 4], [6, 4]]") + "[queues.long]\nservice = 1\nspacing = 0.01\nline = [[0, 1], [1e6, 1]]\n",
+      "queues.long.line: has places for 1e+08 agents, must have at most 1e+06");
 }
 
 }  // namespace throng

@@ -51,4 +51,8 @@ void print_verdicts(const std::vector<Row>& rows);
 /// Steps of crowds of each model, beside their plain twins: scalar, neighbours from nanoflann.
 std::vector<Row> bench_crowd(const Options& options);
 
+/// The case of bench_crowd that is about finding the way: a floor plan and a distance field of a million
+/// nodes.
+std::vector<Row> bench_ways(const Options& options);
+
 }  // namespace throng::bench

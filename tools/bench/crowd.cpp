@@ -118,7 +118,7 @@ std::vector<Row> run(const Case& one, const Options& options) {
 }  // namespace
 
 std::vector<Row> bench_crowd(const Options& options) {
-  std::vector<Row> rows;
+  std::vector<Row> rows = bench_ways(options);
   for (const Case& one : cases(options.quick)) {
     if (!chosen(one.name(), options)) continue;
     for (Row& row : run(one, options)) rows.push_back(std::move(row));

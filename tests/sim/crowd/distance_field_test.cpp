@@ -7,14 +7,14 @@
 #include <random>
 
 #include "sim/crowd/slide.h"
-#include "tests/sim/crowd/geodesic.h"
+#include "tools/bench/geodesic.h"
 
 namespace throng {
 namespace {
 
-using testing::edges;
-using testing::Geodesic;
-using testing::rectangle;
+using bench::edges;
+using bench::Geodesic;
+using bench::rectangle;
 
 /// A field over a region whose edges are the barriers, and `walls` besides.
 struct Field {

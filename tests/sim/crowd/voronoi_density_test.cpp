@@ -15,17 +15,6 @@ Region box(double x0, double y0, double x1, double y1) {
   return {{{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}}};
 }
 
-TEST(CommonArea, ByHand) {
-  const std::vector<Vec> square{{0, 0}, {2, 0}, {2, 2}, {0, 2}};
-  EXPECT_DOUBLE_EQ(common_area(square, box(1, 1, 5, 5)), 1.0);
-  EXPECT_DOUBLE_EQ(common_area(square, box(-1, -1, 5, 5)), 4.0);
-  EXPECT_DOUBLE_EQ(common_area(square, box(3, 3, 5, 5)), 0.0);
-  const Region frame{{{{-1, -1}, {5, -1}, {5, 5}, {-1, 5}}, {{1, 1}, {3, 1}, {3, 3}, {1, 3}}}};
-  EXPECT_DOUBLE_EQ(common_area(square, frame), 3.0) << "less a corner of its hole";
-  const Region comb{{{{0.5, -1}, {1, -1}, {1, 3}, {1.5, 3}, {1.5, -1}, {2.5, -1}, {2.5, 4}, {0.5, 4}}}};
-  EXPECT_DOUBLE_EQ(common_area(square, comb), 2 * 0.5 + 2 * 0.5) << "two pieces";
-}
-
 TEST(VoronoiDensity, OfOneAgentIsThatOfItsArea) {
   VoronoiDensity one(box(0, 0, 10, 10), box(3, 3, 7, 7), 16.0, 1.0);
   const std::vector<Vec> middle{{5, 5}}, edge{{3, 5}}, outside{{2.5, 5}}, far{{1.5, 1.5}};
@@ -54,6 +43,16 @@ TEST(VoronoiDensity, OfCellsThatEndAtTheFloor) {
   EXPECT_NEAR(two.density(std::vector<Vec>{{0.4, 0.5}, {1.2, 0.5}}), 1.0 + 0.2 / 1.2, 1e-12)
       << "cells of 0.8 and 1.2 m²";
   EXPECT_NEAR(two.density(std::vector<Vec>{{0.5, 0.5}, {0.5, 0.5}}), 1.0, 1e-12) << "both have all of it";
+}
+
+// Agents in the next room gave part of their cells to this one's density, through the wall.
+TEST(VoronoiDensity, EndsAtWallsOfTwoSides) {
+  const Region rooms{{{{0, 0}, {4, 0}, {4, 1}, {0, 1}}, {{1.9, 0}, {2.1, 0}, {2.1, 1}, {1.9, 1}}}};
+  VoronoiDensity left(rooms, box(0, 0, 1.9, 1), 1.9, 5.0);
+  EXPECT_NEAR(left.density(std::vector<Vec>{{1.0, 0.5}, {2.2, 0.5}}), 1.0 / 1.9, 1e-9)
+      << "whose cell goes up to x = 1.6, as far as the other's, who has nothing of this room";
+  EXPECT_NEAR(left.density(std::vector<Vec>{{1.0, 0.5}}), 1.0 / 1.9, 1e-9);
+  EXPECT_NEAR(left.density(std::vector<Vec>{{2.2, 0.5}}), 0.0, 1e-12);
 }
 
 TEST(VoronoiDensity, AgreesWithTheNearestAgentOfEachOfManyPoints) {

@@ -9,11 +9,11 @@
 #include "sim/crowd/barriers.h"
 #include "sim/crowd/region.h"
 
-namespace throng::testing {
+namespace throng::bench {
 
-/// The definition that distance fields are held against: the shortest way to a point goes over corners of
-/// barriers that see one another. O(corners²) to build and O(corners) to ask, each by looking at all
-/// barriers.
+/// The definition that distance fields are held against, in tests and benchmarks: the shortest way to a point
+/// goes over corners of barriers that see one another. O(corners²) to build and O(corners) to ask, each by
+/// looking at all barriers.
 class Geodesic {
  public:
   Geodesic(const Region& walkable, const Barriers& barriers, const Vec& goal)
@@ -66,4 +66,4 @@ inline std::vector<BarrierLine> edges(const Region& region) {
   return lines;
 }
 
-}  // namespace throng::testing
+}  // namespace throng::bench
