@@ -62,6 +62,7 @@ void print_table(const Recording& recording) {
     std::printf("%10zu %12" PRId64 " %14.6g %12s  %016" PRIx64 "\n", i, frame.step, frame.time, speed,
                 frame.state_hash);
   }
+  if (n > lines) std::printf("%zu of %zu frames; --verify checks all of them\n", lines, n);
 }
 
 void draw(const Recording& recording, const Options& options) {

@@ -34,6 +34,13 @@ void write_base64(std::ostream& out, const std::string& file) {
   if (!in.eof()) throw InputError("cannot read " + file + ": " + std::strerror(errno));
 }
 
+/// Those of observables alone are checked, too.
+void expect_undamaged(const std::string& file) {
+  const Recording recording(file);
+  Frame frame;
+  for (std::size_t i = 0; i < recording.frames(); ++i) recording.read(i, frame);
+}
+
 std::string template_page() {
   std::string page;
   for (const char* const* piece = kReplayHtml; *piece; ++piece) page += *piece;
@@ -51,6 +58,7 @@ bool write_replay_page(const Recording& recording, const std::string& file, cons
   const std::string page = template_page();
   expect_drawable(recording, file);
   const bool embedded = recording.bytes() <= kLargestEmbedded && !recording.running();
+  if (embedded) expect_undamaged(file);
   const Json given{{"name", std::filesystem::path(file).filename().string()}, {"embedded", embedded}};
   const std::size_t a = page.find(kGiven), b = page.find(kRecording);
   const std::string_view whole = page;

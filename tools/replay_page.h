@@ -17,9 +17,10 @@ inline constexpr double kLargestEmbedded = 64e6;
 
 /// Writes one HTML file that replays recordings in a browser, without network. It holds the recording, that
 /// of `file`, byte for byte; one that is larger than kLargestEmbedded or still being written is named, and
-/// the page asks for it and reads it in place. O(bytes). Throws InputError where the program has no page,
-/// positions were not recorded, there is no frame, or `output` can't be written; no half file stays. Returns
-/// whether the page holds the recording.
+/// the page asks for it and reads it in place. What it holds is checked, each frame against its hash.
+/// O(bytes). Throws InputError where the program has no page, positions were not recorded, there is no frame,
+/// one is damaged, or `output` can't be written; no half file stays. Returns whether the page holds the
+/// recording.
 bool write_replay_page(const Recording& recording, const std::string& file, const std::string& output);
 
 }  // namespace throng::tools

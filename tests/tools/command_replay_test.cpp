@@ -436,6 +436,18 @@ std::string between(const std::string& text, const std::string& before, const st
   return text.substr(from, text.find(after, from) - from);
 }
 
+/// Observables carry no checksums: their frames' hashes tell.
+TEST_F(Replay, WritesNoPageOfADamagedRecording) {
+  ASSERT_EQ(
+      throng("run three.toml -o a.h5 --force --progress none --every 4 --set record.observables=10").code, 0);
+  EXPECT_EQ(throng("replay a.h5 --html whole.html").code, 0);
+  alter("f['observables/kinetic_energy/value'][1] *= 2");
+  const Answer answer = throng("replay a.h5 --html a.html");
+  EXPECT_EQ(answer.code, 2);
+  EXPECT_THAT(answer.text, HasSubstr("frame 3: it does not match its hash"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.html"));
+}
+
 TEST_F(Replay, WritesAPageThatHoldsTheRecordingByteForByte) {
   std::filesystem::rename(folder / "a.h5", folder / "a<script>.h5");
   const Answer answer = throng("replay 'a<script>.h5' --html a.html");
@@ -465,9 +477,10 @@ TEST_F(Replay, ListsTheFramesWithoutOptions) {
   const Answer answer = throng("replay a.h5");
   EXPECT_EQ(answer.code, 0);
   EXPECT_EQ(std::count(answer.text.begin(), answer.text.end(), '\n'),
-            21);  // a heading and twenty of the frames
+            22);  // a heading, twenty of the frames and how many there are
   EXPECT_THAT(answer.text, testing::ContainsRegex("\n +0 +0 +0 +1\\.118 +[0-9a-f]{16}\n"));
-  EXPECT_THAT(answer.text, testing::ContainsRegex("\n +20 +20 +0\\.2 +[0-9.]+ +[0-9a-f]{16}\n$"));
+  EXPECT_THAT(answer.text,
+              testing::ContainsRegex("\n +20 +20 +0\\.2 +[0-9.]+ +[0-9a-f]{16}\n20 of 21 frames; "));
 }
 
 TEST_F(Replay, SaysWhatIsWrongWithAFileThatIsNoRecording) {

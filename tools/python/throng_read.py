@@ -21,6 +21,7 @@ none, nor do the lists of frames: `throng replay --verify`, or any export by thr
 their frame. Where a file is no recording, `open` raises
 NotARecording with one sentence. The layout is that of sim/recording/layout.h, which says what each name means.
 """
+import contextlib
 import functools
 import math
 import os
@@ -75,8 +76,8 @@ class Field:
     IndexError.
     """
 
-    def __init__(self, name, values, frames, time):
-        self._name, self._values, self._time = name, values, time
+    def __init__(self, path, name, values, frames, time):
+        self._path, self._name, self._values, self._time = path, name, values, time
         self.frames = frames  # of the recording, in which it is
         self.shape = (len(time),) + values.shape[1:]
         self.dtype = values.dtype
@@ -89,12 +90,24 @@ class Field:
         if first is Ellipsis:
             return self[(slice(None),) * (len(self.shape) - len(rest)) + tuple(rest)]
         if not isinstance(first, slice) and np.ndim(first) == 0:
-            return self._values[int(self._samples([range(len(self))[int(first)]])[0])][tuple(rest)]
-        samples = self._samples(np.arange(len(self))[first if isinstance(first, slice) else np.asarray(first)])
+            frame = range(len(self))[int(first)]
+            with self._damage_named(frame):
+                return self._values[int(self._samples([frame])[0])][tuple(rest)]
+        frames = np.arange(len(self))[first if isinstance(first, slice) else np.asarray(first)]
+        samples = self._samples(frames)
         result = np.empty((len(samples),) + self.shape[1:], self.dtype)
         for row, sample in enumerate(samples):
-            self._values.read_direct(result, np.s_[int(sample)], np.s_[row])
+            with self._damage_named(frames[row]):
+                self._values.read_direct(result, np.s_[int(sample)], np.s_[row])
         return result[(slice(None), *rest)]
+
+    @contextlib.contextmanager
+    def _damage_named(self, frame):
+        """Errors that come of reading say where."""
+        try:
+            yield
+        except OSError as error:
+            raise OSError(f"{self._path} is damaged: frame {frame}, {self._name}: {error}") from error
 
     def _samples(self, frames):
         """The rows of the file that are these frames."""
@@ -287,7 +300,7 @@ class Recording:
             raise ValueError(f"{path} has another form")
         if changes:
             values = Region(values, self._present, self._samples_of_ids(frames), frames, self.ids)
-        return Field(name, values, frames, self.time)
+        return Field(self._path, name, values, frames, self.time)
 
     def _samples_of_ids(self, frames):
         """The rows of id that are these frames."""
@@ -308,7 +321,7 @@ class Recording:
         values = Quantized(self._file[path])
         if self._present is not None:
             values = Region(values, self._present, self._samples_of_ids(frames), frames, self.ids)
-        return Field("position", values, frames, self.time)
+        return Field(self._path, "position", values, frames, self.time)
 
     def _sample(self, group, i):
         """Which of a group's samples frame i is; None where it holds none."""
