@@ -17,8 +17,10 @@
 #include <type_traits>
 
 #include "sim/input_error.h"
+#include "sim/recording/contact_columns.h"
 #include "sim/recording/frame_hash.h"
 #include "sim/recording/output_file.h"
+#include "sim/recording/soundness.h"
 #include "sim/simulation_error.h"
 
 namespace throng::recording {
@@ -55,87 +57,11 @@ static_assert(sizeof(SensedSum) == 2 * sizeof(std::int64_t), "every byte of it i
 static_assert(sizeof(Measured) == 6 * sizeof(std::int64_t) + 2 * sizeof(double),
               "every byte of it is written");
 
-/// Contacts, an array a quantity: the struct's own padding has no defined bytes.
-struct Columns {
-  std::vector<std::uint64_t> key;
-  std::vector<std::uint32_t> feature;
-  std::vector<double> normal, tangent, rolling;
-
-  explicit Columns(std::size_t n) : key(n), feature(n), normal(n), tangent(n), rolling(n) {}
-
-  explicit Columns(const std::vector<ContactImpulse>& contacts) : Columns(contacts.size()) {
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-      const auto& [k, f, n, t, r] = contacts[i];  // a member added there belongs here too
-      key[i] = k, feature[i] = f, normal[i] = n, tangent[i] = t, rolling[i] = r;
-    }
-  }
-
-  std::vector<ContactImpulse> contacts() const {
-    std::vector<ContactImpulse> result;
-    result.reserve(key.size());
-    for (std::size_t i = 0; i < key.size(); ++i)
-      result.push_back({key[i], feature[i], normal[i], tangent[i], rolling[i]});
-    return result;
-  }
-};
-
-std::vector<ContactImpulse> impulses(const std::vector<SleepingContact>& contacts) {
-  std::vector<ContactImpulse> result;
-  for (const SleepingContact& contact : contacts) result.push_back(contact.impulse);
-  return result;
-}
-
-/// The same of those that sleep.
-struct SleepingColumns : Columns {
-  std::vector<std::uint32_t> island, a, b;
-  std::vector<Vec> point;
-
-  explicit SleepingColumns(std::size_t n) : Columns(n), island(n), a(n), b(n), point(n) {}
-
-  explicit SleepingColumns(const std::vector<SleepingContact>& contacts)
-      : Columns(impulses(contacts)), island(key.size()), a(key.size()), b(key.size()), point(key.size()) {
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-      const auto& [impulse, its_island, its_a, its_b, its_point] = contacts[i];  // as above
-      island[i] = its_island, a[i] = its_a, b[i] = its_b, point[i] = its_point;
-    }
-  }
-
-  std::vector<SleepingContact> contacts() const {
-    std::vector<SleepingContact> result;
-    result.reserve(key.size());
-    for (const ContactImpulse& impulse : Columns::contacts()) {
-      const std::size_t i = result.size();
-      result.push_back({impulse, island[i], a[i], b[i], point[i]});
-    }
-    return result;
-  }
-};
-
-/// All contacts of a state.
-struct AllColumns {
-  Columns discs, points;
-  SleepingColumns sleeping_discs, sleeping_points;
-};
-
 template <class S, class F>
 void for_each_array(S& state, F visit) {
   auto& [step, id, position, angle, velocity, spin, disc_contacts, point_contacts, sleep, crowd, sensed] =
       state;  // all
   visit(id), visit(position), visit(angle), visit(velocity), visit(spin);
-}
-
-template <class C, class F>
-void for_each_column(C& all, F visit) {
-  const auto shared = [&](auto& columns) {
-    visit(columns.key), visit(columns.feature), visit(columns.normal), visit(columns.tangent),
-        visit(columns.rolling);
-  };
-  const auto sleeping = [&](auto& columns) {
-    shared(columns);
-    visit(columns.island), visit(columns.a), visit(columns.b), visit(columns.point);
-  };
-  shared(all.discs), shared(all.points);
-  sleeping(all.sleeping_discs), sleeping(all.sleeping_points);
 }
 
 /// All that follows the header, in the order of the file.
@@ -269,67 +195,6 @@ void expect_size(const std::string& path, const Header& header, std::uint64_t si
                   contact * (header.disc_contacts + header.point_contacts) + sleeper * header.sleepers +
                   sleeping * (header.sleeping_disc_contacts + header.sleeping_point_contacts))
     refuse_damaged(path, "its size is not what its header says");
-}
-
-bool is_sound(const std::vector<ContactImpulse>& contacts) {
-  return std::is_sorted(contacts.begin(), contacts.end(),
-                        [](const ContactImpulse& a, const ContactImpulse& b) { return a.key < b.key; }) &&
-         std::all_of(contacts.begin(), contacts.end(), [](const ContactImpulse& c) {
-           return std::isfinite(c.normal) && std::isfinite(c.tangent) && std::isfinite(c.rolling);
-         });
-}
-
-/// Who they are of is for `fits` to say.
-bool is_sound(const std::vector<SleepingContact>& contacts) {
-  return is_sound(impulses(contacts)) &&
-         std::all_of(contacts.begin(), contacts.end(),
-                     [](const SleepingContact& c) { return is_near(c.point); });
-}
-
-/// All different, and from 1 to as many as there are with the agents who have left or are to come.
-bool are_names(std::vector<std::uint32_t> id, const CrowdState& crowd) {
-  const std::uint64_t others = static_cast<std::uint64_t>(crowd.arrived) + waiting(crowd);
-  std::sort(id.begin(), id.end());
-  return std::adjacent_find(id.begin(), id.end()) == id.end() &&
-         (id.empty() || (id.front() > 0 && id.back() <= id.size() + others));
-}
-
-/// What no run counts up to.
-bool is_count(std::int64_t n) {
-  return 0 <= n && n < std::int64_t{1} << 62;
-}
-
-bool is_sound(const Measured& measured, std::int64_t step) {
-  return 0 <= measured.first && measured.first <= measured.last && measured.last <= step &&
-         0 <= measured.steps && measured.steps <= step && is_count(measured.count) &&
-         is_count(measured.back) && is_count(measured.samples) && measured.speed >= 0.0 &&
-         std::isfinite(measured.speed) && measured.voronoi >= 0.0 && std::isfinite(measured.voronoi);
-}
-
-/// No body senses more than all the others, which 32 bits name.
-bool is_sound(const SensedSum& sum) {
-  return is_count(sum.looks) && is_count(sum.sensed) && sum.sensed >> 32 <= sum.looks;
-}
-
-bool is_sound(const CrowdState& crowd, std::int64_t step) {
-  const auto past = [step](std::int64_t s) { return s >= 0 && s <= step; };
-  return std::all_of(crowd.stand.begin(), crowd.stand.end(), is_near) &&
-         std::all_of(crowd.spot.begin(), crowd.spot.end(), is_near) &&
-         std::all_of(crowd.stand_step.begin(), crowd.stand_step.end(), past) &&
-         std::all_of(crowd.since.begin(), crowd.since.end(), past) && past(crowd.last_arrival) &&
-         is_count(crowd.arrived) && is_count(crowd.wall_corrections) && is_count(crowd.squeezed) &&
-         std::all_of(crowd.measured.begin(), crowd.measured.end(),
-                     [&](const Measured& measured) { return is_sound(measured, step); });
-}
-
-bool is_sound(const State& state) {
-  for (std::size_t row = 0; row < state.id.size(); ++row)
-    if (!can_go_on(state, row)) return false;
-  return state.step >= 0 && is_sound(state.crowd, state.step) && are_names(state.id, state.crowd) &&
-         std::all_of(state.sensed.begin(), state.sensed.end(),
-                     [](const SensedSum& sum) { return is_sound(sum); }) &&
-         is_sound(state.disc_contacts) && is_sound(state.point_contacts) &&
-         is_sound(state.sleep.disc_contacts) && is_sound(state.sleep.point_contacts);
 }
 
 Checkpoint read_content(int fd, const std::string& path, const Header& header) {

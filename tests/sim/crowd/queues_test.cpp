@@ -123,32 +123,26 @@ TEST(Queue, LeadsThroughALaneOfRopes) {
   EXPECT_EQ(run.state.crowd.arrived, 12);
 }
 
-// He stood before the rope for ever: so near to the line, he was sent straight to its end.
-TEST(Queue, IsFoundRoundARopeBesideIt) {
+/// Lets one agent of each model walk from `start` past those walls to the queue, and through it.
+void expect_arrival(const Vec& start, const std::string& walls) {
   for (const char* model : {"collision_free_speed", "social_force", "orca", "constant_velocity"}) {
     SCOPED_TRACE(model);
-    Trial run(
-        hall("count = 1\nradius = 0.2\ngoal = [{ queue = 'gate' }, 'high']\n"
-             "[[walls]]\nsegment = [[13.4, 4.7], [30, 4.7]]\n",
-             model));
-    run.state.position[0] = {22, 4.4};
+    Trial run(hall("count = 1\nradius = 0.2\ngoal = [{ queue = 'gate' }, 'high']\n" + walls, model));
+    run.state.position[0] = start;
     run.steps(2200);
     EXPECT_EQ(run.state.crowd.arrived, 1);
   }
 }
 
+// He stood before the rope for ever: so near to the line, he was sent straight to its end.
+TEST(Queue, IsFoundRoundARopeBesideIt) {
+  expect_arrival({22, 4.4}, "[[walls]]\nsegment = [[13.4, 4.7], [30, 4.7]]\n");
+}
+
 // He was sent through the gap, through which he saw the end of the queue.
 TEST(Queue, IsNotWalkedToThroughAGapNarrowerThanAnAgent) {
-  for (const char* model : {"collision_free_speed", "social_force", "orca", "constant_velocity"}) {
-    SCOPED_TRACE(model);
-    Trial run(
-        hall("count = 1\nradius = 0.2\ngoal = [{ queue = 'gate' }, 'high']\n"
-             "[[walls]]\nsegment = [[13, 1], [13, 4.85]]\n[[walls]]\nsegment = [[13, 5.15], [13, 10]]\n",
-             model));
-    run.state.position[0] = {11, 5};
-    run.steps(2200);
-    EXPECT_EQ(run.state.crowd.arrived, 1);
-  }
+  expect_arrival({11, 5},
+                 "[[walls]]\nsegment = [[13, 1], [13, 4.85]]\n[[walls]]\nsegment = [[13, 5.15], [13, 10]]\n");
 }
 
 TEST(Queue, ForgetsWhoCannotGetBackToHisPlaceAndSaysThatHeIsStuck) {

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "sim/recording/soundness.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/recording/contact_columns.h"
+#include "sim/simulation_error.h"
+
+namespace throng::recording {
+
+namespace {
+
+bool is_sound(const std::vector<ContactImpulse>& contacts) {
+  return std::is_sorted(contacts.begin(), contacts.end(),
+                        [](const ContactImpulse& a, const ContactImpulse& b) { return a.key < b.key; }) &&
+         std::all_of(contacts.begin(), contacts.end(), [](const ContactImpulse& c) {
+           return std::isfinite(c.normal) && std::isfinite(c.tangent) && std::isfinite(c.rolling);
+         });
+}
+
+/// Who they are of is for `fits` to say.
+bool is_sound(const std::vector<SleepingContact>& contacts) {
+  return is_sound(impulses(contacts)) &&
+         std::all_of(contacts.begin(), contacts.end(),
+                     [](const SleepingContact& c) { return is_near(c.point); });
+}
+
+/// All different, and from 1 to as many as there are with the agents who have left or are to come.
+bool are_names(std::vector<std::uint32_t> id, const CrowdState& crowd) {
+  const std::uint64_t others = static_cast<std::uint64_t>(crowd.arrived) + waiting(crowd);
+  std::sort(id.begin(), id.end());
+  return std::adjacent_find(id.begin(), id.end()) == id.end() &&
+         (id.empty() || (id.front() > 0 && id.back() <= id.size() + others));
+}
+
+/// What no run counts up to.
+bool is_count(std::int64_t n) {
+  return 0 <= n && n < std::int64_t{1} << 62;
+}
+
+bool is_sound(const Measured& measured, std::int64_t step) {
+  return 0 <= measured.first && measured.first <= measured.last && measured.last <= step &&
+         0 <= measured.steps && measured.steps <= step && is_count(measured.count) &&
+         is_count(measured.back) && is_count(measured.samples) && measured.speed >= 0.0 &&
+         std::isfinite(measured.speed) && measured.voronoi >= 0.0 && std::isfinite(measured.voronoi);
+}
+
+/// No body senses more than all the others, which 32 bits name.
+bool is_sound(const SensedSum& sum) {
+  return is_count(sum.looks) && is_count(sum.sensed) && sum.sensed >> 32 <= sum.looks;
+}
+
+bool is_sound(const CrowdState& crowd, std::int64_t step) {
+  const auto past = [step](std::int64_t s) { return s >= 0 && s <= step; };
+  return std::all_of(crowd.stand.begin(), crowd.stand.end(), is_near) &&
+         std::all_of(crowd.spot.begin(), crowd.spot.end(), is_near) &&
+         std::all_of(crowd.stand_step.begin(), crowd.stand_step.end(), past) &&
+         std::all_of(crowd.since.begin(), crowd.since.end(), past) && past(crowd.last_arrival) &&
+         is_count(crowd.arrived) && is_count(crowd.wall_corrections) && is_count(crowd.squeezed) &&
+         std::all_of(crowd.measured.begin(), crowd.measured.end(),
+                     [&](const Measured& measured) { return is_sound(measured, step); });
+}
+
+}  // namespace
+
+bool is_sound(const State& state) {
+  for (std::size_t row = 0; row < state.id.size(); ++row)
+    if (!can_go_on(state, row)) return false;
+  return state.step >= 0 && is_sound(state.crowd, state.step) && are_names(state.id, state.crowd) &&
+         std::all_of(state.sensed.begin(), state.sensed.end(),
+                     [](const SensedSum& sum) { return is_sound(sum); }) &&
+         is_sound(state.disc_contacts) && is_sound(state.point_contacts) &&
+         is_sound(state.sleep.disc_contacts) && is_sound(state.sleep.point_contacts);
+}
+
+}  // namespace throng::recording
