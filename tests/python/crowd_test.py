@@ -226,7 +226,6 @@ class Measures(Program):
     def test_sensors_tell_whom_they_found(self):
         with throng_read.open(self.record()) as recording:
             self.assertEqual(recording.sensors, [throng_read.Sensor("eyes", 50, 4.5, 180.0, "none")])
-            self.assertIsNone(recording.sensed("eyes", 49))
             start, later = recording.sensed("eyes", 0), recording.sensed("eyes", 100)
             self.assertEqual(list(start.who), [1, 2, 3])
             self.assertEqual(start.begin.dtype, np.uint64)
@@ -234,10 +233,15 @@ class Measures(Program):
             self.assertEqual([list(start[k]) for k in (1, 2, 3)], [[3], [3], [1, 2]])
             self.assertEqual(list(later.who), [2, 3])
             self.assertEqual([list(later[k]) for k in (2, 3)], [[3], []])
-            with self.assertRaises(KeyError):
-                later[1]
-            with self.assertRaises(KeyError):
-                recording.sensed("ears", 0)
+            self.assertEqual(list(recording.sensed_frames("eyes")), list(range(0, 301, 50)))
+            for said, ask in {
+                "frame 49 has no what 'eyes' sensed; the nearest that has is 50": lambda: recording.sensed("eyes", 49),
+                "frame 100, what 'eyes' sensed: body 1 was not there": lambda: later[1],
+                "no sensor 'ears': there are eyes": lambda: recording.sensed("ears", 0),
+                "no sensor 'nose'": lambda: recording.sensed_frames("nose"),
+                "no frame 301: they go from 0 to 300": lambda: recording.sensed("eyes", 301),
+            }.items():
+                self.assertRaisesRegex(throng_read.NotRecorded, "a.h5.*" + said, ask)
 
     def test_sensors_that_are_elsewhere_or_of_another_form_are_refused(self):
         def crafted(name, change):
@@ -259,7 +263,7 @@ class Measures(Program):
 
         with self.assertRaisesRegex(throng_read.NotARecording, "no hard link"):
             crafted("soft", soft)
-        with crafted("other", other) as recording, self.assertRaisesRegex(ValueError, "another form"):
+        with crafted("other", other) as recording, self.assertRaisesRegex(OSError, "other.h5 is damaged: frame 0, what 'eyes' sensed: .*another form"):
             recording.sensed("eyes", 0)
         with crafted("unsorted", unsorted) as recording, self.assertRaisesRegex(OSError, "damaged"):
             recording.sensed("eyes", 0)

@@ -33,7 +33,7 @@ class Layouts(Program):
                     np.testing.assert_array_equal(getattr(recording, field)[:], trajectory[field]["value"][:])
                 np.testing.assert_array_equal(recording.position[0], [[3.4, 0.25], [0.7, 0.4], [1.7, 0.4]])
                 self.assertEqual([shape.holes for shape in recording.shapes], [[], []])
-                self.assertIsNone(recording.contacts(3))
+                self.assertRaises(throng_read.NotRecorded, recording.contacts, 3)
                 self.assertEqual(recording.observables, {})
                 for form in ("csv", "pedpy", "xdmf", "h5md3", "lammps"):
                     self.assertEqual(self.throng("export", str(path), "--format", form, "-o", "a." + form, "--force"), (0, ""))

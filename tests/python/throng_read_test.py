@@ -84,14 +84,53 @@ class ThrongRead(Program):
             for field in ("position", "angle", "velocity", "spin"):
                 np.testing.assert_array_equal(getattr(frame, field),
                                               file[f"particles/trajectory/{field}/value"][6])
-            self.assertEqual(len(list(recording)), 21)
+            np.testing.assert_array_equal(frame.ids, [1, 2, 3, 4])
+            self.assertEqual([frame.step for frame in recording], list(range(21)))
 
     def test_has_none_where_a_field_was_not_recorded(self):
         path = self.record("a.h5", "--set", 'record.fields=["angle"]', "--every", "5")
         with throng_read.open(path) as recording:
-            self.assertEqual((recording.position, recording[0].velocity), (None, None))
+            self.assertEqual((len(recording.position.frames), recording[0].velocity), (0, None))
             self.assertEqual(recording.angle.shape, (5, 4))
             np.testing.assert_array_equal(recording.step, [0, 5, 10, 15, 20])
+
+    def test_says_in_one_way_what_is_not_there(self):
+        path = self.record("a.h5", "--every", "2", "--set", "record.observables=5", "--set", 'record.fields=["position"]',
+                           "--set", 'record.also=[{ every = 6, fields = ["contacts", "velocity"] }]')
+        with throng_read.open(path) as recording:  # steps 0 2 4 5 6 8 10 12 14 15 16 18 20
+            self.assertEqual(list(recording.contact_frames), [0, 4, 7, 11])
+            self.assertNotIn("agents", recording.observables)
+            for said, ask in {
+                "frame 3 has no contacts; the nearest that has is 4": lambda: recording.contacts(3),
+                "frame 6 has no contacts; the nearest that has is 7": lambda: recording.contacts(6),
+                "frame 3 has no velocity; velocity.frames are": lambda: recording.velocity[3],
+                "frame 12 has no velocity; ": lambda: recording.velocity[[0, -1]],
+                "no spin: it was not recorded": lambda: recording.spin[0],
+                "no angle: it was not recorded": lambda: recording.angle.index_at(0.1),
+                "no angle: it was not recorded ": lambda: recording.angle.between(0, 0.1),
+                "no angle: it was not recorded  ": lambda: recording.angle[:],
+                "no sensor 'eyes': none was recorded": lambda: recording.sensed("eyes", 0),
+                "no observable 'nope': there are contacts, ": lambda: recording.observables["nope"],
+                "no frame 13: they go from 0 to 12": lambda: recording.contacts(13),
+                "no frame -14: ": lambda: recording.contacts(-14),
+                "no frame 13: ": lambda: recording.position[13],
+                "no frame 99: ": lambda: recording.position[[0, 99]],
+                "no frame 14: ": lambda: recording[14],
+                "0.21 s is outside of it, it goes from 0 to 0.2 s": lambda: recording.index_at(0.21),
+                "0.19 s is outside of it, it goes from 0 to 0.18 s": lambda: recording.velocity.index_at(0.19),
+                "1 to 2 s is outside of it": lambda: recording.between(1, 2),
+                "-2 to -1 s is outside of it": lambda: recording.position.between(-2, -1),
+                "nan s is outside of it": lambda: recording.index_at(np.nan),
+            }.items():
+                with self.subTest(said), self.assertRaises(throng_read.NotRecorded) as caught:
+                    ask()
+                self.assertIn(said.strip(), str(caught.exception))
+                self.assertTrue(str(caught.exception).startswith(path), caught.exception)
+                self.assertIsInstance(caught.exception, (IndexError, KeyError))
+            self.assertEqual(list(recording.velocity.between(0.05, 0.05)), [])
+            self.assertEqual(recording.between(0.03, 0.035), slice(2, 2))
+            self.assertEqual(list(recording.velocity.between(-1, 9)), [0, 4, 7, 11])
+            self.assertRaisesRegex(ValueError, "goes back in time", recording.between, 2, 1)
 
     def test_gives_observables_at_the_times_of_their_frames(self):
         path = self.record("a.h5", "--set", "record.observables=8")
@@ -179,7 +218,12 @@ class Refusals(Program):
             with h5py.File(self.path(name), "w", libver=libver) as file:
                 file["particles/trajectory/position/value"] = np.zeros((3, 4, 2))
             self.refused(self.path(name), "is HDF5 but not throng's")
-        self.assertRaises(FileNotFoundError, throng_read.open, self.path("no.h5"))
+        with self.assertRaisesRegex(FileNotFoundError, "No such file.*no.h5") as caught:
+            throng_read.open(self.path("no.h5"))
+        self.assertNotIn(".part", str(caught.exception))
+        (self.folder / "no.h5.part").touch()
+        for path in (self.path("no.h5"), self.folder / "no.h5"):
+            self.assertRaisesRegex(FileNotFoundError, "no.h5.part has the frames of a run that did not end", throng_read.open, path)
 
     def test_refuses_a_newer_layout(self):
         path = self.record()
@@ -229,7 +273,7 @@ class Refusals(Program):
             file["observables/momentum/value"].resize((10**12, 2))
         with throng_read.open(path) as recording:
             for read in (lambda: recording.contacts(0), lambda: recording.observables):
-                self.assertRaisesRegex(ValueError, "claims more than the file can hold", read)
+                self.assertRaisesRegex(OSError, "a.h5 is damaged: .*claims more than the file can hold", read)
         with h5py.File(path, "r+") as file:
             del file["throng/quantized/position"]
             file["throng/quantized"].create_dataset("position", (21, 4, 2), "u4", chunks=(21, 4, 2), compression=1)

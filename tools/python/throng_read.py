@@ -9,19 +9,26 @@
         then = recording.position[recording.index_at(2.5)]   # the frame nearest to 2.5 s
         second = recording.position[recording.between(1, 2), :10]
 
-Indices are frames of the recording. A field that has a rate of its own is not in all of them: IndexError says so.
+Indices are frames of the recording. A field that has a rate of its own is not in all of them:
 recording.velocity.frames are those that have it, recording.velocity.index_at(2.5) and .between(1, 2) choose of
 these, and recording.velocity[recording.velocity.frames] is all there is. With record.within, bodies that were
 outside have NaN. recording.contacts(i) gives where bodies pressed, recording.observables the measurements, of
 agents also "agents", "arrived" and "measure/NAME/count" and so on; recording.sensed("NAME", i) whom a sensor found.
 
+Whatever isn't there, be it a frame, a field, a sample, a sensor, an observable or a time, raises NotRecorded, which
+says what there is. To ask before: .frames of a field (none where it was not recorded), recording.contact_frames,
+.sensed_frames("NAME"), .who of what was sensed, `in recording.observables`. Only a Frame, which is all that there
+is of one, has None instead.
+
 Nothing is read before it is asked for. Only frames that the run committed are there. Positions, angles,
-velocities and spins carry checksums: a damaged chunk raises OSError when it is read. Contacts, sensed and observables carry
-none, nor do the lists of frames: `throng replay --verify`, or any export by throng, holds them against the hash of
-their frame. Where a file is no recording, `open` raises
-NotARecording with one sentence. The layout is that of sim/recording/layout.h, which says what each name means.
+velocities and spins carry checksums: a damaged chunk raises OSError with file and frame when it is read. Contacts,
+sensed and observables carry none, nor do the lists of frames: `throng replay --verify`, or any export by throng,
+holds them against the hash of their frame. Where a file is no recording, `open` raises NotARecording with one
+sentence. The layout is that of sim/recording/layout.h, which says what each name means.
 """
 import contextlib
+import dataclasses
+import errno
 import functools
 import math
 import os
@@ -38,7 +45,8 @@ SLACK = 64_000_000  # bytes by which the file of a run that did not end may fall
 MOST_SENSORS = 8
 DENSEST = 1032  # bytes that deflate can make of one
 
-Frame = namedtuple("Frame", "step time hash position angle velocity spin")  # None where the frame has none
+FIELDS = ("position", "angle", "velocity", "spin")
+
 Contacts = namedtuple("Contacts", "a b impulse point")  # ids, 0 for obstacles; N s; (x, y) in m
 Sensor = namedtuple("Sensor", "name every radius fov_degrees sight")  # steps, m
 Shape = namedtuple("Shape", "name kind radius area centre outline parts holes")  # parts: (vertices, radius)
@@ -48,20 +56,50 @@ Wall = namedtuple("Wall", "points closed material")
 Domain = namedtuple("Domain", "kind min max")
 
 
+@dataclasses.dataclass(frozen=True, eq=False)
+class Frame:
+    """All that was recorded of a frame: a row a body in the order of `ids`; None where the frame has none."""
+    step: int
+    time: float  # s
+    hash: int
+    ids: np.ndarray
+    position: np.ndarray | None  # m
+    angle: np.ndarray | None  # rad
+    velocity: np.ndarray | None  # m/s
+    spin: np.ndarray | None  # rad/s
+
+
+class NotRecorded(IndexError, KeyError):
+    """What was asked for isn't in the recording, or not in this frame; the text says what there is."""
+
+    __str__ = Exception.__str__  # as it is, where KeyError quotes it
+
+
 class Sensed:
     """Whom a sensor found in a frame: ids of those who have it in `who`, ascending; sensed[id] are those found."""
 
-    def __init__(self, who, count, whom):
-        self.who, self.count = who, count
+    def __init__(self, where, who, count, whom):
+        self._where, self.who, self.count = where, who, count
         self.whom, self.begin = whom, np.concatenate((np.zeros(1, "u8"), np.cumsum(count, dtype="u8")))
         if len(who) != len(count) or self.begin[-1] != len(whom) or (np.diff(who.astype("i8")) <= 0).any():
-            raise OSError("sensed rows are damaged")
+            raise ValueError("its rows don't fit each other")
 
     def __getitem__(self, id):
         row = np.searchsorted(self.who, id)
         if row == len(self.who) or self.who[row] != id:
-            raise KeyError(id)
+            raise NotRecorded(f"{self._where}: body {id} was not there or doesn't have it; .who lists those who looked")
         return self.whom[int(self.begin[row]):int(self.begin[row + 1])]
+
+
+class Measured(dict):
+    """Observables by name."""
+
+    def __init__(self, path, values):
+        super().__init__(values)
+        self._path = path
+
+    def __missing__(self, name):
+        raise NotRecorded(f"{self._path} has no observable {name!r}: {_listed(self)}")
 
 
 class NotARecording(ValueError):
@@ -73,12 +111,12 @@ class Field:
 
     Indices mean what they mean for numpy arrays, but for lists of both: [frames, bodies] gives these bodies in
     each of these frames, as with np.ix_. np.asarray(field) reads all of it. A frame that lacks the field raises
-    IndexError.
+    NotRecorded.
     """
 
     def __init__(self, path, name, values, frames, time):
         self._path, self._name, self._values, self._time = path, name, values, time
-        self.frames = frames  # of the recording, in which it is
+        self.frames = frames  # of the recording, in which it is; none where it was not recorded
         self.shape = (len(time),) + values.shape[1:]
         self.dtype = values.dtype
 
@@ -90,31 +128,32 @@ class Field:
         if first is Ellipsis:
             return self[(slice(None),) * (len(self.shape) - len(rest)) + tuple(rest)]
         if not isinstance(first, slice) and np.ndim(first) == 0:
-            frame = range(len(self))[int(first)]
-            with self._damage_named(frame):
-                return self._values[int(self._samples([frame])[0])][tuple(rest)]
-        frames = np.arange(len(self))[first if isinstance(first, slice) else np.asarray(first)]
+            frame = _frame(self._path, len(self), first)
+            sample = int(self._samples([frame])[0])
+            with _damage_named(self._path, f"frame {frame}, {self._name}"):
+                values = self._values[sample]
+            return values[tuple(rest)]
+        if not isinstance(first, slice):
+            first = _frames(self._path, len(self), first)
+        frames = np.arange(len(self))[first]
         samples = self._samples(frames)
         result = np.empty((len(samples),) + self.shape[1:], self.dtype)
         for row, sample in enumerate(samples):
-            with self._damage_named(frames[row]):
+            with _damage_named(self._path, f"frame {frames[row]}, {self._name}"):
                 self._values.read_direct(result, np.s_[int(sample)], np.s_[row])
         return result[(slice(None), *rest)]
-
-    @contextlib.contextmanager
-    def _damage_named(self, frame):
-        """Errors that come of reading say where."""
-        try:
-            yield
-        except OSError as error:
-            raise OSError(f"{self._path} is damaged: frame {frame}, {self._name}: {error}") from error
 
     def _samples(self, frames):
         """The rows of the file that are these frames."""
         for frame in frames:
             if not self.is_in(frame):
-                raise IndexError(f"frame {frame} has no {self._name}: {self._name}.frames are those that have")
+                self._expect_recorded()
+                raise NotRecorded(f"{self._path}: frame {frame} has no {self._name}; {self._name}.frames are those that have")
         return np.searchsorted(self.frames, frames)
+
+    def _expect_recorded(self):
+        if not len(self.frames):
+            raise NotRecorded(f"{self._path} has no {self._name}: it was not recorded")
 
     def is_in(self, frame):
         sample = np.searchsorted(self.frames, frame)
@@ -122,11 +161,13 @@ class Field:
 
     def index_at(self, time):
         """Of the frames that have it, the nearest to a time (s); the earlier of two."""
-        return int(self.frames[_nearest(self._time[self.frames], time)])
+        self._expect_recorded()
+        return int(self.frames[_nearest(self._path, self._time[self.frames], time)])
 
     def between(self, start, end):
-        """The frames from `start` to `end` (s), both included, that have it."""
-        return self.frames[_span(self._time[self.frames], start, end)]
+        """The frames from `start` to `end` (s), both included, that have it; none where none is between."""
+        self._expect_recorded()
+        return self.frames[_span(self._path, self._time[self.frames], start, end)]
 
     def __iter__(self):
         return (self[i] for i in range(len(self)))
@@ -195,7 +236,7 @@ class Recording:
     """A recording; `time` (s), `step` and `hash` have an entry a frame, the fields a row a frame."""
 
     def __init__(self, path):
-        self._path = os.fspath(path)
+        self._path = os.fsdecode(path)
         self._file = _open_file(self._path)
         try:
             self._read()
@@ -225,7 +266,7 @@ class Recording:
         self._present = self._bounded("particles/trajectory/id/value", sparse=True) if changes else None
         self._present_step = self._all("particles/trajectory/id/step") if changes else None
         self.sensors = self._sensors()
-        for field in ("position", "angle", "velocity", "spin"):
+        for field in FIELDS:
             setattr(self, field, self._field(f"particles/trajectory/{field}"))
         if "throng/quantized" in self._file:
             self.position = self._quantized("throng/quantized")
@@ -291,11 +332,13 @@ class Recording:
         return np.flatnonzero(self.step % every == 0)
 
     def _field(self, path):
-        if path not in self._file:
-            return None
-        frames, name, changes = self._frames_of(path), path.rpartition("/")[2], self._present is not None
-        values = self._bounded(path + "/value", sparse=changes)
+        name, changes = path.rpartition("/")[2], self._present is not None
         of_body = (2,) if name in ("position", "velocity") else ()
+        if path not in self._file:
+            none = np.empty((0, len(self.ids), *of_body))
+            return Field(self._path, name, none, np.arange(0), self.time)
+        frames = self._frames_of(path)
+        values = self._bounded(path + "/value", sparse=changes)
         if values.dtype.kind != "f" or values.shape[1:] != (len(self.ids), *of_body) or values.shape[0] < len(frames):
             raise ValueError(f"{path} has another form")
         if changes:
@@ -323,11 +366,19 @@ class Recording:
             values = Region(values, self._present, self._samples_of_ids(frames), frames, self.ids)
         return Field(self._path, "position", values, frames, self.time)
 
-    def _sample(self, group, i):
-        """Which of a group's samples frame i is; None where it holds none."""
-        frames = self._frames_of(group) if group in self._file else ()
-        sample = np.searchsorted(frames, range(len(self))[i])
-        return None if sample == len(frames) or frames[sample] != range(len(self))[i] else int(sample)
+    def _sample(self, group, i, what):
+        """Frame i, and which of a group's samples it is."""
+        i, frames = _frame(self._path, len(self), i), self._frames_with(group)
+        if not len(frames):
+            raise NotRecorded(f"{self._path} has no {what}: nothing of it was recorded")
+        sample = np.searchsorted(frames, i)
+        if sample == len(frames) or frames[sample] != i:
+            raise NotRecorded(f"{self._path}: frame {i} has no {what}; the nearest that has is "
+                              f"{min(frames[max(0, sample - 1):sample + 1], key=lambda frame: abs(int(frame) - i))}")
+        return i, int(sample)
+
+    def _frames_with(self, group):
+        return self._frames_of(group) if group in self._file else np.arange(0)
 
     def _run(self, group, offset, names, sample):
         """The rows of a sample in these columns."""
@@ -341,11 +392,16 @@ class Recording:
             raise ValueError(f"{group} has another form")
         return columns
 
+    @property
+    def contact_frames(self):
+        """The frames that hold contacts."""
+        return self._frames_with("throng/contacts")
+
     def contacts(self, i):
-        """Where bodies pressed on each other or on obstacles in frame i; None where it holds no contacts."""
-        group = "throng/contacts"
-        sample = self._sample(group, i)
-        return None if sample is None else Contacts(*self._run(group, "offset", Contacts._fields, sample))
+        """Where bodies pressed on each other or on obstacles in frame i, as Contacts."""
+        i, sample = self._sample("throng/contacts", i, "contacts")
+        with _damage_named(self._path, f"frame {i}, contacts"):
+            return Contacts(*self._run("throng/contacts", "offset", Contacts._fields, sample))
 
     def _sensors(self):
         """The recorded sensors, as rows of throng/sensors."""
@@ -357,27 +413,37 @@ class Recording:
             found.append(Sensor(*(_text(self._file[path].attrs[name]) for name in Sensor._fields)))
         return found
 
-    def sensed(self, name, i):
-        """Whom the sensor of that name found in frame i, as a Sensed; None where it didn't look then."""
+    def _sensor(self, name):
+        """Where a sensor's rows stand."""
         for k, sensor in enumerate(self.sensors):
             if sensor.name == name:
-                group = f"throng/sensors/{k}"
-                sample = self._sample(group, i)
-                return None if sample is None else Sensed(*self._ids(group, "offset", ("who", "count"), sample),
-                                                          *self._ids(group, "whom_offset", ("whom",), sample))
-        raise KeyError(name)
+                return f"throng/sensors/{k}"
+        raise NotRecorded(f"{self._path} has no sensor {name!r}: {_listed(sensor.name for sensor in self.sensors)}")
+
+    def sensed_frames(self, name):
+        """The frames in which the sensor of that name looked."""
+        return self._frames_with(self._sensor(name))
+
+    def sensed(self, name, i):
+        """Whom the sensor of that name found in frame i, as a Sensed."""
+        group, what = self._sensor(name), f"what {name!r} sensed"
+        i, sample = self._sample(group, i, what)
+        with _damage_named(self._path, f"frame {i}, {what}"):
+            return Sensed(f"{self._path}: frame {i}, {what}", *self._ids(group, "offset", ("who", "count"), sample),
+                          *self._ids(group, "whom_offset", ("whom",), sample))
 
     @functools.cached_property
     def observables(self):
         """What was measured, read whole once: {name: (value, time in s)}."""
         if "observables" not in self._file:
-            return {}
+            return Measured(self._path, {})
         time = self.time[self._frames_of("observables")]
-        found = {name: self._all(f"observables/{name}/value") for name in self._elements("observables")}
-        for name, value in found.items():
-            if len(value) < len(time):
-                raise ValueError(f"observables/{name} has too few rows")
-        return {unquote(name): (value[:len(time)], time) for name, value in found.items()}
+        with _damage_named(self._path, "observables"):
+            found = {name: self._all(f"observables/{name}/value") for name in self._elements("observables")}
+            for name, value in found.items():
+                if len(value) < len(time):
+                    raise ValueError(f"{name} has too few rows")
+        return Measured(self._path, {unquote(name): (value[:len(time)], time) for name, value in found.items()})
 
     def _elements(self, path, before=""):
         """What holds values below a group: paths, those of measures in groups of their own."""
@@ -421,21 +487,21 @@ class Recording:
         return len(self.step)
 
     def frame(self, i):
-        """All that was recorded of frame i."""
-        i = range(len(self))[i]
-        fields = (self.position, self.angle, self.velocity, self.spin)
-        return Frame(int(self.step[i]), float(self.time[i]), int(self.hash[i]),
-                     *(field[i] if field is not None and field.is_in(i) else None for field in fields))
+        """All that was recorded of frame i, as a Frame."""
+        i = _frame(self._path, len(self), i)
+        fields = (getattr(self, name) for name in FIELDS)
+        return Frame(int(self.step[i]), float(self.time[i]), int(self.hash[i]), self.ids,
+                     *(field[i] if field.is_in(i) else None for field in fields))
 
     __getitem__ = frame
 
     def index_at(self, time):
         """The frame nearest to a time (s); the earlier of two."""
-        return _nearest(self.time, time)
+        return _nearest(self._path, self.time, time)
 
     def between(self, start, end):
-        """The frames from `start` to `end` (s), both included, as a slice."""
-        return _span(self.time, start, end)
+        """The frames from `start` to `end` (s), both included, as a slice; an empty one where none is between."""
+        return _span(self._path, self.time, start, end)
 
     def close(self):
         self._file.close()
@@ -457,8 +523,13 @@ def open(path):
 
 def _open_file(path):
     """As throng does: superblocks of version 3 only, and what a run didn't close is read as SWMR readers do."""
-    with os.fdopen(os.open(path, os.O_RDONLY), "rb") as file:
-        head = file.read(12)
+    try:
+        with os.fdopen(os.open(path, os.O_RDONLY), "rb") as file:
+            head = file.read(12)
+    except FileNotFoundError as error:
+        if not os.path.exists(path + ".part"):
+            raise
+        raise FileNotFoundError(errno.ENOENT, f"No such file; {path}.part has the frames of a run that did not end", path) from error
     if not head.startswith(SIGNATURE):
         raise NotARecording(f"{path} is no HDF5 file")
     if len(head) < 12 or head[8] != 3:
@@ -469,15 +540,58 @@ def _open_file(path):
         raise NotARecording(f"{path} is damaged: {error}") from error
 
 
-def _nearest(times, time):
-    if not len(times) or not times[0] <= time <= times[-1]:
-        raise IndexError(f"{time} s is outside the recording")
+@contextlib.contextmanager
+def _damage_named(path, where):
+    """Whatever h5py and numpy say of what can't be read says where."""
+    try:
+        yield
+    except Exception as error:
+        raise OSError(f"{path} is damaged: {where}: {error}") from error
+
+
+def _frame(path, count, i):
+    """Frame i, counted from the end where it is negative."""
+    if not -count <= i < count:
+        raise NotRecorded(f"{path} has no frame {i}: " + (f"they go from 0 to {count - 1}" if count else "it has none"))
+    return range(count)[int(i)]
+
+
+def _frames(path, count, some):
+    """Frames by number or as a mask; as an index."""
+    some = np.asarray(some)
+    if some.dtype != bool:
+        some = some.astype(int, casting="same_kind") if len(some) else some.astype(int)
+        for outside in some[(some < -count) | (some >= count)]:
+            _frame(path, count, outside)
+    return some
+
+
+def _nearest(path, times, time):
+    _expect_within(path, times, time, time)
     after = int(np.searchsorted(times, time))
     return after - 1 if after and time - times[after - 1] <= times[after] - time else after
 
 
-def _span(times, start, end):
+def _span(path, times, start, end):
+    if start > end:
+        raise ValueError(f"from {start} to {end} s goes back in time")
+    _expect_within(path, times, start, end)
     return slice(int(np.searchsorted(times, start)), int(np.searchsorted(times, end, "right")))
+
+
+def _expect_within(path, times, start, end):
+    """Throws where nothing from start to end (s) is in the recording."""
+    if len(times) and start <= times[-1] and end >= times[0]:
+        return
+    asked = f"{start} s" if start == end else f"{start} to {end} s"
+    raise NotRecorded(f"{path}: {asked} is outside of it, " +
+                      (f"it goes from {times[0]:.9g} to {times[-1]:.9g} s" if len(times) else "it has no frames"))
+
+
+def _listed(names):
+    """For a message."""
+    names = sorted(names)
+    return "there are " + ", ".join(names) if names else "none was recorded"
 
 
 def _text(value):
