@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 std::vector<ValidationCase> all_cases() {
   std::vector<ValidationCase> all;
-  for (const auto& part : {lone_cases(), exit_cases(), stream_cases(), missing_cases()})
+  for (const auto& part : {lone_cases(), exit_cases(), stream_cases(), choice_cases(), missing_cases()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

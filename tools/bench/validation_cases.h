@@ -30,6 +30,7 @@ struct ValidationCase {
 std::span<const ValidationCase> lone_cases();     ///< who walks by himself, or nearly so
 std::span<const ValidationCase> exit_cases();     ///< who leaves through narrow exits
 std::span<const ValidationCase> stream_cases();   ///< who walks in streams
+std::span<const ValidationCase> choice_cases();   ///< who chooses, or keeps company
 std::span<const ValidationCase> missing_cases();  ///< what needs things that throng hasn't
 
 /// What a model can't do by its nature, however it is tuned; nothing where nothing is known of it.

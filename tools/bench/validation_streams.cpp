@@ -94,6 +94,58 @@ Finding corridor_behind(const Trials& trials) {
   return second_over_first(trials, "congestion");
 }
 
+/// How much later the last of 500 comes round a corner than straight on by the corner's inner way, over how
+/// much later he comes straight on by its outer way: three draws of the crowd each.
+Finding round_corner(const Trials& trials) {
+  const std::string straight[] = {
+      "walkable=POLYGON ((0 0, 56 0, 56 6, 0 6, 0 0))", "areas.end=POLYGON ((55 0, 56 0, 56 6, 55 6, 55 0))",
+      "walkable=POLYGON ((0 0, 68 0, 68 6, 0 6, 0 0))", "areas.end=POLYGON ((67 0, 68 0, 68 6, 67 6, 67 0))"};
+  double sum[3] = {};  // s, by the inner way, round the corner, by the outer way
+  for (int seed = 1; seed <= 3; ++seed)
+    for (std::size_t i = 0; i < 3; ++i) {
+      std::vector<std::string> overrides{"seed=" + std::to_string(seed)};
+      if (i != 1) overrides.insert(overrides.end(), {straight[i], straight[i + 1]});
+      const Walked walked = trials.walk("round", overrides);
+      if (walked.missing() > 0) return {{}, "not all got there"};
+      sum[i] += walked.last_arrival() / 3.0;
+    }
+  return {
+      (sum[1] - sum[0]) / (sum[2] - sum[0]), "", {{"inner", sum[0]}, {"corner", sum[1]}, {"outer", sum[2]}}};
+}
+
+constexpr double kRing = 26.0;  // m, its middle line
+/// People a metre, and the speeds (m/s) that 10 and 90 % of those in experiments don't reach there.
+constexpr double kSingleFile[][3] = {
+    {0.5, 0.71, 1.39}, {0.9, 0.45, 1.10}, {1.1, 0.32, 0.84}, {1.5, 0.11, 0.49}, {2.1, 0.035, 0.27}};
+
+/// m/s, the mean speed along the ring, from 30 s on.
+double speed_in_ring(const Trials& trials, int people) {
+  std::vector<std::string> counts;
+  for (int group = 0; group < 4; ++group)
+    counts.push_back("agents[" + std::to_string(group) + "].count=" + std::to_string((people + group) / 4));
+  double sum = 0.0, samples = 0.0;
+  trials.walk("ring", counts, [&](const Scene& scene, const State& state) {
+    if (static_cast<double>(state.step) * scene.time.dt < 30.0) return;
+    for (std::size_t row = 0; row < state.id.size(); ++row) {
+      const Vec &p = state.position[row], &v = state.velocity[row];
+      sum += (p.x() * v.y() - p.y() * v.x()) / p.norm(), samples += 1.0;
+    }
+  });
+  return sum / samples;
+}
+
+/// m/s, the most that the mean speed in single file is outside of the band of 10 to 90 % of experiments.
+Finding outside_of_band(const Trials& trials) {
+  std::vector<double> densities, speeds;
+  double worst = 0.0;
+  for (const auto& [density, slow, fast] : kSingleFile) {
+    const int people = static_cast<int>(std::lround(kRing * density));
+    densities.push_back(people / kRing), speeds.push_back(speed_in_ring(trials, people));
+    worst = std::max({worst, slow - speeds.back(), speeds.back() - fast});
+  }
+  return {worst, "", {{"density", densities}, {"speed", speeds}}};
+}
+
 }  // namespace
 
 std::span<const ValidationCase> stream_cases() {
@@ -108,6 +160,10 @@ std::span<const ValidationCase> stream_cases() {
        second_door},
       {"NIST 5.1: congestion", "density in the corridor, over that before the room's exit", "", 0.0, 0.99,
        corridor_behind},
+      {"RiMEA 15: large crowd round a corner", "delay by the corner, over that by the way along its outside",
+       "", 0.0, 1.0, round_corner},
+      {"RiMEA 16: single file in a ring", "worst that speeds are outside the band of 10 to 90 % of people's",
+       "m/s", 0.0, 0.0, outside_of_band},
   };
   return all;
 }
