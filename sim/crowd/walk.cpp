@@ -29,12 +29,27 @@ constexpr double kSettle = 0.5;  // s: who wants to stand somewhere comes to a s
 
 constexpr double kHesitation = 1.0;  // s: who stood so long wants what he wants up to kDoubt
 constexpr double kDoubt = 1e-3;      // of his desired speed
+constexpr double kMostDoubt = 5.0;   // beside a way that is 1
 
-/// At random by (seed, step, id): else two who meet head on would stand before each other for ever.
-Vec doubt(const Scene& scene, const State& state, std::uint32_t id) {
+/// s, for which the agent in this row of the crowd's state has wanted to walk and got nowhere.
+double time_stood(const Scene& scene, const State& state, std::size_t i) {
+  const double dt = scene.time.dt, now = static_cast<double>(state.step) * dt;
+  const double stood = now - static_cast<double>(state.crowd.stand_step[i]) * dt;
+  if (stood < kHesitation) return stood;
+  const double leg = now - static_cast<double>(state.crowd.since[i]) * dt;
+  return std::min({stood, leg, now - scene.crowd.start[agent_of(scene, state, scene.crowd.first + i)]});
+}
+
+/// Where one who has stood for so long (s) wants to go: at random by (seed, step, id) a little beside his
+/// way, else two who meet head on would stand before each other for ever; and once he is stuck anywhere, the
+/// more so the longer, else three who hold one another in an arch before a door would.
+Vec in_doubt(const Scene& scene, const State& state, std::uint32_t id, const Vec& towards, double stood) {
+  const bool is_stuck = stood >= kStuckTime;
+  const double most = is_stuck ? std::min(stood / kStuckTime, kMostDoubt) : kDoubt;
   Random random(scene.seed, static_cast<std::uint64_t>(state.step), id, Purpose::hesitation);
-  const double x = random.uniform(-kDoubt, kDoubt);
-  return {x, random.uniform(-kDoubt, kDoubt)};
+  const double x = random.uniform(-most, most);
+  const Vec wanted = towards + Vec(x, random.uniform(-most, most));
+  return is_stuck && wanted != Vec(0.0, 0.0) ? Vec(wanted / wanted.norm()) : wanted;
 }
 
 }  // namespace
@@ -98,10 +113,9 @@ void Walk::rank(const State& state, std::size_t place) {
   const std::size_t i = cells_.row()[place];
   auto [towards, distance] = journeys_->heading(state, i);
   const double now = static_cast<double>(state.step) * scene_.time.dt;
-  const bool hesitates =
-      static_cast<double>(state.step - state.crowd.stand_step[i]) * scene_.time.dt >= kHesitation;
-  if (hesitates && state.crowd.place[i] == 0 && towards != Vec(0.0, 0.0))
-    towards += doubt(scene_, state, state.id[row]);
+  const double stood = time_stood(scene_, state, i);
+  if (stood >= kHesitation && state.crowd.place[i] == 0 && towards != Vec(0.0, 0.0))
+    towards = in_doubt(scene_, state, state.id[row], towards, stood);
   ranks_.x[place] = p.x(), ranks_.y[place] = p.y();
   ranks_.velocity_x[place] = v.x(), ranks_.velocity_y[place] = v.y();
   ranks_.towards_x[place] = towards.x(), ranks_.towards_y[place] = towards.y();
@@ -293,16 +307,13 @@ std::vector<bool> full_queues(const Scene& scene, const State& state) {
 std::vector<StuckAgent> stuck_agents(const Scene& scene, const State& state) {
   std::vector<StuckAgent> stuck;
   const std::vector<bool> full = full_queues(scene, state);
-  const double dt = scene.time.dt, now = static_cast<double>(state.step) * dt;
   for (std::size_t i = 0; i < state.crowd.stand.size(); ++i) {
     const std::uint32_t option = state.crowd.option[i];
     if (state.crowd.place[i] > 0 || option == kUndecided) continue;
     const std::size_t row = scene.crowd.first + i, agent = agent_of(scene, state, row);
     const Leg& leg = scene.crowd.leg(agent, state.crowd.stage[i]);
     if (leg.kind == Leg::Kind::queue && full[leg.options[option]]) continue;
-    const double stood = static_cast<double>(state.crowd.stand_step[i]) * dt;
-    if (now - std::max(stood, scene.crowd.start[agent]) >= kStuckTime &&
-        scene.crowd.desired_speed[agent] > 0.0)
+    if (time_stood(scene, state, i) >= kStuckTime && scene.crowd.desired_speed[agent] > 0.0)
       stuck.push_back({state.id[row], state.position[row]});
   }
   return stuck;

@@ -24,7 +24,7 @@ double flow(const std::vector<double>& crossings) {
   return static_cast<double>(crossings.size() - 1) / (crossings.back() - crossings.front());
 }
 
-constexpr int kDraws = 3;  // of the crowd, over which flows are averaged
+constexpr int kDraws = 10;  // of the crowd, over which flows are averaged
 
 /// 1/s over the whole period, from the start to the last through the exit.
 Finding flow_through_exit(const Trials& trials) {

@@ -61,6 +61,22 @@ TEST(AwkwardCrowd, FourWhoCrossInOnePointPass) {
   }
 }
 
+// It happened: of this crowd fifteen got out, then three held one another before the door for ever.
+TEST(AwkwardCrowd, AnArchBeforeADoorDoesNotStandForEver) {
+  Trial run(
+      "time = { dt = 0.01, until = 100 }\nseed = 5\n"
+      "walkable = 'POLYGON ((0 0, 15 0, 15 7, 15.2 7, 15.2 0, 20 0, 20 15, 15.2 15, 15.2 8, 15 8, 15 15, 0 "
+      "15, 0 0))'\n"
+      "[areas]\nroom = [[0, 0], [15, 0], [15, 15], [0, 15]]\nbeyond = [[18, 0], [20, 0], [20, 15], [18, "
+      "15]]\n"
+      "[[agents]]\nmodel = 'collision_free_speed'\ncount = 200\nplace.random.within = 'room'\n"
+      "radius.uniform = [0.25, 0.35]\ndesired_speed = 1.5\ngoal = 'beyond'\n");
+  run.steps(4000);
+  const std::int64_t before = run.state.crowd.arrived;
+  run.steps(8000);
+  EXPECT_GT(run.state.crowd.arrived, before + 20);
+}
+
 TEST(AwkwardCrowd, TwoInOnePlacePartOrWalkTogether) {
   for (const char* model : kModels) {
     SCOPED_TRACE(model);
