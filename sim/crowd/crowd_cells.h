@@ -22,16 +22,30 @@ class CrowdCells {
   /// The row of each place; ascending in each cell.
   std::span<const std::uint32_t> row() const { return row_; }
 
-  /// Calls f(first, end) for stretches of places, ascending, that hold all who stand at most `reach` (m) from
-  /// `p`, and others. None is in two of them.
+  /// Places first to end - 1.
+  struct Stretch {
+    std::size_t first, end;
+  };
+
+  /// The cells that hold all who stand at most `reach` (m) from `p`, and others. False where nobody is.
+  bool find(const Vec& p, double reach, broadphase::Range& cells) const {
+    return !row_.empty() && cells_.range(p, reach, cells);
+  }
+
+  /// Those in row `y` of these cells; nobody is in the stretches of two rows.
+  Stretch stretch(const broadphase::Range& cells, std::int64_t y) const {
+    const std::size_t bucket = cells_.bucket({cells.first.x, y});
+    return {start_[bucket], start_[bucket + static_cast<std::size_t>(cells.last.x - cells.first.x) + 1]};
+  }
+
+  /// Calls f(first, end) for the stretches of places, ascending, that `find` finds.
   template <class F>
   void for_each_stretch(const Vec& p, double reach, F&& f) const {
     broadphase::Range range;
-    if (row_.empty() || !cells_.range(p, reach, range)) return;
+    if (!find(p, reach, range)) return;
     for (std::int64_t y = range.first.y; y <= range.last.y; ++y) {
-      const std::size_t bucket = cells_.bucket({range.first.x, y});
-      f(std::size_t{start_[bucket]},
-        std::size_t{start_[bucket + static_cast<std::size_t>(range.last.x - range.first.x) + 1]});
+      const Stretch places = stretch(range, y);
+      f(places.first, places.end);
     }
   }
 

@@ -58,106 +58,114 @@ struct FourSums {
   }
 };
 
-/// Those near one agent: where from him (m), at which place, and how far apart the middles are when they
-/// touch (m). Behind the last one a few who are far from everywhere fill up the four.
+/// Those near one agent: where from him (m), the square of that (m²), at which place, and how far apart the
+/// middles are when they touch (m). Behind the last one a few who are far from everywhere fill up the four.
 struct Others {
-  std::vector<double> dx, dy, place, width;
+  std::vector<double> dx, dy, square, place, width;
   std::size_t size = 0;
-
-  HWY_INLINE void make_room(std::size_t count) {
-    if (count <= dx.size()) return;
-    for (std::vector<double>* all : {&dx, &dy, &place, &width}) all->resize(2 * count + 64);
-  }
 
   /// All whose middles are at most `reach` (m) away and behind no barrier. Two who stand in one place part
   /// along x, by their ids.
   HWY_INLINE void gather(const CrowdView& crowd, std::uint32_t own, double reach) {
-    const D d;
-    const Vec p = crowd.position(own);
-    const Reals x = hn::Set(d, p.x()), y = hn::Set(d, p.y()), limit = hn::Set(d, reach * reach);
-    const Reals radius = hn::Set(d, crowd.radius[own]);
     size = 0;
-    crowd.cells.for_each_stretch(p, reach, [&](std::size_t first, std::size_t end) HWY_ATTR {
-      make_room(size + (end - first) + 3 * kFour);
-      for (std::size_t j = first; j < end; j += kLanes) {
-        Reals to_x = hn::Sub(hn::LoadU(d, crowd.x.data() + j), x);
-        const Reals to_y = hn::Sub(hn::LoadU(d, crowd.y.data() + j), y);
-        const Reals square = hn::Add(hn::Mul(to_x, to_x), hn::Mul(to_y, to_y));
-        Mask there = hn::And(hn::Le(square, limit), hn::FirstN(d, end - j));
-        if (hn::AllFalse(d, there)) continue;
-        const Mask same = hn::And(there, hn::Eq(square, hn::Zero(d)));
-        const Reals places = hn::Iota(d, static_cast<double>(j));
-        if (!hn::AllFalse(d, same)) {
-          there = hn::AndNot(hn::Eq(places, hn::Set(d, static_cast<double>(own))), there);
-          to_x = hn::IfThenElse(same, parting(crowd, own, j), to_x);
-        }
-        hn::CompressStore(to_x, there, d, dx.data() + size);
-        hn::CompressStore(to_y, there, d, dy.data() + size);
-        hn::CompressStore(places, there, d, place.data() + size);
-        size += hn::CompressStore(hn::Add(radius, hn::LoadU(d, crowd.radius.data() + j)), there, d,
-                                  width.data() + size);
-      }
-    });
-    make_room(size + 2 * kFour);
-    const Vec far(reach, reach);
+    make_room(0);
+    broadphase::Range range;
+    if (crowd.cells.find(crowd.position(own), reach, range))
+      for (std::int64_t y = range.first.y; y <= range.last.y; ++y)
+        add(crowd, crowd.cells.stretch(range, y), own, reach * reach);
+    const Vec p = crowd.position(own), far(reach, reach);
     crowd.barriers.for_each_near({Vec(p - far), Vec(p + far)},
                                  [&](const Barriers::Segment& segment)
                                      HWY_ATTR { hide_behind(segment.a - p, segment.b - p); });
     fill_up();
   }
 
-  /// Leaves those of which `square` (m²), by the same numbers, is at most `most`; `square` follows.
-  HWY_INLINE void keep(double most, std::vector<double>& square) {
-    const D d;
-    std::size_t kept = 0;
-    for (std::size_t k = 0; k < size; k += kLanes) {
-      const Mask near =
-          hn::And(hn::Le(hn::LoadU(d, square.data() + k), hn::Set(d, most)), hn::FirstN(d, size - k));
-      std::size_t count = 0;
-      for (std::vector<double>* all : {&dx, &dy, &place, &width, &square})
-        count = hn::CompressStore(hn::LoadU(d, all->data() + k), near, d, all->data() + kept);
-      kept += count;
-    }
-    size = kept;
+  /// Leaves those of which `square` is at most `most` (m²).
+  HWY_INLINE void keep(double most) {
+    const Wide d;
+    filter([&](std::size_t k) HWY_ATTR { return hn::Le(hn::LoadU(d, square.data() + k), hn::Set(d, most)); });
     fill_up();
-    for (std::size_t k = size; k < size + kFour; ++k) square[k] = kFar;
   }
 
  private:
-  /// Takes out those who stand behind the segment from `a` to `b` (m), seen from the agent.
-  HWY_INLINE void hide_behind(const Vec& a, const Vec& b) {
-    const D d;
-    const Reals ax = hn::Set(d, a.x()), ay = hn::Set(d, a.y()), bx = hn::Set(d, b.x()),
-                by = hn::Set(d, b.y());
-    const Reals along_x = hn::Sub(bx, ax), along_y = hn::Sub(by, ay);
-    const Reals own_side = hn::Sub(hn::Mul(ax, by), hn::Mul(ay, bx));
+  using Wide = hn::ScalableTag<double>;  // of filters: who is left doesn't depend on the width
+  static constexpr std::size_t kWide = hn::MaxLanes(Wide());
+  static constexpr double kFar = 1e150, kHardlyApart = 1e-150;
+
+  void make_room(std::size_t count) {
+    count += kWide + 2 * kFour;
+    if (count <= dx.size()) return;
+    for (std::vector<double>* all : {&dx, &dy, &square, &place, &width}) all->resize(2 * count + 64);
+  }
+
+  HWY_INLINE void add(const CrowdView& crowd, CrowdCells::Stretch stretch, std::uint32_t own, double limit) {
+    const Wide d;
+    make_room(size + (stretch.end - stretch.first));
+    const auto x = hn::Set(d, crowd.x[own]), y = hn::Set(d, crowd.y[own]),
+               radius = hn::Set(d, crowd.radius[own]), itself = hn::Set(d, static_cast<double>(own));
+    std::size_t count = size;
+    for (std::size_t j = stretch.first; j < stretch.end; j += kWide) {
+      auto to_x = hn::Sub(hn::LoadU(d, crowd.x.data() + j), x);
+      const auto to_y = hn::Sub(hn::LoadU(d, crowd.y.data() + j), y);
+      auto far = hn::Add(hn::Mul(to_x, to_x), hn::Mul(to_y, to_y));
+      const auto places = hn::Iota(d, static_cast<double>(j));
+      const auto there = hn::And(hn::And(hn::Le(far, hn::Set(d, limit)), hn::FirstN(d, stretch.end - j)),
+                                 hn::Ne(places, itself));
+      const auto same = hn::And(there, hn::Eq(far, hn::Zero(d)));
+      if (HWY_UNLIKELY(!hn::AllFalse(d, same))) {
+        to_x = hn::IfThenElse(same, parting(crowd, own, j), to_x);
+        far = hn::Add(hn::Mul(to_x, to_x), hn::Mul(to_y, to_y));
+      }
+      hn::CompressStore(to_x, there, d, dx.data() + count);
+      hn::CompressStore(to_y, there, d, dy.data() + count);
+      hn::CompressStore(far, there, d, square.data() + count);
+      hn::CompressStore(places, there, d, place.data() + count);
+      hn::CompressStore(hn::Add(radius, hn::LoadU(d, crowd.radius.data() + j)), there, d,
+                        width.data() + count);
+      count += hn::CountTrue(d, there);
+    }
+    size = count;
+  }
+
+  static HWY_INLINE hn::Vec<Wide> parting(const CrowdView& crowd, std::uint32_t own, std::size_t j) {
+    const Wide d;
+    const auto later = hn::Set(d, kHardlyApart);
+    return hn::IfThenElse(hn::Gt(hn::LoadU(d, crowd.id.data() + j), hn::Set(d, crowd.id[own])), later,
+                          hn::Neg(later));
+  }
+
+  /// Leaves those of which `stays`, which is asked from the k-th on, is true.
+  template <class F>
+  HWY_INLINE void filter(F stays) {
+    const Wide d;
     std::size_t kept = 0;
-    for (std::size_t k = 0; k < size; k += kLanes) {
-      const Reals x = hn::LoadU(d, dx.data() + k), y = hn::LoadU(d, dy.data() + k);
-      const Reals side = hn::Sub(hn::Mul(along_x, hn::Sub(y, ay)), hn::Mul(along_y, hn::Sub(x, ax)));
-      const Mask a_left = hn::Lt(hn::Sub(hn::Mul(x, ay), hn::Mul(y, ax)), hn::Zero(d));
-      const Mask b_left = hn::Lt(hn::Sub(hn::Mul(x, by), hn::Mul(y, bx)), hn::Zero(d));
-      const Mask behind = hn::And(hn::Lt(hn::Mul(own_side, side), hn::Zero(d)), hn::Xor(a_left, b_left));
-      const Mask seen = hn::AndNot(behind, hn::FirstN(d, size - k));
-      std::size_t count = 0;
-      for (std::vector<double>* all : {&dx, &dy, &place, &width})
-        count = hn::CompressStore(hn::LoadU(d, all->data() + k), seen, d, all->data() + kept);
-      kept += count;
+    for (std::size_t k = 0; k < size; k += kWide) {
+      const auto left = hn::And(stays(k), hn::FirstN(d, size - k));
+      for (std::vector<double>* all : {&dx, &dy, &square, &place, &width})
+        hn::CompressStore(hn::LoadU(d, all->data() + k), left, d, all->data() + kept);
+      kept += hn::CountTrue(d, left);
     }
     size = kept;
   }
 
-  void fill_up() {
-    for (std::size_t k = size; k < size + kFour; ++k) dx[k] = kFar, dy[k] = place[k] = width[k] = 0.0;
+  /// Takes out those who stand behind the segment from `a` to `b` (m), seen from the agent.
+  HWY_INLINE void hide_behind(const Vec& a, const Vec& b) {
+    const Wide d;
+    const auto ax = hn::Set(d, a.x()), ay = hn::Set(d, a.y()), bx = hn::Set(d, b.x()), by = hn::Set(d, b.y());
+    const auto along_x = hn::Sub(bx, ax), along_y = hn::Sub(by, ay);
+    const auto own_side = hn::Sub(hn::Mul(ax, by), hn::Mul(ay, bx));
+    filter([&](std::size_t k) HWY_ATTR {
+      const auto x = hn::LoadU(d, dx.data() + k), y = hn::LoadU(d, dy.data() + k);
+      const auto side = hn::Sub(hn::Mul(along_x, hn::Sub(y, ay)), hn::Mul(along_y, hn::Sub(x, ax)));
+      const auto a_left = hn::Lt(hn::Sub(hn::Mul(x, ay), hn::Mul(y, ax)), hn::Zero(d));
+      const auto b_left = hn::Lt(hn::Sub(hn::Mul(x, by), hn::Mul(y, bx)), hn::Zero(d));
+      return hn::Not(hn::And(hn::Lt(hn::Mul(own_side, side), hn::Zero(d)), hn::Xor(a_left, b_left)));
+    });
   }
 
-  static constexpr double kFar = 1e150, kHardlyApart = 1e-150;
-
-  static HWY_INLINE Reals parting(const CrowdView& crowd, std::uint32_t own, std::size_t j) {
-    const D d;
-    const Reals later = hn::Set(d, kHardlyApart);
-    return hn::IfThenElse(hn::Gt(hn::LoadU(d, crowd.id.data() + j), hn::Set(d, crowd.id[own])), later,
-                          hn::Neg(later));
+  void fill_up() {
+    for (std::size_t k = size; k < size + kFour; ++k)
+      dx[k] = kFar, dy[k] = place[k] = width[k] = 0.0, square[k] = kFar * kFar;
   }
 };
 
@@ -173,16 +181,15 @@ HWY_INLINE Vec repulsion(double strength, double range, const Others& others, st
   for (std::size_t i = 0; i < others.size; i += kFour)
     for (std::size_t p = 0; p < kParts; ++p) {
       const std::size_t k = i + p * kLanes;
-      const Reals dx = hn::LoadU(d, others.dx.data() + k), dy = hn::LoadU(d, others.dy.data() + k);
-      const Reals distance = hn::Sqrt(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)));
+      const Reals distance = hn::Sqrt(hn::LoadU(d, others.square.data() + k));
       const Reals free = hn::Sub(distance, hn::LoadU(d, others.width.data() + k));
       hn::StoreU(free, d, gap.data() + k);
       const Mask close = hn::Le(free, negligible);
       if (hn::AllFalse(d, close)) continue;
       const Reals push = hn::Mul(where_touching, exponential_of(hn::Min(hn::Mul(free, per_range), most)));
       const Reals scale = hn::IfThenElseZero(close, hn::Div(push, distance));
-      x.add(p, hn::Mul(scale, dx));
-      y.add(p, hn::Mul(scale, dy));
+      x.add(p, hn::Mul(scale, hn::LoadU(d, others.dx.data() + k)));
+      y.add(p, hn::Mul(scale, hn::LoadU(d, others.dy.data() + k)));
     }
   return {-x.total(), -y.total()};
 }

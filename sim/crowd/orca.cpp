@@ -34,65 +34,65 @@ namespace throng::HWY_NAMESPACE {
 
 /// Those who count, the nearest first.
 struct Chosen {
-  std::vector<double> square;                         // m², of all that are near
+  std::vector<std::int64_t> rank;                     // of all that are near: how many are nearer
   std::vector<double> dx, dy, width, slip_x, slip_y;  // m, m/s: own velocity less the other's
   std::vector<double> normal_x, normal_y, depth;
   std::size_t size = 0;
 
   void resize(std::size_t all, std::size_t most) {
-    if (square.size() < all) square.resize(all);
+    if (rank.size() < all) rank.resize(all);
     if (dx.size() < most + 2 * kFour)
       for (std::vector<double>* one : {&dx, &dy, &width, &slip_x, &slip_y, &normal_x, &normal_y, &depth})
         one->resize(most + 2 * kFour, 1.0);
   }
 };
 
-HWY_INLINE void measure(const Others& others, Chosen& chosen) {
-  const D d;
-  for (std::size_t k = 0; k < others.size; k += kLanes) {
-    const Reals dx = hn::LoadU(d, others.dx.data() + k), dy = hn::LoadU(d, others.dy.data() + k);
-    hn::StoreU(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), d, chosen.square.data() + k);
-  }
-}
-
 /// Leaves out who is surely not of the nearest `most`, as far as a look or two tell: what follows is
 /// quadratic.
-HWY_INLINE void thin(double reach, std::size_t most, Others& others, std::vector<double>& square) {
+HWY_INLINE void thin(double reach, std::size_t most, Others& others) {
   const D d;
   for (const double share : {1.5, 3.0}) {
     if (others.size <= 3 * most) return;
     const double bound = reach * reach * share * static_cast<double>(most) / static_cast<double>(others.size);
     std::size_t count = 0;
     for (std::size_t k = 0; k < others.size; k += kLanes)
-      count += hn::CountTrue(d, hn::Le(hn::LoadU(d, square.data() + k), hn::Set(d, bound)));
-    if (count >= most) return others.keep(bound, square);
+      count += hn::CountTrue(d, hn::Le(hn::LoadU(d, others.square.data() + k), hn::Set(d, bound)));
+    if (count >= most) return others.keep(bound);
   }
 }
 
-/// How many are nearer than the k-th, or as near and before him.
-HWY_INLINE std::size_t rank_of(std::size_t k, std::size_t size, const std::vector<double>& square) {
-  const D d;
-  const Reals own = hn::Set(d, square[k]), before = hn::Set(d, static_cast<double>(k));
-  std::size_t rank = 0;
-  for (std::size_t j = 0; j < size; j += kLanes) {
-    const Reals other = hn::LoadU(d, square.data() + j);
-    const Mask tie = hn::And(hn::Eq(other, own), hn::Lt(hn::Iota(d, static_cast<double>(j)), before));
-    rank += hn::CountTrue(d, hn::Or(hn::Lt(other, own), tie));
+/// Of each how many are nearer, or as near and before him.
+HWY_INLINE void rank(const Others& others, Chosen& chosen) {
+  const hn::ScalableTag<double> d;
+  const hn::RebindToSigned<decltype(d)> whole;
+  const std::size_t lanes = hn::Lanes(d), size = others.size;
+  const double* square = others.square.data();
+  const auto count = [&](auto& rank, auto is)
+                         HWY_ATTR { rank = hn::Sub(rank, hn::BitCast(whole, hn::VecFromMask(d, is))); };
+  for (std::size_t k = 0; k < size; k += lanes) {
+    const auto own = hn::LoadU(d, square + k), place = hn::Iota(d, static_cast<double>(k));
+    auto rank = hn::Zero(whole);
+    std::size_t j = 0;
+    for (; j < k; ++j) count(rank, hn::Le(hn::Set(d, square[j]), own));
+    for (const std::size_t end = std::min(k + lanes, size); j < end; ++j) {
+      const auto other = hn::Set(d, square[j]), before = hn::Set(d, static_cast<double>(j));
+      count(rank, hn::Or(hn::Lt(other, own), hn::And(hn::Eq(other, own), hn::Lt(before, place))));
+    }
+    for (; j < size; ++j) count(rank, hn::Lt(hn::Set(d, square[j]), own));
+    hn::StoreU(rank, whole, chosen.rank.data() + k);
   }
-  return rank;
 }
 
 /// Picks the nearest `most`.
 HWY_INLINE void choose(const CrowdView& crowd, std::uint32_t own, double reach, std::size_t most,
                        Others& others, Chosen& chosen) {
   chosen.resize(others.dx.size(), most);
-  measure(others, chosen);
-  thin(reach, most, others, chosen.square);
+  thin(reach, most, others);
   chosen.size = std::min(most, others.size);
+  rank(others, chosen);
   const Vec v = crowd.velocity(own);
   for (std::size_t k = 0; k < others.size; ++k) {
-    const std::size_t rank = rank_of(k, others.size, chosen.square);
-    if (rank >= most) continue;
+    const auto rank = std::min(static_cast<std::size_t>(chosen.rank[k]), most);  // the others' go to waste
     const auto place = static_cast<std::uint32_t>(others.place[k]);
     chosen.dx[rank] = others.dx[k], chosen.dy[rank] = others.dy[k], chosen.width[rank] = others.width[k];
     chosen.slip_x[rank] = v.x() - crowd.velocity_x[place];
@@ -116,18 +116,21 @@ HWY_INLINE void find_ways_out(const Reciprocal& model, double dt, Chosen& chosen
     const Reals along = hn::Add(hn::Mul(wx, dx), hn::Mul(wy, dy));
     const Mask before = hn::And(hn::Lt(along, zero), hn::Gt(hn::Mul(along, along), hn::Mul(width2, w2)));
     const Mask front = hn::Or(overlap, before);
-
+    const Reals root =
+        hn::Sqrt(hn::IfThenElse(front, w2, hn::Max(zero, hn::Sub(square, width2))));  // of |w|, or the leg
+    const Reals front_depth = hn::Sub(hn::Mul(width, rate), root);
+    Reals out_x = wx, out_y = wy, out = root;
     const Mask middle = hn::Eq(w2, zero);
-    const Reals out_x = hn::IfThenElse(middle, hn::Neg(dx), wx),
-                out_y = hn::IfThenElse(middle, hn::Neg(dy), wy);
-    const Reals out = hn::Sqrt(hn::IfThenElse(middle, square, w2));
-    const Reals front_depth = hn::Sub(hn::Mul(width, rate), hn::Sqrt(w2));
+    if (HWY_UNLIKELY(!hn::AllFalse(d, middle))) {
+      out_x = hn::IfThenElse(middle, hn::Neg(dx), out_x), out_y = hn::IfThenElse(middle, hn::Neg(dy), out_y);
+      out = hn::IfThenElse(middle, hn::Sqrt(square), out);
+    }
 
     const Reals side = hn::IfThenElse(hn::Gt(hn::Sub(hn::Mul(dx, wy), hn::Mul(dy, wx)), zero),
                                       hn::Set(d, 1.0), hn::Set(d, -1.0));
-    const Reals leg = hn::Sqrt(hn::Max(zero, hn::Sub(square, width2))), lean = hn::Mul(side, width);
-    const Reals leg_x = hn::Neg(hn::Mul(side, hn::Add(hn::Mul(dx, lean), hn::Mul(dy, leg))));
-    const Reals leg_y = hn::Mul(side, hn::Sub(hn::Mul(dx, leg), hn::Mul(dy, lean)));
+    const Reals lean = hn::Mul(side, width);
+    const Reals leg_x = hn::Neg(hn::Mul(side, hn::Add(hn::Mul(dx, lean), hn::Mul(dy, root))));
+    const Reals leg_y = hn::Mul(side, hn::Sub(hn::Mul(dx, root), hn::Mul(dy, lean)));
 
     const Reals over = hn::Div(hn::Set(d, 1.0), hn::IfThenElse(front, out, square));
     const Reals nx = hn::Mul(hn::IfThenElse(front, out_x, leg_x), over);

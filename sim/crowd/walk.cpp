@@ -75,6 +75,7 @@ Walk::Walk(const Scene& scene)
   if (scene.crowd.size() == 0) return;
   for (const AgentGroup& group : scene.crowd.groups) {
     models_.push_back(walking_models()[group.model].make(group.parameters));
+    cores_.push_back(models_.back()->core());
     reach_ = std::max(reach_, models_.back()->reach(largest_radius_));
   }
   for (std::size_t i = 0; i < scene.crowd.groups.size(); ++i)
@@ -93,6 +94,7 @@ void Walk::Ranks::resize(std::size_t n) {
   for (std::vector<double>* all :
        {&x, &y, &velocity_x, &velocity_y, &towards_x, &towards_y, &radius, &desired_speed, &id})
     all->resize(n + CrowdView::kPadding);
+  group.resize(n);
 }
 
 /// Has the memory brought near that ranking who has that place reads.
@@ -119,6 +121,7 @@ void Walk::rank(const State& state, std::size_t place) {
   ranks_.x[place] = p.x(), ranks_.y[place] = p.y();
   ranks_.velocity_x[place] = v.x(), ranks_.velocity_y[place] = v.y();
   ranks_.towards_x[place] = towards.x(), ranks_.towards_y[place] = towards.y();
+  ranks_.group[place] = scene_.crowd.group[its];
   ranks_.radius[place] = scene_.bodies.radius[scene_.crowd.first + its];
   const bool stands = now < scene_.crowd.start[its];
   ranks_.desired_speed[place] = stands ? 0.0 : std::min(scene_.crowd.desired_speed[its], distance / kSettle);
@@ -159,8 +162,7 @@ void Walk::steer(const State& state, Workers& workers) {
     for (std::size_t model = 0; model < models_.size(); ++model) {
       const std::size_t first = last;
       for (std::size_t place = begin; place < end; ++place)
-        if (scene_.crowd.group[agent(state, row(place))] == model)
-          places_[last++] = static_cast<std::uint32_t>(place);
+        if (ranks_.group[place] == model) places_[last++] = static_cast<std::uint32_t>(place);
       models_[model]->steer(view, std::span(places_).subspan(first, last - first), velocity_);
     }
   });
@@ -193,8 +195,8 @@ void Walk::walk(State& state, Workers& workers) {
       const std::size_t ahead = this->row(std::min(place + kAhead, end - 1));
       __builtin_prefetch(&state.position[ahead], 1), __builtin_prefetch(&state.velocity[ahead], 1);
       const std::size_t row = this->row(place);
-      const double core = ranks_.radius[place] * models_[scene_.crowd.group[agent(state, row)]]->core();
-      const Vec from = state.position[row], by = dt * velocity_[place];
+      const double core = ranks_.radius[place] * cores_[ranks_.group[place]];
+      const Vec from(ranks_.x[place], ranks_.y[place]), by = dt * velocity_[place];
       const Moved moved = go(from, by, core, squeezed_[row - first]);
       corrected_[row - first] = moved.corrected;
       state.position[row] = moved.to;

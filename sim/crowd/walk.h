@@ -50,6 +50,7 @@ class Walk {
   /// Of the agents, by place in the cells.
   struct Ranks {
     std::vector<double> x, y, velocity_x, velocity_y, towards_x, towards_y, radius, desired_speed, id;
+    std::vector<std::uint32_t> group;
 
     void resize(std::size_t n);
   };
@@ -72,6 +73,7 @@ class Walk {
   std::optional<Barriers> seen_;                       // with the bodies that move, where there are such
   std::optional<Journeys> journeys_;                   // where there are agents
   std::vector<std::unique_ptr<WalkingModel>> models_;  // as Crowd::groups
+  std::vector<double> cores_;                          // likewise: WalkingModel::core
   std::vector<std::unique_ptr<Sampler>> entrances_;    // likewise, where agents appear
   double largest_radius_ = 0.0, reach_ = 0.0;          // m
   CrowdCells cells_;
