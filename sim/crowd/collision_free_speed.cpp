@@ -32,13 +32,13 @@ namespace throng::HWY_NAMESPACE {
 
 /// m, to the nearest one whom walking on along `heading` would run into.
 HWY_INLINE double gap_ahead(const Others& others, const std::vector<double>& gap, const Vec& heading) {
-  const D d;
-  const Reals hx = hn::Set(d, heading.x()), hy = hn::Set(d, heading.y());
-  Reals least = hn::Set(d, 1e150);
-  for (std::size_t k = 0; k < others.size; k += kLanes) {
-    const Reals dx = hn::LoadU(d, others.dx.data() + k), dy = hn::LoadU(d, others.dy.data() + k);
-    const Reals across = hn::Abs(hn::Sub(hn::Mul(hx, dy), hn::Mul(hy, dx)));
-    const Mask ahead = hn::And(hn::Ge(hn::Add(hn::Mul(hx, dx), hn::Mul(hy, dy)), hn::Zero(d)),
+  const Wide d;
+  const auto hx = hn::Set(d, heading.x()), hy = hn::Set(d, heading.y());
+  auto least = hn::Set(d, 1e150);
+  for (std::size_t k = 0; k < others.size; k += kWide) {
+    const auto dx = hn::LoadU(d, others.dx.data() + k), dy = hn::LoadU(d, others.dy.data() + k);
+    const auto across = hn::Abs(hn::Sub(hn::Mul(hx, dy), hn::Mul(hy, dx)));
+    const auto ahead = hn::And(hn::Ge(hn::Add(hn::Mul(hx, dx), hn::Mul(hy, dy)), hn::Zero(d)),
                                hn::Le(across, hn::LoadU(d, others.width.data() + k)));
     least = hn::Min(least, hn::IfThenElse(ahead, hn::LoadU(d, gap.data() + k), least));
   }
@@ -69,16 +69,16 @@ HWY_INLINE double reach_of(const FreeSpeed& model, const CrowdView& crowd, std::
 void WalkFreely(const FreeSpeed& model, const CrowdView& crowd, std::span<const std::uint32_t> places,
                 std::span<Vec> velocity) {
   thread_local Others others;  // kept: a step allocates nothing
-  thread_local std::vector<double> gap;
+  thread_local Pushes pushes;
   for (const std::uint32_t place : places) {
     others.gather(crowd, place, reach_of(model, crowd, place));
     Vec heading = crowd.towards(place) + away_from_walls(model, crowd, place);
-    heading += repulsion(model.strength, model.range, others, gap);
+    heading += repulsion(model.strength, model.range, others, pushes);
     if (model.noise > 0.0) heading += model.doubt(crowd, place);
     const double length = heading.norm();
     if (length > 0.0) heading /= length;
     const double speed =
-        std::min(crowd.desired_speed[place], gap_ahead(others, gap, heading) / model.time_gap);
+        std::min(crowd.desired_speed[place], gap_ahead(others, pushes.gap, heading) / model.time_gap);
     velocity[place] = std::max(0.0, speed) * heading;
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What models compute of all who are near, four at a time whatever the width of vectors: the same bits on
-// every machine. Included once for each width.
+// What models compute of all who are near: each on its own at the full width of vectors, sums four at a time
+// whatever the width is: the same bits on every machine. Included once for each width.
 #if defined(THRONG_CROWD_NEAR_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef THRONG_CROWD_NEAR_INL
 #undef THRONG_CROWD_NEAR_INL
@@ -10,6 +10,7 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -26,18 +27,20 @@ using Reals = hn::Vec<D>;
 using Mask = hn::Mask<D>;
 
 constexpr std::size_t kFour = 4, kLanes = hn::MaxLanes(D()), kParts = kFour / kLanes;
+using Wide = hn::ScalableTag<double>;  // where each number is computed on its own
+constexpr std::size_t kWide = hn::MaxLanes(Wide());
 
 /// throng::exponential of each lane, bit for bit.
-HWY_INLINE Reals exponential_of(Reals x) {
-  const D d;
-  const hn::RebindToSigned<D> whole;
-  const Reals rounding = hn::Set(d, 0x1.8p52);
+template <class Tag, class Numbers = hn::Vec<Tag>>
+HWY_INLINE Numbers exponential_of(Tag d, Numbers x) {
+  const hn::RebindToSigned<Tag> whole;
+  const Numbers rounding = hn::Set(d, 0x1.8p52);
   x = hn::Max(x, hn::Set(d, -708.0));
-  const Reals shifted = hn::Add(hn::Mul(x, hn::Set(d, 0x1.71547652b82fep0)), rounding);
-  const Reals n = hn::Sub(shifted, rounding);
-  const Reals r = hn::Sub(hn::Sub(x, hn::Mul(n, hn::Set(d, 0x1.62e42fee00000p-1))),
-                          hn::Mul(n, hn::Set(d, 0x1.a39ef35793c76p-33)));
-  Reals series = hn::Zero(d);
+  const Numbers shifted = hn::Add(hn::Mul(x, hn::Set(d, 0x1.71547652b82fep0)), rounding);
+  const Numbers n = hn::Sub(shifted, rounding);
+  const Numbers r = hn::Sub(hn::Sub(x, hn::Mul(n, hn::Set(d, 0x1.62e42fee00000p-1))),
+                            hn::Mul(n, hn::Set(d, 0x1.a39ef35793c76p-33)));
+  Numbers series = hn::Zero(d);
   for (const double term : kInverseFactorials) series = hn::Add(hn::Mul(series, r), hn::Set(d, term));
   const auto exponent = hn::Add(hn::BitCast(whole, shifted), hn::Set(whole, 1023));
   return hn::Mul(series, hn::BitCast(d, hn::ShiftLeft<52>(exponent)));
@@ -59,7 +62,8 @@ struct FourSums {
 };
 
 /// Those near one agent: where from him (m), the square of that (m²), at which place, and how far apart the
-/// middles are when they touch (m). Behind the last one a few who are far from everywhere fill up the four.
+/// middles are when they touch (m). Behind the last one a few who are far from everywhere fill up the
+/// vectors.
 struct Others {
   std::vector<double> dx, dy, square, place, width;
   std::size_t size = 0;
@@ -88,12 +92,10 @@ struct Others {
   }
 
  private:
-  using Wide = hn::ScalableTag<double>;  // of filters: who is left doesn't depend on the width
-  static constexpr std::size_t kWide = hn::MaxLanes(Wide());
   static constexpr double kFar = 1e150, kHardlyApart = 1e-150;
 
   void make_room(std::size_t count) {
-    count += kWide + 2 * kFour;
+    count += 2 * kWide + 2 * kFour;
     if (count <= dx.size()) return;
     for (std::vector<double>* all : {&dx, &dy, &square, &place, &width}) all->resize(2 * count + 64);
   }
@@ -164,30 +166,46 @@ struct Others {
   }
 
   void fill_up() {
-    for (std::size_t k = size; k < size + kFour; ++k)
+    for (std::size_t k = size; k < size + std::max(kFour, kWide); ++k)
       dx[k] = kFar, dy[k] = place[k] = width[k] = 0.0, square[k] = kFar * kFar;
   }
 };
 
-/// How all others push the agent away, or turn him: by `strength` (of any unit) where the two just touch, e
-/// times less each `range` (m) farther; those too far to matter are left out. `gap` becomes how far from
-/// touching each is (m, below 0: how deep).
-HWY_INLINE Vec repulsion(double strength, double range, const Others& others, std::vector<double>& gap) {
+/// How hard each of the others pushes, and how far from touching it is (m, below 0: how deep).
+struct Pushes {
+  std::vector<double> gap, per_metre;  // per_metre: the push over the distance
+
+  void resize(std::size_t size) {
+    if (gap.size() < size) gap.resize(size), per_metre.resize(size);
+  }
+};
+
+/// By `strength` (of any unit) where the two just touch, e times less each `range` (m) farther; by nothing
+/// where that is too little to matter.
+HWY_INLINE void push(double strength, double range, const Others& others, Pushes& pushes) {
+  const Wide d;
+  const auto negligible = hn::Set(d, kNegligibleRanges * range), where_touching = hn::Set(d, strength);
+  const auto per_range = hn::Set(d, -1.0 / range), most = hn::Set(d, kMostExponent);
+  pushes.resize(others.dx.size());
+  for (std::size_t k = 0, end = (others.size + kFour - 1) / kFour * kFour; k < end; k += kWide) {
+    const auto distance = hn::Sqrt(hn::LoadU(d, others.square.data() + k));
+    const auto free = hn::Sub(distance, hn::LoadU(d, others.width.data() + k));
+    const auto strong = hn::Mul(where_touching, exponential_of(d, hn::Min(hn::Mul(free, per_range), most)));
+    hn::StoreU(free, d, pushes.gap.data() + k);
+    hn::StoreU(hn::IfThenElseZero(hn::Le(free, negligible), hn::Div(strong, distance)), d,
+               pushes.per_metre.data() + k);
+  }
+}
+
+/// How all others push the agent away, or turn him.
+HWY_INLINE Vec repulsion(double strength, double range, const Others& others, Pushes& pushes) {
+  push(strength, range, others, pushes);
   const D d;
-  const Reals negligible = hn::Set(d, kNegligibleRanges * range), where_touching = hn::Set(d, strength);
-  const Reals per_range = hn::Set(d, -1.0 / range), most = hn::Set(d, kMostExponent);
   FourSums x, y;
-  if (gap.size() < others.dx.size()) gap.resize(others.dx.size());
   for (std::size_t i = 0; i < others.size; i += kFour)
     for (std::size_t p = 0; p < kParts; ++p) {
       const std::size_t k = i + p * kLanes;
-      const Reals distance = hn::Sqrt(hn::LoadU(d, others.square.data() + k));
-      const Reals free = hn::Sub(distance, hn::LoadU(d, others.width.data() + k));
-      hn::StoreU(free, d, gap.data() + k);
-      const Mask close = hn::Le(free, negligible);
-      if (hn::AllFalse(d, close)) continue;
-      const Reals push = hn::Mul(where_touching, exponential_of(hn::Min(hn::Mul(free, per_range), most)));
-      const Reals scale = hn::IfThenElseZero(close, hn::Div(push, distance));
+      const Reals scale = hn::LoadU(d, pushes.per_metre.data() + k);
       x.add(p, hn::Mul(scale, hn::LoadU(d, others.dx.data() + k)));
       y.add(p, hn::Mul(scale, hn::LoadU(d, others.dy.data() + k)));
     }

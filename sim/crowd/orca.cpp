@@ -22,7 +22,7 @@ namespace throng {
 struct Reciprocal {
   double horizon, wall_horizon, cutoff, neighbours, top_speed;
 
-  void add_walls(const CrowdView& crowd, std::uint32_t place, std::vector<HalfPlane>& planes) const;
+  void add_walls(const CrowdView& crowd, std::uint32_t place, HalfPlanes& planes) const;
   Vec wanted(const CrowdView& crowd, std::uint32_t place) const;
 };
 
@@ -36,13 +36,12 @@ namespace throng::HWY_NAMESPACE {
 struct Chosen {
   std::vector<std::int64_t> rank;                     // of all that are near: how many are nearer
   std::vector<double> dx, dy, width, slip_x, slip_y;  // m, m/s: own velocity less the other's
-  std::vector<double> normal_x, normal_y, depth;
   std::size_t size = 0;
 
   void resize(std::size_t all, std::size_t most) {
     if (rank.size() < all) rank.resize(all);
     if (dx.size() < most + 2 * kFour)
-      for (std::vector<double>* one : {&dx, &dy, &width, &slip_x, &slip_y, &normal_x, &normal_y, &depth})
+      for (std::vector<double>* one : {&dx, &dy, &width, &slip_x, &slip_y})
         one->resize(most + 2 * kFour, 1.0);
   }
 };
@@ -100,67 +99,79 @@ HWY_INLINE void choose(const CrowdView& crowd, std::uint32_t own, double reach, 
   }
 }
 
-/// The way out of each one's velocity obstacle, as throng::escape has it; who overlap part within this step.
-HWY_INLINE void find_ways_out(const Reciprocal& model, double dt, Chosen& chosen) {
+/// Of velocity obstacles, each seen from the middle of it: outwards, and how deep it is to the border (m/s).
+struct WayOut {
+  Reals x, y, depth;
+};
+
+/// The way out of the obstacle of a disc of radius `width` at (dx, dy) with these velocities against it, as
+/// throng::escape has it; `rate` is 1 / s, in which it is to be avoided. Who overlap it are before its front.
+HWY_INLINE WayOut way_out(Reals dx, Reals dy, Reals width, Reals vx, Reals vy, Reals rate, Mask overlap) {
   const D d;
-  const Reals zero = hn::Zero(d);
+  const Reals zero = hn::Zero(d), square = hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy));
+  const Reals width2 = hn::Mul(width, width);
+  const Reals wx = hn::Sub(vx, hn::Mul(dx, rate)), wy = hn::Sub(vy, hn::Mul(dy, rate));
+  const Reals w2 = hn::Add(hn::Mul(wx, wx), hn::Mul(wy, wy));
+  const Reals along = hn::Add(hn::Mul(wx, dx), hn::Mul(wy, dy));
+  const Mask before = hn::And(hn::Lt(along, zero), hn::Gt(hn::Mul(along, along), hn::Mul(width2, w2)));
+  const Mask front = hn::Or(overlap, before);
+  const Reals root =  // |w|, or how long the legs are
+      hn::Sqrt(hn::IfThenElse(front, w2, hn::Max(zero, hn::Sub(square, width2))));
+
+  Reals front_x = wx, front_y = wy, length = root;
+  const Mask middle = hn::And(front, hn::Eq(w2, zero));
+  if (HWY_UNLIKELY(!hn::AllFalse(d, middle))) {
+    front_x = hn::IfThenElse(middle, hn::Neg(dx), wx), front_y = hn::IfThenElse(middle, hn::Neg(dy), wy);
+    length = hn::IfThenElse(middle, hn::Sqrt(square), root);
+  }
+  const Mask left = hn::Gt(hn::Sub(hn::Mul(dx, wy), hn::Mul(dy, wx)), zero);
+  const Reals side = hn::IfThenElse(left, hn::Set(d, 1.0), hn::Set(d, -1.0)), lean = hn::Mul(side, width);
+  const Reals leg_x = hn::Neg(hn::Mul(side, hn::Add(hn::Mul(dx, lean), hn::Mul(dy, root))));
+  const Reals leg_y = hn::Mul(side, hn::Sub(hn::Mul(dx, root), hn::Mul(dy, lean)));
+
+  const Reals over = hn::Div(hn::Set(d, 1.0), hn::IfThenElse(front, length, square));
+  const Reals x = hn::Mul(hn::IfThenElse(front, front_x, leg_x), over);
+  const Reals y = hn::Mul(hn::IfThenElse(front, front_y, leg_y), over);
+  const Reals of_leg = hn::Neg(hn::Add(hn::Mul(vx, x), hn::Mul(vy, y)));
+  return {x, y, hn::IfThenElse(front, hn::Sub(hn::Mul(width, rate), root), of_leg)};
+}
+
+/// Adds for each one half of the way out of its velocity obstacle; who overlap part within this step.
+HWY_INLINE void add_planes(const Reciprocal& model, double dt, const Vec& own, const Chosen& chosen,
+                           HalfPlanes& planes) {
+  const D d;
+  const Reals own_x = hn::Set(d, own.x()), own_y = hn::Set(d, own.y()), half = hn::Set(d, 0.5);
+  const Reals at_once = hn::Set(d, 1.0 / dt), in_time = hn::Set(d, 1.0 / model.horizon);
+  planes.make_room(planes.size + chosen.size);
   for (std::size_t k = 0; k < chosen.size; k += kLanes) {
     const Reals dx = hn::LoadU(d, chosen.dx.data() + k), dy = hn::LoadU(d, chosen.dy.data() + k);
-    const Reals width = hn::LoadU(d, chosen.width.data() + k), width2 = hn::Mul(width, width);
-    const Reals vx = hn::LoadU(d, chosen.slip_x.data() + k), vy = hn::LoadU(d, chosen.slip_y.data() + k);
-    const Reals square = hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy));
-    const Mask overlap = hn::Le(square, width2);
-    const Reals rate = hn::IfThenElse(overlap, hn::Set(d, 1.0 / dt), hn::Set(d, 1.0 / model.horizon));
-    const Reals wx = hn::Sub(vx, hn::Mul(dx, rate)), wy = hn::Sub(vy, hn::Mul(dy, rate));
-    const Reals w2 = hn::Add(hn::Mul(wx, wx), hn::Mul(wy, wy));
-    const Reals along = hn::Add(hn::Mul(wx, dx), hn::Mul(wy, dy));
-    const Mask before = hn::And(hn::Lt(along, zero), hn::Gt(hn::Mul(along, along), hn::Mul(width2, w2)));
-    const Mask front = hn::Or(overlap, before);
-    const Reals root =
-        hn::Sqrt(hn::IfThenElse(front, w2, hn::Max(zero, hn::Sub(square, width2))));  // of |w|, or the leg
-    const Reals front_depth = hn::Sub(hn::Mul(width, rate), root);
-    Reals out_x = wx, out_y = wy, out = root;
-    const Mask middle = hn::Eq(w2, zero);
-    if (HWY_UNLIKELY(!hn::AllFalse(d, middle))) {
-      out_x = hn::IfThenElse(middle, hn::Neg(dx), out_x), out_y = hn::IfThenElse(middle, hn::Neg(dy), out_y);
-      out = hn::IfThenElse(middle, hn::Sqrt(square), out);
-    }
-
-    const Reals side = hn::IfThenElse(hn::Gt(hn::Sub(hn::Mul(dx, wy), hn::Mul(dy, wx)), zero),
-                                      hn::Set(d, 1.0), hn::Set(d, -1.0));
-    const Reals lean = hn::Mul(side, width);
-    const Reals leg_x = hn::Neg(hn::Mul(side, hn::Add(hn::Mul(dx, lean), hn::Mul(dy, root))));
-    const Reals leg_y = hn::Mul(side, hn::Sub(hn::Mul(dx, root), hn::Mul(dy, lean)));
-
-    const Reals over = hn::Div(hn::Set(d, 1.0), hn::IfThenElse(front, out, square));
-    const Reals nx = hn::Mul(hn::IfThenElse(front, out_x, leg_x), over);
-    const Reals ny = hn::Mul(hn::IfThenElse(front, out_y, leg_y), over);
-    const Reals leg_depth = hn::Neg(hn::Add(hn::Mul(vx, nx), hn::Mul(vy, ny)));
-    hn::StoreU(nx, d, chosen.normal_x.data() + k);
-    hn::StoreU(ny, d, chosen.normal_y.data() + k);
-    hn::StoreU(hn::IfThenElse(front, front_depth, leg_depth), d, chosen.depth.data() + k);
+    const Reals width = hn::LoadU(d, chosen.width.data() + k);
+    const Mask overlap = hn::Le(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), hn::Mul(width, width));
+    const auto [x, y, depth] =
+        way_out(dx, dy, width, hn::LoadU(d, chosen.slip_x.data() + k), hn::LoadU(d, chosen.slip_y.data() + k),
+                hn::IfThenElse(overlap, at_once, in_time), overlap);
+    const Reals offset = hn::Add(hn::Add(hn::Mul(x, own_x), hn::Mul(y, own_y)), hn::Mul(half, depth));
+    hn::StoreU(x, d, planes.normal_x.data() + planes.size + k);
+    hn::StoreU(y, d, planes.normal_y.data() + planes.size + k);
+    hn::StoreU(offset, d, planes.offset.data() + planes.size + k);
   }
+  planes.size += chosen.size;
 }
 
 void WalkReciprocally(const Reciprocal& model, const CrowdView& crowd, std::span<const std::uint32_t> places,
                       std::span<Vec> velocity) {
   thread_local Others others;  // kept: a step allocates nothing
   thread_local Chosen chosen;
-  thread_local std::vector<HalfPlane> planes, room;
+  thread_local HalfPlanes planes, room;
   const auto most = static_cast<std::size_t>(model.neighbours);
   for (const std::uint32_t place : places) {
-    planes.clear();
+    planes.size = 0;
     model.add_walls(crowd, place, planes);
-    const std::size_t walls = planes.size();
+    const std::size_t walls = planes.size;
     if (most > 0) {
       others.gather(crowd, place, model.cutoff);
       choose(crowd, place, model.cutoff, most, others, chosen);
-      find_ways_out(model, crowd.dt, chosen);
-      const Vec v = crowd.velocity(place);
-      for (std::size_t k = 0; k < chosen.size; ++k) {
-        const Vec normal(chosen.normal_x[k], chosen.normal_y[k]);
-        planes.push_back({normal, normal.dot(v) + 0.5 * chosen.depth[k]});
-      }
+      add_planes(model, crowd.dt, crowd.velocity(place), chosen, planes);
     }
     velocity[place] = permitted_velocity(planes, walls, model.top_speed, model.wanted(crowd, place), room);
   }
@@ -184,8 +195,7 @@ Vec Reciprocal::wanted(const CrowdView& crowd, std::uint32_t place) const {
 }
 
 /// Who touches a wall gets no nearer to it.
-void Reciprocal::add_walls(const CrowdView& crowd, std::uint32_t place,
-                           std::vector<HalfPlane>& planes) const {
+void Reciprocal::add_walls(const CrowdView& crowd, std::uint32_t place, HalfPlanes& planes) const {
   const Vec p = crowd.position(place);
   const double radius = crowd.radius[place], reach = radius + wall_horizon * top_speed;
   const Vec far(reach, reach);

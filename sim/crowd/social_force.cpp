@@ -47,14 +47,14 @@ HWY_INLINE Vec touches(const Forces& model, const CrowdView& crowd, std::uint32_
 void WalkByForces(const Forces& model, const CrowdView& crowd, std::span<const std::uint32_t> places,
                   double reach, std::span<Vec> velocity) {
   thread_local Others others;  // kept: a step allocates nothing
-  thread_local std::vector<double> gap;
+  thread_local Pushes pushes;
   for (const std::uint32_t place : places) {
     others.gather(crowd, place, reach);
     const Vec p = crowd.position(place), v = crowd.velocity(place);
     const double radius = crowd.radius[place];
     Vec force = (model.mass / model.reaction_time) * (crowd.desired_speed[place] * crowd.towards(place) - v);
-    force += repulsion(model.strength, model.range, others, gap);
-    force += touches(model, crowd, place, others, gap);
+    force += repulsion(model.strength, model.range, others, pushes);
+    force += touches(model, crowd, place, others, pushes.gap);
     crowd.barriers.for_each_nearest(p, radius + kNegligibleRanges * model.range, [&](const Vec& q) {
       const double distance = (p - q).norm();
       if (distance > 0.0) force += model.of_wall(radius - distance, (p - q) / distance, -v, 1.0 / crowd.dt);

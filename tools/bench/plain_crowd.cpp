@@ -8,11 +8,11 @@
 
 #include "sim/crowd/model.h"
 #include "sim/crowd/orca.h"
-#include "sim/crowd/permitted_velocity.h"
 #include "sim/crowd/slide.h"
 #include "sim/crowd/velocity_obstacle.h"
 #include "sim/crowd/walk.h"
 #include "sim/random.h"
+#include "tools/bench/plain_velocity.h"
 
 namespace throng::bench {
 
@@ -188,7 +188,7 @@ Vec PlainCrowd::orca(std::uint32_t agent) const {
   const double x = random.uniform(-kOrcaDoubt, kOrcaDoubt);
   const double y = random.uniform(-kOrcaDoubt, kOrcaDoubt);
   const Vec wanted = scene_.crowd.desired_speed[agent] * (towards(agent) + Vec(x, y));
-  return permitted_velocity(planes, walls, v[4], wanted, room);
+  return plain_velocity(planes, walls, v[4], wanted, room);
 }
 
 }  // namespace throng::bench

@@ -35,8 +35,9 @@ struct Problem {
     return true;
   }
   Vec answer() const {
-    std::vector<HalfPlane> room;
-    return permitted_velocity(planes, hard, most, preferred, room);
+    HalfPlanes all, room;
+    for (const HalfPlane& plane : planes) all.push_back(plane);
+    return permitted_velocity(all, hard, most, preferred, room);
   }
 };
 
