@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -56,6 +57,13 @@ class Barriers {
     const double clear = clearance_.at(box.min() + half);
     if (clear * clear > half.squaredNorm()) return;
     index_.for_each_near(box, [&](std::uint32_t row) { f(segments_[row]); });
+  }
+
+  /// m: none is nearer to `p`, though they may all be much farther. O(lines that move).
+  double clear(const Vec& p) const {
+    double clear = clearance_.at(p);
+    for (const Moving& line : moving_) clear = std::min(clear, line.box.exteriorDistance(p));
+    return clear;
   }
 
   /// Whether the straight way from `p` to `q` meets a segment, be it by touching. Exact.

@@ -47,9 +47,10 @@ HWY_INLINE double gap_ahead(const Others& others, const std::vector<double>& gap
 
 Vec away_from_walls(const FreeSpeed& model, const CrowdView& crowd, std::uint32_t place) {
   const Vec p = crowd.position(place);
-  const double radius = crowd.radius[place];
+  const double radius = crowd.radius[place], reach = radius + kNegligibleRanges * model.wall_range;
   Vec sum(0.0, 0.0);
-  crowd.barriers.for_each_nearest(p, radius + kNegligibleRanges * model.wall_range, [&](const Vec& q) {
+  if (crowd.is_clear(place, reach)) return sum;
+  crowd.barriers.for_each_nearest(p, reach, [&](const Vec& q) {
     const double distance = (p - q).norm();
     if (distance > 0.0)
       sum += model.wall_strength *

@@ -25,13 +25,15 @@ struct CrowdView {
   std::span<const double> towards_x, towards_y;   ///< of the way to the goal, 1 long up to 0.0015; zero in it
   std::span<const double> radius, desired_speed;  ///< m, m/s
   std::span<const double> id;
-  double largest_radius;  ///< m
+  std::span<const double> clear;  ///< m: no barrier is nearer
+  double largest_radius;          ///< m
   const Barriers& barriers;
 
   static constexpr std::size_t kPadding = 8;
 
   Vec position(std::uint32_t place) const { return {x[place], y[place]}; }
   Vec velocity(std::uint32_t place) const { return {velocity_x[place], velocity_y[place]}; }
+  bool is_clear(std::uint32_t place, double reach) const { return clear[place] > reach; }
   Vec towards(std::uint32_t place) const { return {towards_x[place], towards_y[place]}; }
 };
 

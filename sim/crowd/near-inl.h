@@ -78,9 +78,10 @@ struct Others {
       for (std::int64_t y = range.first.y; y <= range.last.y; ++y)
         add(crowd, crowd.cells.stretch(range, y), own, reach * reach);
     const Vec p = crowd.position(own), far(reach, reach);
-    crowd.barriers.for_each_near({Vec(p - far), Vec(p + far)},
-                                 [&](const Barriers::Segment& segment)
-                                     HWY_ATTR { hide_behind(segment.a - p, segment.b - p); });
+    if (!crowd.is_clear(own, reach))
+      crowd.barriers.for_each_near({Vec(p - far), Vec(p + far)},
+                                   [&](const Barriers::Segment& segment)
+                                       HWY_ATTR { hide_behind(segment.a - p, segment.b - p); });
     fill_up();
   }
 

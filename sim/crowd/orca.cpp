@@ -199,6 +199,7 @@ void Reciprocal::add_walls(const CrowdView& crowd, std::uint32_t place, HalfPlan
   const Vec p = crowd.position(place);
   const double radius = crowd.radius[place], reach = radius + wall_horizon * top_speed;
   const Vec far(reach, reach);
+  if (crowd.is_clear(place, reach)) return;
   crowd.barriers.for_each_near({Vec(p - far), Vec(p + far)}, [&](const Barriers::Segment& segment) {
     const Vec out = p - nearest_on_segment(segment.a, segment.b, p);
     const double distance = out.norm();

@@ -55,10 +55,12 @@ void WalkByForces(const Forces& model, const CrowdView& crowd, std::span<const s
     Vec force = (model.mass / model.reaction_time) * (crowd.desired_speed[place] * crowd.towards(place) - v);
     force += repulsion(model.strength, model.range, others, pushes);
     force += touches(model, crowd, place, others, pushes.gap);
-    crowd.barriers.for_each_nearest(p, radius + kNegligibleRanges * model.range, [&](const Vec& q) {
-      const double distance = (p - q).norm();
-      if (distance > 0.0) force += model.of_wall(radius - distance, (p - q) / distance, -v, 1.0 / crowd.dt);
-    });
+    const double wall_reach = radius + kNegligibleRanges * model.range;
+    if (!crowd.is_clear(place, wall_reach))
+      crowd.barriers.for_each_nearest(p, wall_reach, [&](const Vec& q) {
+        const double distance = (p - q).norm();
+        if (distance > 0.0) force += model.of_wall(radius - distance, (p - q) / distance, -v, 1.0 / crowd.dt);
+      });
     velocity[place] = v + crowd.dt / model.mass * force;
   }
 }

@@ -92,7 +92,7 @@ Walk::Walk(const Scene& scene)
 
 void Walk::Ranks::resize(std::size_t n) {
   for (std::vector<double>* all :
-       {&x, &y, &velocity_x, &velocity_y, &towards_x, &towards_y, &radius, &desired_speed, &id})
+       {&x, &y, &velocity_x, &velocity_y, &towards_x, &towards_y, &radius, &desired_speed, &id, &clear})
     all->resize(n + CrowdView::kPadding);
   group.resize(n);
 }
@@ -126,6 +126,7 @@ void Walk::rank(const State& state, std::size_t place) {
   const bool stands = now < scene_.crowd.start[its];
   ranks_.desired_speed[place] = stands ? 0.0 : std::min(scene_.crowd.desired_speed[its], distance / kSettle);
   ranks_.id[place] = state.id[row];
+  ranks_.clear[place] = (seen_ ? *seen_ : barriers_).clear(p);
 }
 
 void Walk::look_at_movers(const State& state) {
@@ -153,10 +154,10 @@ void Walk::look(State& state, Workers& workers) {
 void Walk::steer(const State& state, Workers& workers) {
   const std::size_t n = present(state);
   velocity_.resize(n), places_.resize(n);
-  const CrowdView view{
-      scene_.time.dt, scene_.seed,          state.step,        cells_,           ranks_.x,
-      ranks_.y,       ranks_.velocity_x,    ranks_.velocity_y, ranks_.towards_x, ranks_.towards_y,
-      ranks_.radius,  ranks_.desired_speed, ranks_.id,         largest_radius_,  seen_ ? *seen_ : barriers_};
+  const CrowdView view{scene_.time.dt,   scene_.seed,      state.step,        cells_,
+                       ranks_.x,         ranks_.y,         ranks_.velocity_x, ranks_.velocity_y,
+                       ranks_.towards_x, ranks_.towards_y, ranks_.radius,     ranks_.desired_speed,
+                       ranks_.id,        ranks_.clear,     largest_radius_,   seen_ ? *seen_ : barriers_};
   workers.for_ranges(n, [&](std::size_t begin, std::size_t end) {
     std::size_t last = begin;
     for (std::size_t model = 0; model < models_.size(); ++model) {
@@ -170,9 +171,7 @@ void Walk::steer(const State& state, Workers& workers) {
 
 /// Bodies that move push and barriers hold in turn, until neither has anything against it. Else he stays,
 /// where no body comes over him; where one does, he is squeezed, and barriers have the last word.
-Moved Walk::go(const Vec& from, const Vec& by, double core, std::uint8_t& squeezed) const {
-  squeezed = 0;
-  if (!seen_) return slide(barriers_, from, by, core);
+Moved Walk::go_among_bodies(const Vec& from, const Vec& by, double core, std::uint8_t& squeezed) const {
   Moved moved{from + by, false};
   for (int i = 0; i < kSqueezes; ++i) {
     const Pushed pushed = movers_.push(from, moved.to, core);
@@ -186,6 +185,15 @@ Moved Walk::go(const Vec& from, const Vec& by, double core, std::uint8_t& squeez
   return moved;
 }
 
+Moved Walk::go(std::size_t place, const Vec& by, std::uint8_t& squeezed) const {
+  const Vec from(ranks_.x[place], ranks_.y[place]);
+  const double core = ranks_.radius[place] * cores_[ranks_.group[place]];
+  squeezed = 0;
+  if (seen_) return go_among_bodies(from, by, core, squeezed);
+  if (ranks_.clear[place] > core + std::abs(by.x()) + std::abs(by.y())) return {from + by, false};
+  return slide(barriers_, from, by, core);
+}
+
 void Walk::walk(State& state, Workers& workers) {
   const double dt = scene_.time.dt;
   const std::size_t n = present(state), first = scene_.crowd.first;
@@ -195,9 +203,8 @@ void Walk::walk(State& state, Workers& workers) {
       const std::size_t ahead = this->row(std::min(place + kAhead, end - 1));
       __builtin_prefetch(&state.position[ahead], 1), __builtin_prefetch(&state.velocity[ahead], 1);
       const std::size_t row = this->row(place);
-      const double core = ranks_.radius[place] * cores_[ranks_.group[place]];
       const Vec from(ranks_.x[place], ranks_.y[place]), by = dt * velocity_[place];
-      const Moved moved = go(from, by, core, squeezed_[row - first]);
+      const Moved moved = go(place, by, squeezed_[row - first]);
       corrected_[row - first] = moved.corrected;
       state.position[row] = moved.to;
       state.velocity[row] = moved.to == from + by ? velocity_[place] : Vec((moved.to - from) / dt);

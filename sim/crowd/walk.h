@@ -49,7 +49,7 @@ class Walk {
  private:
   /// Of the agents, by place in the cells.
   struct Ranks {
-    std::vector<double> x, y, velocity_x, velocity_y, towards_x, towards_y, radius, desired_speed, id;
+    std::vector<double> x, y, velocity_x, velocity_y, towards_x, towards_y, radius, desired_speed, id, clear;
     std::vector<std::uint32_t> group;
 
     void resize(std::size_t n);
@@ -61,7 +61,8 @@ class Walk {
   void measure_all(State& state);
   bool is_due(const State& state, std::size_t group) const;
   bool bring_in(State& state, std::size_t group);
-  Moved go(const Vec& from, const Vec& by, double core, std::uint8_t& squeezed) const;
+  Moved go(std::size_t place, const Vec& by, std::uint8_t& squeezed) const;
+  Moved go_among_bodies(const Vec& from, const Vec& by, double core, std::uint8_t& squeezed) const;
   std::size_t agent(const State& state, std::size_t row) const { return agent_of(scene_, state, row); }
   /// The row of who has that place in the cells.
   std::size_t row(std::size_t place) const { return scene_.crowd.first + cells_.row()[place]; }

@@ -74,5 +74,14 @@ TEST(Clearance, BearsWallsThatAreHugeTinyAndInOnePlace) {
   }
 }
 
+TEST(Barriers, AreClearAsFarAsNoneStandsOrMoves) {
+  Barriers barriers(std::vector<BarrierLine>{{{{0, 0}, {20, 0}, {20, 20}, {0, 20}}, true}}, 0.5);
+  EXPECT_GT(barriers.clear({10, 10}), 7.0);
+  EXPECT_LE(barriers.clear({10, 10}), 10.0);
+  barriers.set_moving(std::vector<BarrierLine>{{{{12, 9}, {14, 11}}, false}, {{{5, 5}, {6, 5}}, false}});
+  EXPECT_EQ(barriers.clear({10, 10}), 2.0) << "to the box of the one that is nearer";
+  EXPECT_EQ(barriers.clear({13, 10}), 0.0);
+}
+
 }  // namespace
 }  // namespace throng

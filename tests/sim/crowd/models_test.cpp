@@ -47,11 +47,13 @@ struct Group {
                vy = column(velocity, 1), tx = column(towards, 0), ty = column(towards, 1),
                radii = by_place([&](std::uint32_t i) { return radius[i]; }),
                speeds = by_place([&](std::uint32_t i) { return desired_speed[i]; }),
-               ids = by_place([](std::uint32_t i) { return i + 1.0; });
+               ids = by_place([](std::uint32_t i) { return i + 1.0; }),
+               clear = by_place([&](std::uint32_t i) { return barriers.clear(position[i]); });
     std::vector<std::uint32_t> places(position.size());
     std::iota(places.begin(), places.end(), 0u);
     std::vector<Vec> answer(position.size());
-    model->steer({dt, 1, 0, cells, x, y, vx, vy, tx, ty, radii, speeds, ids, 0.25, barriers}, places, answer);
+    model->steer({dt, 1, 0, cells, x, y, vx, vy, tx, ty, radii, speeds, ids, clear, 0.25, barriers}, places,
+                 answer);
     const auto at = std::find(cells.row().begin(), cells.row().end(), row) - cells.row().begin();
     return answer[static_cast<std::size_t>(at)];
   }
