@@ -253,7 +253,8 @@ bool same(const SleepState& a, const SleepState& b) {
     return std::ranges::equal(x, y, [](const SleepingContact& p, const SleepingContact& q) {
       return p.impulse.key == q.impulse.key && p.impulse.feature == q.impulse.feature &&
              p.impulse.normal == q.impulse.normal && p.impulse.tangent == q.impulse.tangent &&
-             p.island == q.island && p.a == q.a && p.b == q.b && p.point == q.point;
+             p.impulse.rolling == q.impulse.rolling && p.island == q.island && p.a == q.a && p.b == q.b &&
+             p.point == q.point;
     });
   };
   return a.calm == b.calm && a.island == b.island && contacts(a.disc_contacts, b.disc_contacts) &&
