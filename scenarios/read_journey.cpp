@@ -31,11 +31,13 @@ class JourneyReader {
 
  private:
   /// The row of the goal of these areas, which is made where it is new.
-  std::uint32_t goal_row(const std::vector<std::string>& names) {
+  std::uint32_t goal_row(const std::vector<std::string>& names, AreaUse use = AreaUse::goal) {
     Goal goal;
     for (const std::string& name : names) {
       goal.name += (goal.name.empty() ? "" : " or ") + in_quotes(name);
       goal.areas.push_back(area_row(name, scene_));
+      Area& area = scene_.crowd.areas[goal.areas.back()];
+      area.use = std::max(area.use, use);
     }
     std::ranges::sort(goal.areas);
     goal.areas.erase(std::unique(goal.areas.begin(), goal.areas.end()), goal.areas.end());
@@ -120,7 +122,7 @@ class JourneyReader {
       return;
     }
     leg.kind = Leg::Kind::wait;
-    leg.options = {goal_row(names(*area))};
+    leg.options = {goal_row(names(*area), AreaUse::wait)};
     if (length && end) fail(*end, Path(path, "until"), "must not stand beside `for`");
     leg.until = end != nullptr;
     if (const toml::node* time = length ? length : end)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // throng info: what a recording holds.
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -29,6 +30,18 @@ std::vector<int> steps_apart(const Record& record) {
   return steps;
 }
 
+/// The frames that hold what is recorded each so many steps.
+std::int64_t frames_with(const Recording& recording, int every) {
+  return std::ranges::count_if(recording.steps(), [every](std::int64_t step) { return step % every == 0; });
+}
+
+std::vector<std::int64_t> samples(const Recording& recording) {
+  std::vector<std::int64_t> counts;
+  for (const int rate : steps_apart(recording.geometry().record))
+    counts.push_back(frames_with(recording, rate));
+  return counts;
+}
+
 /// Of the recorded ones.
 Json sensors(const Scene& scene) {
   Json all = Json::array();
@@ -45,6 +58,29 @@ Json measures(const Scene& scene) {
   Json all = Json::array();
   for (const Measure& measure : scene.crowd.measures)
     all.push_back({{"name", measure.name}, {"of", measure.area.empty() ? "line" : "area"}});
+  return all.empty() ? Json(nullptr) : all;
+}
+
+Json walkable(const Region& floor) {
+  if (floor.empty()) return nullptr;
+  const Eigen::AlignedBox2d box = bounds(floor);
+  return {{"min", {box.min().x(), box.min().y()}},
+          {"max", {box.max().x(), box.max().y()}},
+          {"rings", floor.rings.size()}};
+}
+
+Json areas(const Crowd& crowd) {
+  constexpr const char* uses[] = {"none", "goal", "wait"};
+  Json all = Json::array();
+  for (const Area& area : crowd.areas)
+    all.push_back({{"name", area.name}, {"use", uses[static_cast<int>(area.use)]}});
+  return all.empty() ? Json(nullptr) : all;
+}
+
+Json queues(const Crowd& crowd) {
+  Json all = Json::array();
+  for (const Queue& queue : crowd.queues)
+    all.push_back({{"name", queue.name}, {"spacing", queue.spacing}, {"service", queue.service}});
   return all.empty() ? Json(nullptr) : all;
 }
 
@@ -79,9 +115,13 @@ Json describe(const Recording& recording) {
           {"engine", scene.engine == Engine::box2d ? "box2d" : "native"},
           {"bodies", recording.bodies()},
           {"bodies_of_run", recording.bodies_of_run()},
+          {"agents", std::ranges::count(scene.bodies.kind, BodyKind::agent)},
           {"shapes", scene.shapes.size()},
           {"walls", scene.walls.size()},
           {"domain", domain(scene.domain)},
+          {"walkable", walkable(scene.crowd.walkable)},
+          {"areas", areas(scene.crowd)},
+          {"queues", queues(scene.crowd)},
           {"frames", recording.frames()},
           {"every", scene.record.every},
           {"dt", scene.time.dt},
@@ -91,6 +131,7 @@ Json describe(const Recording& recording) {
           {"until", scene.time.until},
           {"fields", fields(scene.record)},
           {"rates", steps_apart(scene.record)},
+          {"samples", samples(recording)},
           {"observables", scene.record.observables > 0 ? Json(scene.record.observables) : Json(nullptr)},
           {"sensors", sensors(scene)},
           {"measures", measures(scene)},
@@ -138,9 +179,32 @@ std::string readable(const Json& value) {
   return text;
 }
 
-void print(const Json& description) {
-  for (const auto& [key, value] : description.items())
-    std::printf("%-13s %s\n", key.c_str(), printable(readable(value)).c_str());
+/// "each 4 steps, in 76 frames".
+std::string how_often(std::int64_t every, std::int64_t frames) {
+  return (every == 1 ? "each step" : "each " + std::to_string(every) + " steps") + ", in " +
+         counted(frames, "frame");
+}
+
+/// As "position each 4 steps, in 76 frames; velocity ...": what JSON has in three lists.
+std::string fields_and_rates(const Json& d) {
+  std::string text;
+  for (std::size_t i = 0; i < d["fields"].size(); ++i)
+    text +=
+        (i ? "; " : "") + d["fields"][i].get<std::string>() + " " + how_often(d["rates"][i], d["samples"][i]);
+  return text.empty() ? "none" : text;
+}
+
+void print(const Json& description, const Recording& recording) {
+  for (const auto& [key, value] : description.items()) {
+    if (key == "rates" || key == "samples") continue;
+    std::string text = readable(value);
+    if (key == "walkable" && !value.is_null()) text = readable_entry(value);
+    if (key == "frames") text += ": of each step that has any of the fields, observables or sensors below";
+    if (key == "every") text += value == 1 ? " step" : " steps";
+    if (key == "fields") text = fields_and_rates(description);
+    if (key == "observables" && !value.is_null()) text = how_often(value, frames_with(recording, value));
+    std::printf("%-13s %s\n", key.c_str(), printable(text).c_str());
+  }
 }
 
 }  // namespace
@@ -157,11 +221,12 @@ void add_info(CLI::App& app, int& exit_code) {
   command->add_flag("--json", options->json, "as JSON");
   command->footer("Example: throng info pile.h5");
   command->callback([options, &exit_code] {
-    const Json description = describe(Recording(options->file));
+    const Recording recording(options->file);
+    const Json description = describe(recording);
     if (options->json)
       std::puts(description.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
     else
-      print(description);
+      print(description, recording);
     exit_code = 0;
   });
 }

@@ -14,6 +14,8 @@ namespace throng::tools {
 namespace {
 
 constexpr std::uint8_t kBorder = 240, kWall = 250, kStill = 245;  // greys
+constexpr std::uint8_t kPlace = 67, kGoal = 172, kStay = 72;      // blue, orange, green
+constexpr char32_t kNoDots = 0x2800, kAllDots = 0x28FF;
 
 /// The nearest of the 6 x 6 x 6 colours that every terminal has.
 std::uint8_t terminal_colour(const Colour& colour) {
@@ -41,7 +43,7 @@ std::uint8_t colour_of(const Scene& scene, const Frame& frame, const View& view,
 /// The dots of an area, and where in the plane they lie.
 class Dots {
  public:
-  Dots(Screen& screen, const Area& area, const Extent& extent)
+  Dots(Screen& screen, const Cells& area, const Extent& extent)
       : screen_(screen), area_(area), width_(2 * area.columns), height_(4 * area.rows) {
     const Vec size = extent.size();
     dot_ = std::max(size.x() / width_, size.y() / height_);
@@ -55,7 +57,7 @@ class Dots {
     if (x < 0 || x >= width_ || y < 0 || y >= height_) return;
     const int down = height_ - 1 - y;
     Cell& cell = screen_.at(area_.column + x / 2, area_.row + down / 4);
-    if (cell.glyph == U' ') cell.glyph = 0x2800;
+    if (cell.glyph < kNoDots || cell.glyph > kAllDots) cell.glyph = kNoDots;
     cell.glyph |= kBits[down % 4][x % 2];
     cell.colour = colour;
   }
@@ -70,6 +72,17 @@ class Dots {
       for (int x = std::max(0, column(min.x())); x <= std::min(width_ - 1, column(max.x())); ++x)
         if (chosen(Vec(corner_ + dot_ * Vec(x + 0.5, y + 0.5)))) set(x, y, colour);
   }
+
+  /// Puts a text below the cell of `at`, from the next column on; nothing where it doesn't fit before `right`
+  /// (m).
+  void name(const std::string& text, const Vec& at, double right, std::uint8_t colour) {
+    const int first = column(at.x()) / 2 + 1, under = (height_ - 1 - line(at.y())) / 4 + 1;
+    const bool fits = first + tools::width(text) <= column(right) / 2;
+    if (fits && column(at.x()) >= 0 && line(at.y()) >= 0 && line(at.y()) < height_ && under < area_.rows)
+      screen_.put(area_.column + first, area_.row + under, text, colour);
+  }
+
+  double right() const { return corner_.x() + dot_ * width_; }  ///< m, of all that is shown
 
   /// Each `every`-th dot along a line, as far as it is seen.
   void draw_line(Vec from, Vec to, std::uint8_t colour, int every = 1) {
@@ -107,7 +120,7 @@ class Dots {
   }
 
   Screen& screen_;
-  Area area_;
+  Cells area_;
   int width_, height_;
   double dot_;
   Vec corner_;
@@ -128,6 +141,22 @@ void draw_wall(Dots& dots, const Wall& wall) {
   for (std::size_t i = 0; i + 1 < wall.points.size(); ++i)
     dots.draw_line(wall.points[i], wall.points[i + 1], kWall);
   if (wall.closed) dots.draw_line(wall.points.back(), wall.points.front(), kWall);
+}
+
+void draw_area(Dots& dots, const Area& area) {
+  const std::uint8_t colour = area.use == AreaUse::wait ? kStay : area.use == AreaUse::goal ? kGoal : kPlace;
+  for (const std::vector<Vec>& ring : area.region.rings)
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      dots.draw_line(ring[i], ring[narrowphase::next(i, ring.size())], colour, 3);
+  if (area.region.empty()) return;
+  const Eigen::AlignedBox2d box = bounds(area.region);
+  dots.name(area.name, {box.min().x(), box.max().y()}, box.max().x(), colour);
+}
+
+void draw_queue(Dots& dots, const Queue& queue) {
+  for (std::size_t i = 0; i + 1 < queue.line.size(); ++i)
+    dots.draw_line(queue.line[i], queue.line[i + 1], kStay, 2);
+  dots.name(queue.name, queue.line[0], dots.right(), kStay);
 }
 
 /// Whether a point lies in a polygon, in its frame, and farther than `rim` from its border.
@@ -169,10 +198,12 @@ void draw_body(Dots& dots, const Shape& shape, double radius, const narrowphase:
 
 }  // namespace
 
-void draw_dots(Screen& screen, const Area& area, const Scene& scene, const View& view, const Frame& frame) {
+void draw_dots(Screen& screen, const Cells& area, const Scene& scene, const View& view, const Frame& frame) {
   if (area.columns <= 0 || area.rows <= 0) return;
   Dots dots(screen, area, view.extent);
   draw_domain(dots, scene.domain);
+  for (const Area& each : scene.crowd.areas) draw_area(dots, each);
+  for (const Queue& queue : scene.crowd.queues) draw_queue(dots, queue);
   for (const Wall& wall : scene.walls) draw_wall(dots, wall);
   for (std::size_t row = 0; row < frame.position.size(); ++row) {
     if (!frame.has(row)) continue;

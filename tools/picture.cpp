@@ -10,6 +10,7 @@
 #include "tools/palette.h"
 #include "tools/pen.h"
 #include "tools/picture_bodies.h"
+#include "tools/picture_floor.h"
 #include "tools/replace_file.h"
 
 namespace throng::tools {
@@ -46,8 +47,10 @@ void draw_scene(cairo_t* cairo, const Page& page, const Extent& shown, const Sce
   cairo_translate(cairo, -shown.min.x(), -shown.min.y());
   const double pixel = page.unit / 20 / page.scale;
   draw_domain(cairo, scene.domain, pixel);
+  draw_floor(cairo, scene.crowd, pixel);
   draw_bodies(cairo, scene, frame, pixel, top);
   draw_walls(cairo, scene, 3.0 * pixel);
+  name_floor(cairo, scene.crowd, 0.8 * page.unit, page.width);
   cairo_restore(cairo);
 }
 
@@ -59,8 +62,8 @@ void draw_title(cairo_t* cairo, const Page& page, const Scene& scene, const Fram
   set_colour(cairo, kFaint);
   char time[64];
   std::snprintf(time, sizeof time, "t = %.3f s", frame.time);
-  write(cairo, std::to_string(frame.bodies()) + " bodies   " + time, page.width - page.border,
-        2.0 * page.unit, Align::right);
+  write(cairo, who_is_there(scene.bodies, frame) + "   " + time, page.width - page.border, 2.0 * page.unit,
+        Align::right);
 }
 
 void draw_colour_bar(cairo_t* cairo, const Page& page, const SpeedScale& scale) {

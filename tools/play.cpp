@@ -12,7 +12,6 @@
 #include "tools/drive.h"
 #include "tools/keys.h"
 #include "tools/playhead.h"
-#include "tools/printable.h"
 #include "tools/screen.h"
 #include "tools/terminal.h"
 #include "tools/view.h"
@@ -47,7 +46,7 @@ std::string measures(const Scene& scene, const Frame& frame) {
   if (!frame.angle.empty()) state.angle = frame.angle;
   if (!frame.velocity.empty()) state.velocity = frame.velocity;
   if (!frame.spin.empty()) state.spin = frame.spin;
-  std::string line = counted_bodies(frame.bodies());
+  std::string line = who_is_there(scene.bodies, frame);
   if (!frame.is_present.empty()) return line;
   if (!frame.velocity.empty())
     line +=

@@ -5,6 +5,7 @@
 
 #include "sim/input_error.h"
 #include "tools/palette.h"
+#include "tools/printable.h"
 
 namespace throng::tools {
 
@@ -32,6 +33,16 @@ SpeedScale speed_scale(const Scene& scene, std::span<const Vec> velocities) {
 }
 
 }  // namespace
+
+std::string who_is_there(const Bodies& bodies, const Frame& frame) {
+  std::int64_t agents = 0;
+  for (std::size_t row = 0; row < bodies.size(); ++row)
+    agents += bodies.kind[row] == BodyKind::agent && frame.has(row);
+  const std::size_t others = frame.bodies() - static_cast<std::size_t>(agents);
+  const bool walked = std::ranges::find(bodies.kind, BodyKind::agent) != bodies.kind.end();
+  if (!walked) return counted_bodies(others);
+  return (others > 0 ? counted_bodies(others) + ", " : "") + counted(agents, "agent");
+}
 
 void expect_drawable(const Recording& recording, const std::string& file) {
   if (recording.frames() == 0) throw InputError(file + " holds no frames: there is nothing to draw");

@@ -21,6 +21,9 @@ struct View {
   SpeedScale speeds;
 };
 
+/// How many a frame shows: "3 bodies", "40 agents", "1 body, 40 agents".
+std::string who_is_there(const Bodies& bodies, const Frame& frame);
+
 /// Throws InputError that names `file` where there is nothing to draw: no frames or no positions.
 void expect_drawable(const Recording& recording, const std::string& file);
 

@@ -14,9 +14,13 @@ namespace throng {
 
 inline constexpr double kAgentMass = 80.0;  ///< kg, as recorded; models have their own
 
+/// What agents do in an area.
+enum class AreaUse : std::uint8_t { none, goal, wait };
+
 struct Area {
   std::string name;
   Region region;
+  AreaUse use = AreaUse::none;  ///< by any of their journeys; `wait` also where others only pass
 };
 
 /// Where agents go: to the nearest of some areas, or to a queue's line.

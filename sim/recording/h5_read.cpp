@@ -103,6 +103,17 @@ Dataset open_any(const File& file, hid_t at, const char* name, hid_t type, bool 
   return result;
 }
 
+/// H5Dread, whose errors name the dataset by its path.
+void read(const Dataset& dataset, hid_t type, hid_t to, hid_t from, void* out) {
+  try {
+    check(H5Dread(dataset.set, type, to, from, H5P_DEFAULT, out), "cannot read");
+  } catch (const Error& error) {
+    char path[200] = "/?";
+    H5Iget_name(dataset.set, path, sizeof path);
+    throw Error(std::string(path + 1) + ": " + error.what());
+  }
+}
+
 /// Reads the block of `dims` values at `start`. Expects room for them at `out`.
 void read_block(const Dataset& dataset, hid_t type, const std::vector<hsize_t>& start,
                 const std::vector<hsize_t>& dims, void* out) {
@@ -111,7 +122,7 @@ void read_block(const Dataset& dataset, hid_t type, const std::vector<hsize_t>& 
                   "cannot read");
   check(H5Sselect_hyperslab(from, H5S_SELECT_SET, start.data(), nullptr, dims.data(), nullptr),
         "cannot read");
-  check(H5Dread(dataset.set, type, to, from, H5P_DEFAULT, out), "cannot read");
+  read(dataset, type, to, from, out);
 }
 
 std::string checked_text(std::string text, const char* name) {
@@ -200,7 +211,7 @@ std::vector<T> read_all(const Dataset& dataset, std::optional<hsize_t> rows) {
   for (hsize_t dim : dims) count *= dim;
   std::vector<T> values(count);
   if (dims.empty())
-    check(H5Dread(dataset.set, type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "cannot read");
+    read(dataset, type<T>(), H5S_ALL, H5S_ALL, values.data());
   else if (count > 0)
     read_block(dataset, type<T>(), std::vector<hsize_t>(dims.size(), 0), dims, values.data());
   return values;
@@ -252,7 +263,7 @@ std::string read_text(const File& file, hid_t at, const char* name) {
   expect_dims(dataset, name, {});
   const Handle found(H5Dget_type(dataset.set), H5Tclose, name);
   std::string text(H5Tget_size(found), '\0');
-  check(H5Dread(dataset.set, found, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()), name);
+  read(dataset, found, H5S_ALL, H5S_ALL, text.data());
   return checked_text(std::move(text), name);
 }
 
@@ -262,7 +273,7 @@ std::vector<std::string> read_texts(const File& file, hid_t at, const char* name
   const Handle found(H5Dget_type(dataset.set), H5Tclose, name);
   const std::size_t length = H5Tget_size(found);
   std::string block(length * dataset.dims[0], '\0');
-  if (!block.empty()) check(H5Dread(dataset.set, found, H5S_ALL, H5S_ALL, H5P_DEFAULT, block.data()), name);
+  if (!block.empty()) read(dataset, found, H5S_ALL, H5S_ALL, block.data());
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < dataset.dims[0]; ++i)
     texts.push_back(checked_text(block.substr(i * length, length), name));

@@ -317,7 +317,7 @@ void Recording::read(std::size_t i, Frame& frame) const {
 void Recording::expect_tables(const Scene& scene) const {
   try {
     h5::prepare();
-    recording::expect_tables(impl_->file, impl_->scene, impl_->reader.ids(), scene);
+    recording::expect_tables(impl_->file, impl_->scene, impl_->reader.ids(), scene, impl_->origin.minor);
   } catch (const h5::Error& error) {
     throw InputError(impl_->path + " is damaged: " + error.what());
   }

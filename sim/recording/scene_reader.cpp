@@ -169,18 +169,65 @@ std::vector<Wall> read_walls(const h5::File& file, hid_t throng, const Scene& sc
   return walls;
 }
 
-Region read_walkable(const h5::File& file, hid_t throng) {
-  if (!h5::exists(throng, "walkable")) return {};
-  const h5::Handle group = h5::open_group(throng, "walkable");
+/// The rings `offset` tells apart.
+std::vector<std::vector<Vec>> read_rings(const h5::File& file, hid_t group) {
   const std::vector<Vec> points = read_points(file, group, "points");
   const auto offset = read_array<std::uint64_t>(file, group, "offset", {kAny});
   expect_offsets(offset, points.size(), "offset");
-  Region walkable;
+  std::vector<std::vector<Vec>> rings;
   for (std::size_t r = 1; r < offset.size(); ++r) {
-    if (offset[r] - offset[r - 1] < 3) reject("walkable has a ring of fewer than three points");
-    walkable.rings.emplace_back(points.begin() + offset[r - 1], points.begin() + offset[r]);
+    if (offset[r] - offset[r - 1] < 3) reject("a ring has fewer than three points");
+    rings.emplace_back(points.begin() + offset[r - 1], points.begin() + offset[r]);
   }
-  return walkable;
+  return rings;
+}
+
+Region read_walkable(const h5::File& file, hid_t throng) {
+  if (!h5::exists(throng, "walkable")) return {};
+  return {read_rings(file, h5::open_group(throng, "walkable"))};
+}
+
+std::vector<Region> read_regions(const h5::File& file, hid_t group, std::size_t count) {
+  const std::vector<std::vector<Vec>> rings = read_rings(file, group);
+  const auto offset = read_offsets(file, group, "area_offset", count, rings.size());
+  std::vector<Region> regions(count);
+  for (std::size_t i = 0; i < count; ++i)
+    regions[i].rings.assign(rings.begin() + offset[i], rings.begin() + offset[i + 1]);
+  return regions;
+}
+
+std::vector<Area> read_areas(const h5::File& file, hid_t throng) {
+  if (!h5::exists(throng, "areas")) return {};
+  const h5::Handle group = h5::open_group(throng, "areas");
+  const std::vector<std::string> names = h5::read_texts(file, group, "name");
+  const auto use = read_array<std::uint8_t>(file, group, "use", {names.size()});
+  const std::vector<Region> regions = read_regions(file, group, names.size());
+  std::vector<Area> areas;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (use[i] > static_cast<int>(AreaUse::wait)) reject("an area is of an unknown use");
+    areas.push_back({names[i], regions[i], static_cast<AreaUse>(use[i])});
+  }
+  return areas;
+}
+
+std::vector<Queue> read_queues(const h5::File& file, hid_t throng) {
+  if (!h5::exists(throng, "queues")) return {};
+  const h5::Handle group = h5::open_group(throng, "queues");
+  const std::vector<std::string> names = h5::read_texts(file, group, "name");
+  const auto spacing = read_numbers(file, group, "spacing", names.size());
+  const auto service = read_numbers(file, group, "service", names.size());
+  const std::vector<Vec> points = read_points(file, group, "points");
+  const auto offset = read_offsets(file, group, "offset", names.size(), points.size());
+  std::vector<Queue> queues;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (offset[i + 1] - offset[i] < 2) reject("a queue has fewer than two points");
+    if (!(spacing[i] > 0.0)) reject("a queue's spacing is out of range");
+    queues.push_back({.name = names[i],
+                      .line = {points.begin() + offset[i], points.begin() + offset[i + 1]},
+                      .spacing = spacing[i],
+                      .service = service[i]});
+  }
+  return queues;
 }
 
 /// Names become paths below /observables, each another.
@@ -196,19 +243,15 @@ std::vector<Measure> read_measures(const h5::File& file, hid_t throng) {
   if (names.size() > kMostMeasures) reject("there are too many measures");
   const auto line = read_array<double>(file, group, "line", {names.size(), 4});
   const auto size = read_numbers(file, group, "size", names.size());
-  const std::vector<Vec> points = read_points(file, group, "points");
-  const auto offset = read_array<std::uint64_t>(file, group, "offset", {kAny});
   expect_finite(line, "line");
-  expect_offsets(offset, points.size(), "offset");
-  const auto area_offset = read_offsets(file, group, "area_offset", names.size(), offset.size() - 1);
+  const std::vector<Region> areas = read_regions(file, group, names.size());
   std::vector<Measure> measures(names.size());
   for (std::size_t m = 0; m < names.size(); ++m) {
     expect_own_name(names[m], std::span(names).first(m));
     measures[m].name = names[m];
     measures[m].line = {Vec(line[4 * m], line[4 * m + 1]), Vec(line[4 * m + 2], line[4 * m + 3])};
     measures[m].size = size[m];
-    for (std::size_t r = area_offset[m]; r < area_offset[m + 1]; ++r)
-      measures[m].area.rings.emplace_back(points.begin() + offset[r], points.begin() + offset[r + 1]);
+    measures[m].area = areas[m];
   }
   return measures;
 }
@@ -252,6 +295,8 @@ Scene read_scene(const h5::File& file, hid_t throng) {
   scene.bodies = read_bodies(file, throng, scene);
   scene.walls = read_walls(file, throng, scene);
   scene.crowd.walkable = read_walkable(file, throng);
+  scene.crowd.areas = read_areas(file, throng);
+  scene.crowd.queues = read_queues(file, throng);
   scene.crowd.measures = read_measures(file, throng);
   return scene;
 }

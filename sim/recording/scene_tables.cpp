@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sim/recording/scene_tables.h"
 
+#include <algorithm>
+
 namespace throng::recording {
 
 namespace {
@@ -22,6 +24,51 @@ void expect_bodies(const std::vector<double>& masses, const Bodies& found, std::
   }
 }
 
+bool same_part(const narrowphase::Convex& a, const narrowphase::Convex& b) {
+  return a.vertices == b.vertices && a.radius == b.radius;
+}
+
+void expect_materials(const std::vector<Material>& found, const std::vector<Material>& materials) {
+  const auto same = [](const Material& a, const Material& b) {
+    return a.name == b.name && a.density == b.density && a.restitution == b.restitution &&
+           a.friction == b.friction;
+  };
+  expect(std::ranges::equal(found, materials, same), "material");
+}
+
+void expect_shapes(const std::vector<Shape>& found, const std::vector<Shape>& shapes) {
+  expect(found.size() == shapes.size(), "shape");
+  for (std::size_t s = 0; s < shapes.size(); ++s) {
+    const Shape &a = found[s], &b = shapes[s];
+    expect(a.name == b.name && a.kind == b.kind && a.centre == b.centre && a.area == b.area &&
+               a.gyration2 == b.gyration2 && a.radius == b.radius,
+           "shape");
+    expect(a.outline == b.outline && a.holes == b.holes, "outline of a shape");
+    expect(std::ranges::equal(a.parts, b.parts, same_part), "part of a shape");
+  }
+}
+
+void expect_walls(const std::vector<Wall>& found, const std::vector<Wall>& walls) {
+  const auto same = [](const Wall& a, const Wall& b) {
+    return a.points == b.points && a.closed == b.closed && a.material == b.material;
+  };
+  expect(std::ranges::equal(found, walls, same), "wall");
+}
+
+/// Areas and queues as far as the file's layout has them.
+void expect_floor(const Crowd& found, const Crowd& crowd, int minor) {
+  if (crowd.size() > 0) expect(found.walkable.rings == crowd.walkable.rings, "walkable floor");
+  if (minor < 6) return;
+  const auto same_area = [](const Area& a, const Area& b) {
+    return a.name == b.name && a.region.rings == b.region.rings && a.use == b.use;
+  };
+  const auto same_queue = [](const Queue& a, const Queue& b) {
+    return a.name == b.name && a.line == b.line && a.spacing == b.spacing && a.service == b.service;
+  };
+  expect(std::ranges::equal(found.areas, crowd.areas, same_area), "area");
+  expect(std::ranges::equal(found.queues, crowd.queues, same_queue), "queue");
+}
+
 void expect_box(const h5::File& file, const Domain& found, const Domain& domain) {
   expect(found.kind == domain.kind && found.min == domain.min && found.max == domain.max, "domain");
   const h5::Handle trajectory = h5::open_group(h5::open_group(file.handle, "particles"), "trajectory"),
@@ -37,7 +84,11 @@ void expect_box(const h5::File& file, const Domain& found, const Domain& domain)
 }  // namespace
 
 void expect_tables(const h5::File& file, const Scene& found, std::span<const std::uint32_t> ids,
-                   const Scene& scene) {
+                   const Scene& scene, int minor) {
+  expect_materials(found.materials, scene.materials);
+  expect_shapes(found.shapes, scene.shapes);
+  expect_walls(found.walls, scene.walls);
+  expect_floor(found.crowd, scene.crowd, minor);
   const h5::Handle bodies = h5::open_group(h5::open_group(file.handle, "throng"), "bodies");
   expect_bodies(h5::read_array<double>(file, bodies, "mass", {ids.size()}), found.bodies, ids, scene);
   expect_box(file, found.domain, scene.domain);

@@ -125,22 +125,47 @@ void write_walkable(hid_t throng, const Region& walkable) {
   write_array(group, "points", flat(rings.points), 2);
 }
 
-void write_measures(hid_t throng, const std::vector<Measure>& measures) {
-  const h5::Handle group = h5::create_group(throng, "measures");
+/// As area_offset, offset, points.
+void write_regions(hid_t group, const std::vector<Region>& regions) {
   Ragged rings;
   std::vector<std::uint64_t> area_offset{0};
-  std::vector<double> lines;
-  for (const Measure& measure : measures) {
-    for (const Vec& end : measure.line) lines.insert(lines.end(), {end.x(), end.y()});
-    for (const std::vector<Vec>& ring : measure.area.rings) rings.add(ring);
+  for (const Region& region : regions) {
+    for (const std::vector<Vec>& ring : region.rings) rings.add(ring);
     area_offset.push_back(rings.offset.size() - 1);
   }
-  h5::write_texts(group, "name", column(measures, [](const Measure& m) { return m.name; }));
-  write_array(group, "line", flat(lines), 4);
-  write_array(group, "size", flat(column(measures, [](const Measure& m) { return m.size; })));
   write_array(group, "area_offset", flat(area_offset));
   write_array(group, "offset", flat(rings.offset));
   write_array(group, "points", flat(rings.points), 2);
+}
+
+void write_areas(hid_t throng, const std::vector<Area>& areas) {
+  const h5::Handle group = h5::create_group(throng, "areas");
+  h5::write_texts(group, "name", column(areas, [](const Area& a) { return a.name; }));
+  write_array(group, "use",
+              flat(column(areas, [](const Area& a) { return static_cast<std::uint8_t>(a.use); })));
+  write_regions(group, column(areas, [](const Area& a) { return a.region; }));
+}
+
+void write_queues(hid_t throng, const std::vector<Queue>& queues) {
+  const h5::Handle group = h5::create_group(throng, "queues");
+  Ragged lines;
+  for (const Queue& queue : queues) lines.add(queue.line);
+  h5::write_texts(group, "name", column(queues, [](const Queue& q) { return q.name; }));
+  write_array(group, "spacing", flat(column(queues, [](const Queue& q) { return q.spacing; })));
+  write_array(group, "service", flat(column(queues, [](const Queue& q) { return q.service; })));
+  write_array(group, "offset", flat(lines.offset));
+  write_array(group, "points", flat(lines.points), 2);
+}
+
+void write_measures(hid_t throng, const std::vector<Measure>& measures) {
+  const h5::Handle group = h5::create_group(throng, "measures");
+  std::vector<double> lines;
+  for (const Measure& measure : measures)
+    for (const Vec& end : measure.line) lines.insert(lines.end(), {end.x(), end.y()});
+  h5::write_texts(group, "name", column(measures, [](const Measure& m) { return m.name; }));
+  write_array(group, "line", flat(lines), 4);
+  write_array(group, "size", flat(column(measures, [](const Measure& m) { return m.size; })));
+  write_regions(group, column(measures, [](const Measure& m) { return m.area; }));
 }
 
 }  // namespace
@@ -154,6 +179,8 @@ void write_scene(hid_t throng, const Scene& scene, std::span<const std::uint32_t
   write_bodies(throng, scene, ids);
   write_walls(throng, scene.walls);
   if (scene.crowd.size() > 0) write_walkable(throng, scene.crowd.walkable);
+  if (!scene.crowd.areas.empty()) write_areas(throng, scene.crowd.areas);
+  if (!scene.crowd.queues.empty()) write_queues(throng, scene.crowd.queues);
   if (!scene.crowd.measures.empty()) write_measures(throng, scene.crowd.measures);
 }
 

@@ -158,6 +158,67 @@ record = true
 """
 
 
+class Floor(Program):
+    """Areas, queues and walls, which say where agents go."""
+
+    def setUp(self):
+        super().setUp()
+        hall, cafe = '"POLYGON ((0 0, 8 0, 8 5, 0 5, 0 0), (1 1, 2 1, 2 2, 1 2, 1 1))"', "[[6, 4], [7, 4], [7, 5], [6, 5]]"
+        text = CROWD.replace("areas = {", f'areas = {{ hall = {hall}, "café" = {cafe},') + "queues = { till = { line = [[7, 1], [5.5, 1], [5.5, 1.7]], service = 2.5 } }\n"
+        text += AGENT.format(2.0, 4.0).replace('"exit"', '[{ queue = "till" }, { wait = "café", for = 1 }, "exit"]')
+        (self.folder / "three.toml").write_text(text)
+
+    def test_is_read(self):
+        with throng_read.open(self.record()) as recording:
+            self.assertEqual([len(ring) for ring in recording.walkable], [4, 4])
+            found = {area.name: (area.use, [ring.tolist() for ring in area.rings]) for area in recording.areas}
+            self.assertEqual(found, {"exit": ("goal", [[[9, 0], [10, 0], [10, 5], [9, 5]]]),
+                                     "café": ("wait", [[[6, 4], [7, 4], [7, 5], [6, 5]]]),
+                                     "hall": ("none", [[[0, 0], [8, 0], [8, 5], [0, 5]], [[1, 1], [2, 1], [2, 2], [1, 2]]])})
+            (queue,) = recording.queues
+            self.assertEqual(queue[:3], ("till", 0.6, 2.5))
+            self.assertEqual(queue.line.tolist(), [[7, 1], [5.5, 1], [5.5, 1.7]])
+        info = json.loads(subprocess.run([PROGRAM, "info", self.path("a.h5"), "--json"], capture_output=True, check=True).stdout)
+        self.assertEqual(info["areas"], [{"name": area.name, "use": area.use} for area in recording.areas])
+        self.assertEqual(info["queues"], [{"name": "till", "spacing": 0.6, "service": 2.5}])
+        self.assertEqual(info["walkable"], {"min": [0, 0], "max": [10, 5], "rings": 2})
+        self.assertEqual(info["agents"], 1)
+        said = subprocess.run([PROGRAM, "info", self.path("a.h5")], capture_output=True, check=True, text=True).stdout
+        for line in ("walkable      min 0 0, max 10 5, rings 2", "queues        name till, spacing 0.6, service 2.5"):
+            self.assertIn(line + "\n", said)
+
+    def test_is_not_there_without_a_crowd(self):
+        (self.folder / "three.toml").write_text("throng = 1\ntime = { until = 0.1 }\n[shapes]\nball = { disc = { radius = 1 } }\n[[bodies]]\nshape = 'ball'\nat = [0, 0]\n")
+        with throng_read.open(self.record()) as recording:
+            self.assertEqual((recording.walkable, recording.areas, recording.queues), ([], [], []))
+
+    def test_is_held_against_the_scenario(self):
+        """Checksums are right: somebody wrote these numbers."""
+        for table, what in (("throng/walls/points", "wall"), ("throng/walkable/points", "walkable floor"), ("throng/areas/points", "area"),
+                            ("throng/areas/use", "area"), ("throng/queues/points", "queue"), ("throng/queues/service", "queue"),
+                            ("throng/materials/friction", "material")):
+            with h5py.File(self.record("a.h5", "--force"), "r+") as file:
+                values = file[table][()]
+                values.flat[0] = 0 if table.endswith("use") else values.flat[0] + 0.25
+                file[table][...] = values
+            self.assertEqual(self.throng("replay", "a.h5", "--verify"),
+                             (2, f"throng: a.h5 is damaged: {what} is not that of the scenario\n"), table)
+
+    def test_is_named_where_it_is_unreadable(self):
+        for table in ("throng/walls/points", "throng/areas/points", "throng/queues/spacing"):
+            with h5py.File(self.record("a.h5", "--force")) as file:
+                at = file[table].id.get_chunk_info(0).byte_offset
+            content = bytearray((self.folder / "a.h5").read_bytes())
+            content[at + 3] ^= 1
+            (self.folder / "a.h5").write_bytes(content)
+            for command in (("replay", "a.h5", "--verify"), ("info", "a.h5")):
+                code, said = self.throng(*command)
+                self.assertEqual(code, 2)
+                self.assertIn(f"a.h5 is damaged: {table}: cannot read", said)
+            with self.assertRaisesRegex(throng_read.NotARecording, table):
+                throng_read.open(self.path("a.h5"))
+
+
 class Measures(Program):
     """What is counted and sensed of the three: 1 is gone after 1 s, 3 after 3 s, 2 passes the door at 3 s."""
 

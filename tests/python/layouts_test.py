@@ -18,7 +18,7 @@ KEPT = sorted((pathlib.Path(__file__).parents[1] / "sim/recording/layouts").glob
 
 class Layouts(Program):
     def test_there_is_one_of_each_older_layout(self):
-        self.assertEqual([path.stem for path in KEPT], ["1.0", "1.1", "1.2", "1.4"])
+        self.assertEqual([path.stem for path in KEPT], ["1.0", "1.1", "1.2", "1.4", "1.5"])
         for path in KEPT:
             with h5py.File(path) as file:
                 self.assertEqual(".".join(map(str, file["throng"].attrs["version"])), path.stem)
@@ -72,6 +72,23 @@ class Layouts(Program):
         self.assertEqual(code, 2)
         self.assertIn("cannot be gone on with: observables of a crowd were not recorded before layout 1.5", said)
         self.assertEqual((self.folder / "a.h5").read_bytes(), KEPT[3].read_bytes())
+
+    def test_crowds_of_1_5_had_no_table_of_areas(self):
+        path = str(KEPT[4])
+        with throng_read.open(path) as recording:
+            self.assertEqual((recording.areas, recording.queues), ([], []))
+            self.assertEqual([len(ring) for ring in recording.walkable], [4, 4])
+            self.assertEqual(list(recording.observables["measure/a%20b/count"][0]), [0, 0, 0, 0])
+            self.assertEqual(list(recording.observables["agents"][0]), [2, 1, 1, 1])
+            self.assertEqual([list(recording.sensed("eyes", i).who) for i in recording.sensed_frames("eyes")], [[1, 2], [2], [2], [2]])
+        for command in (("replay", path, "--verify"), ("info", path), ("replay", path, "--png", "a.png")):
+            self.assertEqual(self.throng(*command), (0, ""))
+        shutil.copy(path, self.path("a.h5"))
+        self.assertEqual(self.throng("resume", "a.h5", "--until", "3.5", "--progress", "none")[0], 0)
+        with throng_read.open(self.path("a.h5")) as recording, h5py.File(self.path("a.h5")) as file:
+            self.assertEqual(list(file["throng"].attrs["version"]), [1, 6])
+            self.assertEqual([area.name for area in recording.areas], ["exit", "hall"])
+        self.assertEqual(self.throng("replay", "a.h5", "--verify"), (0, ""))
 
 
 if __name__ == "__main__":

@@ -64,6 +64,30 @@ angle = 1.5707963267948966
 kind = "static"
 """
 
+FLOOR = """throng = 1
+name = "floor"
+time = { dt = 0.05, until = 0.1 }
+walkable = "POLYGON ((0 0, 10 0, 10 5, 0 5, 0 0))"
+[shapes]
+post = { disc = { radius = 0.2 } }
+[[bodies]]
+shape = "post"
+kind = "static"
+at = [7, 2]
+[areas]
+start = [[1, 1], [3, 1], [3, 4], [1, 4]]
+narrow = [[0.2, 0.2], [0.7, 0.2], [0.7, 0.7], [0.2, 0.7]]
+exit = [[8, 1], [10, 1], [10, 4], [8, 4]]
+bench = [[4, 2.5], [6, 2.5], [6, 4.5], [4, 4.5]]
+[queues]
+till = { line = [[6, 1.5], [4, 1.5]], service = 1 }
+[[agents]]
+count = 2
+place = { random = { within = "start" } }
+model = "constant_velocity"
+goal = [{ queue = "till" }, { wait = "bench", for = 1 }, "exit"]
+"""
+
 
 class Session:
     """The program in a terminal of its own."""
@@ -167,6 +191,19 @@ class Terminal(Program):
             pictures.append((lines(self.play(name, "1e6", columns=40, rows=9).end()[1])[1:8], (self.folder / "bar.png").read_bytes()))
         self.assertEqual(*pictures)
         self.assertTrue(any("⣿⣿⣿⣿⣿⣿" in line for line in pictures[0][0]), "it lies")
+
+    def test_shows_the_floor_of_a_crowd(self):
+        (self.folder / "floor.toml").write_text(FLOOR)
+        self.assertEqual(self.throng("run", "floor.toml", "-o", "floor.h5", "--progress", "none"), (0, ""))
+        _, played, _ = self.play("floor.h5", "1e6", columns=64, rows=14).end()
+        shown = lines(played)
+        self.assertEqual(shown[-1].split("   ")[0], "1 body, 2 agents")
+        for name, colour in (("exit", "d78700"), ("bench", "5faf87"), ("start", "5f87af"), ("till", "5faf87")):
+            row = next(k for k, line in enumerate(shown) if name in line)
+            self.assertEqual(played.buffer[row][shown[row].index(name)].fg, colour, name)
+        self.assertFalse(any("narrow" in line for line in shown), "there is no room for its name")
+        dots = sum("\u2800" < cell.data <= "\u28ff" and cell.fg == "d78700" for row in played.buffer.values() for cell in row.values())
+        self.assertGreater(dots, 10)
 
     def test_hides_the_cursor_meanwhile(self):
         self.two()

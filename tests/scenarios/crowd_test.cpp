@@ -56,6 +56,25 @@ TEST(Crowd, IsReadWithItsFloorItsAreasAndItsAgents) {
   }
 }
 
+TEST(Crowd, KnowsWhatItsAreasAreFor) {
+  const Loaded loaded = load_text(std::string(R"(throng = 1
+walkable = [[0, 0], [10, 0], [10, 5], [0, 5]]
+[areas]
+a = [[1, 1], [2, 1], [2, 2], [1, 2]]
+b = [[3, 1], [4, 1], [4, 2], [3, 2]]
+c = [[5, 1], [6, 1], [6, 2], [5, 2]]
+d = [[7, 1], [8, 1], [8, 2], [7, 2]]
+[[agents]]
+at = [1.5, 1.5]
+model = "orca"
+goal = [{ wait = "b", for = 2 }, { weights = { c = 1, b = 2 } }, "d"]
+)"));
+  ASSERT_EQ(loaded.errors(), 0) << faults(loaded);
+  std::vector<AreaUse> uses;
+  for (const Area& area : loaded.scene.crowd.areas) uses.push_back(area.use);
+  EXPECT_EQ(uses, (std::vector{AreaUse::none, AreaUse::wait, AreaUse::goal, AreaUse::goal}));
+}
+
 TEST(Crowd, StartsFromAPresetOfItsModel) {
   const Loaded loaded = load_text(kFloor + kGroup + kRandom +
                                   "social_force = { preset = \"calibrated\", reaction_time = 0.7 }\n");

@@ -82,6 +82,7 @@ inline void expect_same(const Scene& a, const Scene& b) {
   for (std::size_t i = 0; i < a.crowd.areas.size(); ++i) {
     EXPECT_EQ(a.crowd.areas[i].name, b.crowd.areas[i].name);
     EXPECT_EQ(a.crowd.areas[i].region.rings, b.crowd.areas[i].region.rings);
+    EXPECT_EQ(a.crowd.areas[i].use, b.crowd.areas[i].use);
   }
   ASSERT_EQ(a.crowd.measures.size(), b.crowd.measures.size());
   for (std::size_t i = 0; i < a.crowd.measures.size(); ++i) {

@@ -95,7 +95,9 @@ TEST_F(Replay, InfoTellsWhatTheFileHolds) {
   EXPECT_THAT(answer.text, HasSubstr("frames        21"));
   EXPECT_THAT(answer.text, HasSubstr("bodies        3"));
   EXPECT_THAT(answer.text, HasSubstr("last_time     0.2"));
-  EXPECT_THAT(answer.text, HasSubstr("fields        position angle velocity\n"));
+  EXPECT_THAT(answer.text,
+              HasSubstr("fields        position each step, in 21 frames; angle each step, in 21 frames; "
+                        "velocity each step, in 21 frames\n"));
   EXPECT_THAT(answer.text, HasSubstr("domain        box 0 0 4 3\n"));
   EXPECT_THAT(throng("info a.h5 --json").text, HasSubstr("\"command_line\": \"throng run three.toml"));
 }
@@ -133,7 +135,7 @@ TEST_F(Replay, VerifiesTheTablesThatOtherProgramsRead) {
           "byte = f.read(1)[0]; f.seek(at + 6); f.write(bytes([byte ^ 16]))");
     const Answer broken = throng("replay a.h5 --verify");
     EXPECT_EQ(broken.code, 2) << table;
-    EXPECT_THAT(broken.text, HasSubstr("a.h5 is damaged"));
+    EXPECT_THAT(broken.text, HasSubstr("a.h5 is damaged: " + std::string(table) + ": cannot read"));
     std::ofstream(folder / "a.h5", std::ios::binary) << kept;
   }
   EXPECT_EQ(throng("replay a.h5 --verify").text, "verified: 21 frames\n");
@@ -350,6 +352,47 @@ TEST_F(Replay, SaysWhyAPictureShowsNoSpeeds) {
   EXPECT_NE(content("none.png"), content("some.png"));
 }
 
+constexpr const char* kFloor = R"TOML(throng = 1
+name = "floor"
+time = { dt = 0.05, until = 0.1 }
+walkable = "POLYGON ((0 0, 10 0, 10 5, 0 5, 0 0))"
+[areas]
+start = [[1, 1], [2, 1], [2, 4], [1, 4]]
+exit = "POLYGON ((8 1, 10 1, 10 4, 8 4, 8 1), (8.5 2, 9.5 2, 9.5 3, 8.5 3, 8.5 2))"
+bench = [[4, 3], [6, 3], [6, 5], [4, 5]]
+[queues]
+till = { line = [[6, 1], [4, 1]], service = 1 }
+[[agents]]
+at = [3, 2.5]
+model = "constant_velocity"
+goal = [{ queue = "till" }, { wait = "bench", for = 1 }, "exit"]
+)TOML";
+
+/// Areas are tinted by what agents do there, but for their holes, and a queue is a line.
+TEST_F(Replay, ShowsTheFloorOfACrowd) {
+  std::ofstream(folder / "floor.toml") << kFloor;
+  ASSERT_EQ(throng("run floor.toml -o floor.h5 --progress none").code, 0);
+  ASSERT_EQ(throng("replay floor.h5 --png floor.png --width 1000").code, 0);
+  const Picture picture(folder / "floor.png");
+  const double left = 12.5 + 20, scale = (picture.width() - 2 * left) / 10;  // about: margins of 2 %
+  const double bottom = picture.height() - 57.5 - 0.02 * 10 * scale;
+  const auto at = [&](double x, double y) {
+    return picture.at(static_cast<int>(left + x * scale), static_cast<int>(bottom - y * scale));
+  };
+  const auto tint = [](int red, int green, int blue) { return std::array{red, green, blue}; };
+  EXPECT_EQ(at(7, 3), tint(255, 255, 255));
+  EXPECT_EQ(at(9, 2.5), tint(255, 255, 255)) << "a hole";
+  EXPECT_EQ(at(1.5, 2.5), tint(235, 244, 249));
+  EXPECT_EQ(at(9, 3.5), tint(243, 229, 216));
+  EXPECT_EQ(at(5.5, 3.5), tint(215, 233, 229));
+  int line = 0;
+  for (double x = 4; x < 6; x += 0.01) {
+    const auto near = [&](double y) { return at(x, y)[0] < 150; };
+    line += near(0.97) || near(0.98) || near(0.99) || near(1.0) || near(1.01) || near(1.02) || near(1.03);
+  }
+  EXPECT_TRUE(line > 60 && line < 190) << line << ": dashed";
+}
+
 TEST_F(Replay, ShowsThroughTheHolesOfPolygons) {
   for (const std::string holes : {kHole, "[]"}) {
     std::ofstream(folder / "frame.toml") << framed(holes);
@@ -362,11 +405,11 @@ TEST_F(Replay, ShowsThroughTheHolesOfPolygons) {
   EXPECT_NEAR(hole / full, (16.0 - 9.0) / 16.0, 0.03);
 }
 
-/// Where the line on the one coloured disc above the legend points: right, up, left, down, or nowhere.
+/// Where the line on the one coloured disc between goal and legend points: right, up, left, down, or nowhere.
 std::string line_on_disc(const std::filesystem::path& file) {
   const Picture picture(file);
   int left = picture.width(), right = 0, top = picture.height(), bottom = 0;
-  for (int y = 0; y < 17 * picture.height() / 20; ++y)
+  for (int y = picture.height() / 4; y < 17 * picture.height() / 20; ++y)
     for (int x = 0; x < picture.width(); ++x) {
       const auto [least, most] = std::ranges::minmax(picture.at(x, y));
       if (most - least < 40) continue;
@@ -389,11 +432,9 @@ name = "walker"
 time = { dt = 0.02, until = 2 }
 walkable = "POLYGON ((0 0, 3 0, 3 8, 0 8, 0 0))"
 [areas]
-start = "POLYGON ((1 3, 2 3, 2 4, 1 4, 1 3))"
 end = "POLYGON ((0 7, 3 7, 3 8, 0 8, 0 7))"
 [[agents]]
-count = 1
-place = { random = { within = "start", gap = 0.05 } }
+at = [1.5, 3.5]
 radius = 0.3
 model = "constant_velocity"
 desired_speed = 1

@@ -167,10 +167,19 @@ test("whom a recorded sensor found is shown instead of who is near", async () =>
   await page.waitForFunction(() => /by its sensor/.test(document.getElementById("radius-text").textContent));
   const [by, whom] = await told();
   assert.equal(by, "3 m, by its sensor <b>eyes");
-  const ids = await page.evaluate(() => globalThis.replay.recorded.ids.length);
-  assert.ok(ids > 3 && whom.startsWith(`senses ${ids}: `), `${ids} ${whom}`);
+  const asked = JSON.parse(throng("query", path("senses.h5"), "--radius", "3", "--id", "21", "--fov", "90", "--heading", "angle", "--at", "0", "--format", "json").stdout)[0].neighbours;
+  assert.deepEqual(await page.evaluate(() => [...globalThis.replay.recorded.ids]), asked.map(({ id }) => id).sort((a, b) => a - b));
+  assert.ok(asked.length > 3 && whom.startsWith(`senses ${asked.length}: `), `${asked.length} ${whom}`);
   assert.equal(await page.isVisible("#radius"), false);
+  await page.evaluate(() => {
+    const { source } = globalThis.replay, ask = source.sensed.bind(source);
+    source.sensed = (...of) => new Promise(resolve => { globalThis.answer = async () => resolve(await ask(...of)); });
+  });
   await pick(30);
+  await page.waitForFunction(() => globalThis.answer && document.getElementById("sensed").textContent === "");
+  assert.deepEqual(await told(), ["", ""], "not known yet");
+  await page.evaluate(() => globalThis.answer());
+  await page.waitForFunction(() => /senses/.test(document.getElementById("sensed").textContent));
   await page.waitForFunction(() => !/by its sensor/.test(document.getElementById("radius-text").textContent));
   assert.equal(await page.isVisible("#radius"), true);
   assert.deepEqual(errors, []);

@@ -32,7 +32,7 @@ place = { random = { within = [[6, 1], [9, 4]] } }
 test("areas and groups are read from what throng prints", async () => {
   record("areas", SCENE);
   const { areas, groups, gravity, bodies } = open(await h5(), "areas.h5").description;
-  assert.deepEqual(Object.fromEntries(areas.map(({ name, rings }) => [name, rings])), {
+  assert.deepEqual(Object.fromEntries(areas.map(({ name, rings }) => [name, rings.map(ring => [...ring])])), {
     start: [[0, 0, 2, 0, 2, 5, 0, 5], [0.5, 1, 1, 1, 1, 2]],
     exit: [[9, 2, 10, 2, 10, 3]],
     'a "b" [[c]] = d': [[0, 0, 1, 0, 1, 1], [5, 1, 6, 1, 6, 2]],
@@ -64,7 +64,7 @@ shape = "ball"
 
 test("goals are where agents go, who come after the bodies", () => {
   const all = sections(PRINTED);
-  assert.deepEqual(areasOf(all).map(({ name, goal }) => [name, goal]), [["exit", true], ["other", false]]);
+  assert.deepEqual(areasOf(all).map(({ name, use }) => [name, use]), [["exit", "goal"], ["other", "none"]]);
   assert.deepEqual(groupsOf(all, 22), [{ name: "ball", first: 1, count: 1 }, { name: "to exit", first: 2, count: 20 }, { name: "to far", first: 22, count: 1 }]);
   assert.deepEqual(gravityOf(all), [0, -9.81]);
 });

@@ -13,7 +13,8 @@ Indices are frames of the recording. A field that has a rate of its own is not i
 recording.velocity.frames are those that have it, recording.velocity.index_at(2.5) and .between(1, 2) choose of
 these, and recording.velocity[recording.velocity.frames] is all there is. With record.within, bodies that were
 outside have NaN. recording.contacts(i) gives where bodies pressed, recording.observables the measurements, of
-agents also "agents", "arrived" and "measure/NAME/count" and so on; recording.sensed("NAME", i) whom a sensor found.
+agents also "agents", "arrived" and "measure/NAME/count" and so on; recording.sensed("NAME", i) whom a sensor found;
+recording.bodies, .shapes, .materials, .domain, .walls, of crowds .walkable (rings), .areas and .queues the scene.
 
 Whatever isn't there, be it a frame, a field, a sample, a sensor, an observable or a time, raises NotRecorded, which
 says what there is. To ask before: .frames of a field (none where it was not recorded), recording.contact_frames,
@@ -54,6 +55,8 @@ Bodies = namedtuple("Bodies", "shape material kind radius mass")  # rows of shap
 Material = namedtuple("Material", "name density restitution friction")
 Wall = namedtuple("Wall", "points closed material")
 Domain = namedtuple("Domain", "kind min max")
+Area = namedtuple("Area", "name use rings")  # use: none, goal, wait; inside is what an odd number of rings encloses
+Queue = namedtuple("Queue", "name spacing service line")  # m, s; the first of its points is the head
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -301,6 +304,25 @@ class Recording:
         offset, points = self._all("throng/walls/offset"), self._all("throng/walls/points")
         self.walls = [Wall(points[a:b], bool(closed), int(material)) for a, b, closed, material in
                       zip(offset, offset[1:], self._all("throng/walls/closed"), self._all("throng/walls/material"))]
+        self.walkable = self._lists("throng/walkable")
+        self.areas = self._areas()
+        self.queues = [Queue(_text(name), float(spacing), float(service), line) for (name, spacing, service), line in zip(
+            self._columns("throng/queues", ("name", "spacing", "service")), self._lists("throng/queues"))]
+
+    def _areas(self):
+        """None in files of before 1.6, but in `resolved`."""
+        if "throng/areas" not in self._file:
+            return []
+        rings, offset, uses = self._lists("throng/areas"), self._all("throng/areas/area_offset"), ("none", "goal", "wait")
+        return [Area(_text(name), uses[use], rings[a:b]) for (name, use), a, b in zip(
+            self._columns("throng/areas", ("name", "use")), offset, offset[1:])]
+
+    def _lists(self, group):
+        """The lists of points of a group; none where that isn't there."""
+        if group not in self._file:
+            return []
+        offset, points = self._all(f"{group}/offset"), self._all(f"{group}/points")
+        return [points[a:b] for a, b in zip(offset, offset[1:])]
 
     def _shapes(self):
         names = ("outline_offset", "outline", "part_offset", "part_radius", "vertex_offset", "vertices")
@@ -320,7 +342,7 @@ class Recording:
         return [rings[a:b] for a, b in zip(hole_at, hole_at[1:])]
 
     def _columns(self, group, names):
-        return zip(*(self._all(f"{group}/{name}") for name in names))
+        return () if group not in self._file else zip(*(self._all(f"{group}/{name}") for name in names))
 
     def _frames_of(self, path):
         """The frames that hold what has this attribute `every`; before 1.2 there was none, and all did."""
@@ -480,7 +502,11 @@ class Recording:
         return dataset
 
     def _all(self, path):
-        return self._bounded(path)[:]
+        dataset = self._bounded(path)
+        try:
+            return dataset[:]
+        except OSError as error:
+            raise OSError(f"{path}: {error}") from error
 
     def __len__(self):
         """The number of frames."""

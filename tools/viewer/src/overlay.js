@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is drawn under and over the bodies: areas, domain and walls; contacts; the picked body, its sensing radius and whom it senses.
+// What is drawn under and over the bodies: areas, queues, domain and walls; contacts; the picked body, its sensing radius and whom it senses.
 import { Lines } from "./gl/lines.js";
 import { styleColour } from "./ui/dom.js";
 
@@ -21,7 +21,8 @@ export class Overlay {
   /** Takes the colours of the page's style. */
   restyle() {
     this.paper = styleColour("--paper");
-    this.colours = { wall: styleColour("--wall"), domain: styleColour("--domain"), link: styleColour("--link"), pick: styleColour("--pick"), area: styleColour("--area"), goal: styleColour("--goal") };
+    this.colours = { wall: styleColour("--wall"), domain: styleColour("--domain"), link: styleColour("--link"), pick: styleColour("--pick"),
+                     none: styleColour("--area"), goal: styleColour("--goal"), wait: styleColour("--stay") };
     this.#anchor = [NaN, NaN];
   }
 
@@ -43,14 +44,18 @@ export class Overlay {
     this.#anchor = [NaN, NaN];
   }
 
-  /** Areas, domain and walls. @param {import("./gl/stage.js").View} view */
+  /** Areas, queues, domain and walls. @param {import("./gl/stage.js").View} view */
   #still(view) {
     this.#anchor = [view.x, view.y];
     const lines = new Lines(this.#anchor), { domain, walls } = this.description, colours = this.colours;
     if (!colours) return;
-    const areas = this.showAreas ? this.description.areas : [];
-    this.stage.areas.load(this.#anchor, areas.map(({ rings, goal }) => ({ rings, colour: [...(goal ? colours.goal : colours.area), goal ? 0.16 : 0.1] })));
-    for (const { rings, goal } of areas) for (const points of rings) lines.path(points, true, 1.5, goal ? colours.goal : colours.area, 4);
+    const { areas, queues } = this.showAreas ? this.description : { areas: [], queues: [] };
+    this.stage.areas.load(this.#anchor, areas.map(({ rings, use }) => ({ rings, colour: [...colours[use], use === "none" ? 0.1 : 0.16] })));
+    for (const { rings, use } of areas) for (const points of rings) lines.path(points, true, 1.5, colours[use], 4);
+    for (const { line } of queues) {
+      lines.path(line, false, 2, colours.wait, 4);
+      lines.ring(line[0], line[1], 4 * view.ratio / view.scale, 2.5, colours.wait);
+    }
     const [left, bottom] = domain.min, [right, top] = domain.max;
     if (domain.kind !== "unbounded") lines.path([left, bottom, right, bottom, right, top, left, top], true, 2, colours.domain, domain.kind === "periodic" ? 6 : 0);
     for (const { points, closed } of walls) lines.path(points, closed, 2.5, colours.wall);

@@ -22,7 +22,7 @@ export class Replay {
   following = false;
   showContacts = false;
   dirty = true;
-  #told = /** @type {{row: number, frame: number, found: import("./reader/sensors.js").Found | null, rows: number[]}} */ ({ row: -1, frame: -1, found: null, rows: [] });
+  #told = /** @type {{row: number, frame: number, found: import("./reader/sensors.js").Found | null | undefined, rows: number[]}} */ ({ row: -1, frame: -1, found: null, rows: [] });
   #asking = false;
   shown = /** @type {{a: Loaded, b: Loaded, t: number, frame: number} | null} */ (null);
   stats = { frames: 0, prepare: 0, upload: 0, draw: 0 };  // ms, sums
@@ -95,8 +95,11 @@ export class Replay {
     return bodyAt(stateTexels, this.description.bodies.radius, x - this.camera.x, y - this.camera.y, 8 / this.camera.scale);
   }
 
-  /** What a recorded sensor of the picked body found, as far as that is known by now. */
-  get recorded() { return this.#told.row === this.picked ? this.#told.found : null; }
+  /** What a recorded sensor of the picked body found: null where none of its own looked, undefined where that isn't known yet. */
+  get recorded() {
+    if (this.description.sensors === 0) return null;
+    return this.#told.row === this.picked ? this.#told.found : undefined;
+  }
 
   /** Asks what it found in the frame that is shown, one question at a time. @param {number} frame */
   #askSensed(frame) {
@@ -111,18 +114,18 @@ export class Replay {
       this.dirty = true;
     }, error => {
       this.#asking = false;
-      this.#told = { row, frame, found: null, rows: [] };
+      this.#told = { row, frame, found: undefined, rows: [] };
       this.failed(error);
     });
   }
 
   /** m, of what tells whom the picked body senses. */
-  get reach() { return this.recorded?.radius ?? this.sensing; }
+  get reach() { return this.recorded === undefined ? 0 : this.recorded?.radius ?? this.sensing; }
 
   /** Whom the picked body senses in the frame that is shown: by its recorded sensor, else all within the radius of the page. */
   sensed() {
     const position = this.shown?.a.values.position, { domain } = this.description;
-    if (this.picked < 0 || !position) return [];
+    if (this.picked < 0 || !position || this.recorded === undefined) return [];
     if (!this.recorded) return neighbours(position, this.picked, this.sensing, domain);
     return among(position, this.picked, this.#told.rows, Infinity, domain);  // who was found may have moved since
   }

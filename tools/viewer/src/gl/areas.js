@@ -3,9 +3,9 @@
 import { AREA } from "./shaders.js";
 import { layout, program } from "./program.js";
 
-/** @typedef {{rings: number[][], colour: number[]}} Filled  colour: RGB 0 to 255, alpha 0 to 1 */
+/** @typedef {{rings: ArrayLike<number>[], colour: number[]}} Filled  colour: RGB 0 to 255, alpha 0 to 1 */
 
-/** A triangle from the first point to each edge. @param {number[][]} rings @param {number[]} anchor @returns {number[]} */
+/** A triangle from the first point to each edge. @param {ArrayLike<number>[]} rings @param {number[]} anchor @returns {number[]} */
 export function fans(rings, [x, y]) {
   const out = [];
   for (const p of rings)

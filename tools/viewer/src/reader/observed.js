@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a run observed of its crowd: who arrived, and what measures count, column by column.
 import { damaged, dataset, texts } from "./h5.js";
+import { lastUpTo } from "./latest.js";
 import { everyOf } from "./quantized.js";
 
 const MOST = 64;  // columns that are shown
@@ -41,11 +42,7 @@ export class Observed {
 
   /** The last row up to a step. @param {number} step */
   at(step) {
-    let low = 0, high = this.#steps.length;
-    while (low < high) {
-      const middle = (low + high) >> 1;
-      if (this.#steps[middle] <= step) low = middle + 1; else high = middle;
-    }
-    return this.#values.map(values => low > 0 ? values[low - 1] : NaN);
+    const sample = lastUpTo(this.#steps, step);
+    return this.#values.map(values => values[sample] ?? NaN);
   }
 }

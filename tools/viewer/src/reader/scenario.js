@@ -4,7 +4,8 @@
 
 /**
  * @typedef {{name: string, entries: Map<string, string>}} Section  of the text; values as they stand there
- * @typedef {{name: string, rings: number[][], goal: boolean}} Area  rings: x, y, x, y (m), filled where a place is in an odd number of them
+ * @typedef {{name: string, rings: ArrayLike<number>[], use: "none" | "goal" | "wait"}} Area  rings: x, y, x, y (m), filled where a place is in an odd
+ *   number of them; use: what agents do there
  * @typedef {{name: string, first: number, count: number}} Group  of the ids from `first` on
  */
 
@@ -52,11 +53,11 @@ function goalsIn(goal = "") {
   return Array.from(names, ([, name]) => json(name) ?? name);
 }
 
-/** By name; goals are where agents go. @param {Section[]} all @returns {Area[]} */
+/** By name, from files whose layout has no table of them; also where agents wait is a goal here. @param {Section[]} all @returns {Area[]} */
 export function areasOf(all) {
   const goals = new Set(all.filter(({ name }) => name === "agents").flatMap(({ entries }) => goalsIn(entries.get("goal"))));
   const found = all.filter(({ name }) => name === "areas").flatMap(({ entries }) =>
-    Array.from(entries, ([name, value]) => ({ name, rings: ringsOf(json(value)), goal: goals.has(name) })));
+    Array.from(entries, ([name, value]) => ({ name, rings: ringsOf(json(value)), use: goals.has(name) ? /** @type {const} */ ("goal") : /** @type {const} */ ("none") })));
   return found.filter(({ rings }) => rings.length > 0 && rings.every(points => points.length >= 6 && points.length % 2 === 0 && points.every(Number.isFinite)));
 }
 

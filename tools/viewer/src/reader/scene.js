@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What of a recording never changes: names, domain, shapes, bodies, walls. The file's form is sim/recording/layout.h.
+// What of a recording never changes: names, domain, shapes, bodies, walls, areas, queues. The file's form is sim/recording/layout.h.
 import { attribute, BadFile, damaged, numbers, texts } from "./h5.js";
 import { areasOf, gravityOf, groupsOf, sections } from "./scenario.js";
 
@@ -13,9 +13,10 @@ import { areasOf, gravityOf, groupsOf, sections } from "./scenario.js";
  *   radius: Float64Array, mass: Float64Array}} Bodies  kind: 0 dynamic, 1 static, 2 kinematic,
  *   3 agent; changes: each frame holds some of them, agents until they leave
  * @typedef {{points: Float64Array, closed: boolean}} Wall
+ * @typedef {{name: string, line: Float64Array}} Queue  x, y, x, y (m), from its head
  * @typedef {{kind: "unbounded" | "box" | "periodic", min: number[], max: number[]}} Domain
  * @typedef {{name: string, description: string, version: string, domain: Domain, gravity: number[] | null, shapes: Shape[],
- *   materials: string[], bodies: Bodies, walls: Wall[], areas: import("./scenario.js").Area[], groups: import("./scenario.js").Group[]}} Scene
+ *   materials: string[], bodies: Bodies, walls: Wall[], areas: import("./scenario.js").Area[], queues: Queue[], groups: import("./scenario.js").Group[]}} Scene
  */
 
 /** @param {any} value @returns {string} */
@@ -105,6 +106,27 @@ function readWalls(file) {
   return lines.map((points, i) => ({ points, closed: closed[i] !== 0 }));
 }
 
+const USES = /** @type {const} */ (["none", "goal", "wait"]);
+
+/** Their table, which is there since layout 1.6, or null. @param {File} file @returns {import("./scenario.js").Area[] | null} */
+function readAreas(file) {
+  const at = "throng/areas/";
+  if (!file.get("throng/areas")) return null;
+  const names = texts(file, at + "name", [-1]), use = expectRange(numbers(file, at + "use", "int", [names.length]), at + "use", 0, USES.length);
+  const rings = ragged(file, at + "offset", at + "points"), offset = numbers(file, at + "area_offset", "int", [names.length + 1]);
+  expectOffsets(offset, rings.length, at + "area_offset");
+  if (rings.some(ring => ring.length < 6)) throw damaged(at + "offset");
+  return names.map((name, i) => ({ name, rings: rings.slice(offset[i], offset[i + 1]), use: USES[use[i]] }));
+}
+
+/** @param {File} file @returns {Queue[]} */
+function readQueues(file) {
+  if (!file.get("throng/queues")) return [];
+  const names = texts(file, "throng/queues/name", [-1]), lines = ragged(file, "throng/queues/offset", "throng/queues/points");
+  if (lines.length !== names.length || lines.some(line => line.length < 4)) throw damaged("throng/queues/offset");
+  return names.map((name, i) => ({ name, line: lines[i] }));
+}
+
 /** Throws unless this program can read the file. @param {File} file */
 export function expectVersion(file) {
   const version = attribute(file.get("throng"), "version");
@@ -120,6 +142,6 @@ export function readScene(file) {
   const bodies = readBodies(file, shapes.length, materials.length);
   return { name: text(attribute(throng, "name")), description: text(attribute(throng, "description")),
            version: text(attribute(parameters, "version")), domain: readDomain(file), gravity: gravityOf(scenario),
-           shapes, materials, bodies, walls: readWalls(file), areas: areasOf(scenario),
+           shapes, materials, bodies, walls: readWalls(file), areas: readAreas(file) ?? areasOf(scenario), queues: readQueues(file),
            groups: groupsOf(scenario, Number(attribute(parameters, "bodies") ?? bodies.count)) };
 }

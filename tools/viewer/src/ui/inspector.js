@@ -47,10 +47,12 @@ export function showFacts(all) {
   if (all) fillList(byId("facts"), all);
 }
 
-/** A recorded sensor tells of itself; without one the radius is the page's to choose. @param {ReturnType<typeof import("../physics/neighbours.js").neighbours>} found @param {Float64Array} id @param {number} radius  m @param {import("../reader/sensors.js").Found | null} recorded */
+/** A recorded sensor tells of itself; without one the radius is the page's to choose; while that isn't known nothing is said. @param {ReturnType<typeof import("../physics/neighbours.js").neighbours>} found @param {Float64Array} id @param {number} radius  m @param {import("../reader/sensors.js").Found | null | undefined} recorded */
 export function showSensed(found, id, radius, recorded) {
   byId("radius-text").textContent = recorded ? `${length(recorded.radius)}, by its sensor ${recorded.name}` : length(radius);
   byId("radius").hidden = recorded !== null;
+  if (recorded === undefined) byId("radius-text").textContent = byId("sensed").textContent = "";
+  if (recorded === undefined) return;
   const nearest = found.slice(0, 4).map(({ row, distance }) => `${id[row]} at ${length(distance)}`).join(", ");
   const all = recorded ? recorded.ids.length : found.length, unseen = all - found.length;  // those who are not in the recording
   const who = [nearest + (found.length > 4 ? " …" : ""), unseen > 0 ? `${count(unseen)} not recorded` : ""].filter(Boolean).join(", ");

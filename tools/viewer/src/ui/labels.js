@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The names of areas, each in the upper left corner of its own.
+// The names of areas, each in the upper left corner of its own, and of queues at their heads.
 import { byId, element } from "./dom.js";
 
 const MOST = 100, LEAST = 24;  // labels; pixels of an area that has one
@@ -7,12 +7,14 @@ const MOST = 100, LEAST = 24;  // labels; pixels of an area that has one
 export class Labels {
   #labels = /** @type {{label: HTMLElement, left: number, top: number, right: number}[]} */ ([]);
 
-  /** @param {import("../reader/scenario.js").Area[]} areas */
-  constructor(areas) {
-    this.#labels = areas.slice(0, MOST).map(({ name, rings, goal }) => {
-      const points = rings.flat(), most = (/** @type {number} */ axis, /** @type {number} */ sign) => points.reduce((best, value, i) => i % 2 === axis ? Math.max(best, sign * value) : best, -Infinity);
-      return { label: element("span", name, goal ? "goal" : ""), left: -most(0, -1), top: most(1, 1), right: most(0, 1) };
+  /** @param {import("../reader/scenario.js").Area[]} areas @param {import("../reader/scene.js").Queue[]} queues */
+  constructor(areas, queues) {
+    const ofAreas = areas.slice(0, MOST).map(({ name, rings, use }) => {
+      const points = rings.flatMap(ring => Array.from(ring)), most = (/** @type {number} */ axis, /** @type {number} */ sign) => points.reduce((best, value, i) => i % 2 === axis ? Math.max(best, sign * value) : best, -Infinity);
+      return { label: element("span", name, use), left: -most(0, -1), top: most(1, 1), right: most(0, 1) };
     });
+    const ofQueues = queues.slice(0, MOST).map(({ name, line }) => ({ label: element("span", name, "wait"), left: line[0], top: line[1], right: Infinity }));
+    this.#labels = [...ofAreas, ...ofQueues];
     byId("areas").replaceChildren(...this.#labels.map(({ label }) => label));
   }
 
