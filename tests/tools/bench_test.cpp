@@ -82,7 +82,9 @@ TEST_F(BenchCommand, WalksCrowdsAsTheirPlainTwinsDo) {
     EXPECT_TRUE(!steps || error.value("us_per_agent_step", 0.0) > 0.0);
     EXPECT_LT(error.value("worst_relative", 0.0), 0.03);
   }
-  EXPECT_EQ(rows.size(), 8u);
+  EXPECT_EQ(rows.size(), 12u);
+  EXPECT_TRUE(rows.contains("stadium throng"));
+  EXPECT_TRUE(rows.contains("social_force n=1000 two threads"));
   EXPECT_TRUE(rows.contains("distance field 300 x 300 throng"));
   EXPECT_TRUE(rows.contains("orca n=1000 plain"));
 }

@@ -48,11 +48,15 @@ std::vector<Row> bench_validation(const Options& options);
 /// Their table, on stdout: a paragraph per case.
 void print_verdicts(const std::vector<Row>& rows);
 
-/// Steps of crowds of each model, beside their plain twins: scalar, neighbours from nanoflann.
+/// Steps of crowds of each model, beside two threads and their plain twins: scalar, neighbours from
+/// nanoflann.
 std::vector<Row> bench_crowd(const Options& options);
 
 /// The case of bench_crowd that is about finding the way: a floor plan and a distance field of a million
 /// nodes.
 std::vector<Row> bench_ways(const Options& options);
+
+/// The case of bench_crowd that is the stadium of the gallery: its steps, and what of them each stage takes.
+std::vector<Row> bench_stadium(const Options& options);
 
 }  // namespace throng::bench

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// throng bench crowd: whole steps of crowds on an open floor, beside their plain twins.
+// throng bench crowd: whole steps of crowds on an open floor, beside their plain twins and on two threads.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -25,7 +25,6 @@ struct Case {
   double each;  ///< m², of the floor
   double radius, speed, dt;
   const char* parameters;
-  int threads = 1;
 
   std::string name() const { return std::string(model) + " n=" + std::to_string(agents); }
 };
@@ -33,17 +32,13 @@ struct Case {
 /// Of 24 neighbours within 3 m; of orca RVO2's circle: radius 1.5 m, the 10 nearest of about 20 within 15 m.
 std::vector<Case> cases(bool quick) {
   std::vector<Case> all;
-  const auto add = [&](const char* model, std::size_t agents, int threads) {
-    const bool orca = std::string(model) == "orca";
-    if (quick) agents /= 10;
-    all.push_back({model, agents, orca ? 35.0 : 1.178, orca ? 1.5 : 0.2, orca ? 1.5 : 1.34, orca ? 0.1 : 0.02,
-                   orca ? "orca = { horizon = 10, wall_horizon = 1, cutoff = 15 }" : "", threads});
-  };
-  for (const std::size_t agents : {10'000, 100'000, 1'000'000})
+  for (std::size_t agents : {10'000, 100'000, 1'000'000})
     for (const char* model : {"collision_free_speed", "social_force", "orca"}) {
       if (quick && agents > 10'000) continue;
-      add(model, agents, 1);
-      if (agents == 100'000) add(model, agents, 2);
+      const bool orca = std::string(model) == "orca";
+      all.push_back({model, quick ? agents / 10 : agents, orca ? 35.0 : 1.178, orca ? 1.5 : 0.2,
+                     orca ? 1.5 : 1.34, orca ? 0.1 : 0.02,
+                     orca ? "orca = { horizon = 10, wall_horizon = 1, cutoff = 15 }" : ""});
     }
   return all;
 }
@@ -79,10 +74,16 @@ double disagreement(const Scene& scene) {
   return most;
 }
 
+/// Expects that all have gone the same number of steps.
+void expect_same(const std::string& name, const Simulation& a, const Simulation& b) {
+  if (hash(a.state()) != hash(b.state()))
+    throw std::runtime_error(name + ": two threads have come to another state than one");
+}
+
 std::vector<Row> run(const Case& one, const Options& options) {
   std::fprintf(stderr, "placing %zu agents\n", one.agents);
   const Scene scene = scene_of(one);
-  const auto native = simulation(scene, one.threads);
+  const auto native = simulation(scene), shared = simulation(scene, 2);
   std::optional<PlainCrowd> plain;
   if (one.agents <= kMostForTwins) {
     plain.emplace(scene);
@@ -92,22 +93,23 @@ std::vector<Row> run(const Case& one, const Options& options) {
                                " m off after a step");
   }
   const int steps = std::max<int>(1, static_cast<int>(100'000 / one.agents));
-  std::vector<Contestant> contestants{{"throng", [&] {
-                                         for (int i = 0; i < steps; ++i) native->step();
-                                       }}};
-  if (plain)
-    contestants.push_back({"plain", [&] {
-                             for (int i = 0; i < steps; ++i) plain->step();
-                           }});
+  const auto block = [steps](auto& walks) {
+    return [steps, &walks] {
+      for (int i = 0; i < steps; ++i) walks.step();
+    };
+  };
+  std::vector<Contestant> contestants{{"throng", block(*native)}, {"two threads", block(*shared)}};
+  if (plain) contestants.push_back({"plain", block(*plain)});
   for (Contestant& contestant : contestants)
     for (int i = 0; i < kWarm; i += steps) contestant.block();
   interleave(contestants, options.blocks, steps);
+  expect_same(one.name(), *native, *shared);
   std::vector<Row> rows;
   for (const Contestant& contestant : contestants)
     rows.push_back({"crowd",
-                    one.name() + (one.threads > 1 ? " on two threads" : ""),
+                    one.name(),
                     contestant.engine,
-                    one.threads,
+                    contestant.engine == "two threads" ? 2 : 1,
                     contestant.ms,
                     static_cast<double>(steps),
                     "agents=" + std::to_string(one.agents),
@@ -119,6 +121,7 @@ std::vector<Row> run(const Case& one, const Options& options) {
 
 std::vector<Row> bench_crowd(const Options& options) {
   std::vector<Row> rows = bench_ways(options);
+  for (Row& row : bench_stadium(options)) rows.push_back(std::move(row));
   for (const Case& one : cases(options.quick)) {
     if (!chosen(one.name(), options)) continue;
     for (Row& row : run(one, options)) rows.push_back(std::move(row));
