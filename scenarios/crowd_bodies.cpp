@@ -14,7 +14,7 @@ void refuse_dynamic_bodies(std::span<const Entry> entries, Report& report) {
     if (entry.kind == BodyKind::dynamic)
       report.error(
           *entry.node, "bodies[" + std::to_string(entry.index) + "].kind",
-          "not supported yet: dynamic bodies beside agents; static and kinematic ones may stand there");
+          "not supported yet: dynamic bodies beside agents; give it kind = \"static\" or \"kinematic\"");
 }
 
 constexpr double kMostTurn = 0.5;  // rad in a step: agents take the ways of what turns as straight
@@ -44,13 +44,7 @@ void add_bodies_to_floor(std::span<const Entry> entries, Scene& scene, Report& r
   refuse_fast_turns(entries, scene.time.dt, report);
   if (report.errors() > 0) return;
   Crowd& crowd = scene.crowd;
-  std::vector<Region> standing;
-  const Bodies& bodies = scene.bodies;
-  for (std::size_t row = 0; row < bodies.size(); ++row)
-    if (bodies.kind[row] == BodyKind::fixed)
-      for (Region& piece :
-           placed(solids(scene, row), narrowphase::pose(bodies.position[row], bodies.angle[row])))
-        standing.push_back(std::move(piece));
+  const std::vector<Region> standing = standing_solids(scene);
   if (standing.empty()) return;
   crowd.walkable = without(crowd.walkable, united(standing));
   if (crowd.walkable.empty()) return refuse_covering(entries, "all of the walkable area", report);

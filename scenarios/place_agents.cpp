@@ -56,10 +56,7 @@ class AgentPlacer {
         movers_(scene),
         agents_(scene.domain, farthest, scene.crowd.size()),
         tries_left_(kTries + kTriesEach * static_cast<std::int64_t>(scene.crowd.size())) {
-    movers_.look(initial_state(scene));
-    std::vector<BarrierLine> moving;
-    movers_.add_lines(moving);
-    barriers_.set_moving(moving);
+    movers_.show(initial_state(scene), barriers_);
   }
 
   void place(const AgentEntry& entry, std::uint32_t row) {

@@ -65,10 +65,8 @@ Overlap crowd_overlap(const Scene& scene, const State& state) {
   const std::span<const Vec> position = std::span(state.position).subspan(first);
   const Barriers barriers(barrier_lines(scene), largest);
   Movers movers(scene);
-  movers.look(state);
-  std::vector<BarrierLine> moving;
-  movers.add_lines(moving);
-  const Barriers bodies(moving, largest);
+  Barriers bodies({}, largest);
+  movers.show(state, bodies);
   broadphase::NeighbourLists near;
   broadphase::AllLists().find(position, 2.0 * largest, nullptr, near);
   const auto radius = [&](std::size_t row) {

@@ -76,6 +76,7 @@ std::vector<Stage> stages(const Scene& scene, const Plan& plan) {
   const std::string no_contact = "contact.model is none";
   const std::string bodies = std::to_string(moving) + (moving == 1 ? " moving body" : " moving bodies");
   const std::string substeps = counted(static_cast<std::size_t>(scene.time.substeps), "substep");
+  const bool one = scene.crowd.size() == 1;
   return {
       {"find_pairs", plan.pairs,
        plan.pairs ? bodies + " may meet" : (off ? no_contact : "no two bodies of which one is dynamic")},
@@ -92,7 +93,10 @@ std::vector<Stage> stages(const Scene& scene, const Plan& plan) {
        : off     ? no_contact
        : dynamic ? "the domain is no box"
                  : "nothing is dynamic"},
-      {"integrate", moving > 0, moving > 0 ? bodies + ", " + substeps : "nothing moves"},
+      {"integrate", moving > 0 && !plan.crowd,
+       moving == 0  ? "nothing moves"
+       : plan.crowd ? "what moves beside agents moves as they walk"
+                    : bodies + ", " + substeps},
       {"gravity", plan.gravity, plan.gravity ? "bodies fall" : "gravity is zero, or nothing is dynamic"},
       {"collide", plan.restitution,
        plan.flights
@@ -108,8 +112,10 @@ std::vector<Stage> stages(const Scene& scene, const Plan& plan) {
        plan.sleep ? "bodies at rest leave the loop, island by island" : awake_because(scene, plan)},
       {"rolling", plan.rolling, plan.rolling ? "some surface resists rolling" : "no surface resists rolling"},
       {"crowd", plan.crowd,
-       plan.crowd ? counted(scene.crowd.size(), "agent") + " look, steer, walk and leave at " +
-                        (scene.crowd.groups.size() > 1 ? "their goals" : "their goal")
+       plan.crowd ? counted(scene.crowd.size(), "agent") +
+                        (one ? " looks, steers, walks and leaves at its goal"
+                             : " look, steer, walk and leave at their goals") +
+                        (moving > 0 ? ", pushed by " + bodies : "")
                   : "no agents"},
       {"appear", plan.entrances,
        plan.entrances ? "some agents appear when they are due" : "nobody appears in the course of time"},

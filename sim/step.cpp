@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The step is the story. Of bodies: wake, find pairs, then fly from collision to collision, or find contacts
-// and solve in substeps; store, fall asleep. Of agents: look, steer, walk, leave. Of both: sense.
+// and solve in substeps; store, fall asleep. Of agents: look, steer, walk (kinematic bodies
+// among them, which push them), leave, appear. Of both: sense.
 #include "sim/step.h"
 
 #include <algorithm>

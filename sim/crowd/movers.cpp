@@ -12,13 +12,6 @@ namespace {
 
 constexpr int kRounds = 4;  // of all movers, where one pushes against another
 
-std::vector<BarrierLine> rings(const std::vector<Region>& solids) {
-  std::vector<BarrierLine> lines;
-  for (const Region& piece : solids)
-    for (const std::vector<Vec>& ring : piece.rings) lines.push_back({ring, true});
-  return lines;
-}
-
 bool is_in(const std::vector<Region>& solids, const Vec& p) {
   return std::ranges::any_of(solids, [&](const Region& piece) { return contains(piece, p); });
 }
@@ -55,9 +48,12 @@ void Movers::look(const State& state) {
   }
 }
 
-void Movers::add_lines(std::vector<BarrierLine>& lines) const {
+void Movers::show(const State& state, Barriers& barriers) {
+  look(state);
+  std::vector<BarrierLine> lines;
   for (const Mover& mover : movers_)
     for (BarrierLine& ring : rings(placed(mover.solids, mover.before))) lines.push_back(std::move(ring));
+  barriers.set_moving(lines);
 }
 
 double Movers::depth(const Vec& p) const {

@@ -25,11 +25,9 @@ class Movers {
 
   bool empty() const { return movers_.empty(); }
 
-  /// Takes over where they are, and where they will be after dt.
-  void look(const State& state);
-
-  /// Their edges as they are.
-  void add_lines(std::vector<BarrierLine>& lines) const;
+  /// Takes over where they are, and where they will be after dt, and sets their edges as they are among the
+  /// barriers.
+  void show(const State& state, Barriers& barriers);
 
   /// m, how deep `p` is inside of one of them as they are, the deepest; 0 outside of all. O(movers).
   double depth(const Vec& p) const;
@@ -53,6 +51,7 @@ class Movers {
     double shift = 0.0, turn = 0.0;  // m, rad, from the one to the other
   };
 
+  void look(const State& state);
   static bool may_meet(const Mover& mover, const Vec& from, const Vec& to, double radius);
 
   const Scene& scene_;

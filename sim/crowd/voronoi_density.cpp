@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "narrowphase/convex.h"
 #include "sim/crowd/body_solids.h"
@@ -30,11 +29,8 @@ void clip(std::vector<Vec>& ring, F inside) {
 }  // namespace
 
 VoronoiDensity::VoronoiDensity(const Region& floor, const Region& area, double size, double cutoff)
-    : piece_(floor, area), near_(bounds(area)), size_(size) {
-  constexpr double kSide = 2.0 * std::numbers::pi / kDiscSides;
-  const double reach = cutoff / narrowphase::pose({0.0, 0.0}, 0.5 * kSide).cos;
-  for (int i = 0; i < kDiscSides; ++i)
-    disc_.push_back(narrowphase::pose({0.0, 0.0}, i * kSide) * Vec(reach, 0.0));
+    : piece_(floor, area), near_(bounds(area)), size_(size), disc_(round_outline({0.0, 0.0}, cutoff)) {
+  const double reach = disc_[0].x();
   near_.min() -= Vec(reach, reach), near_.max() += Vec(reach, reach);
 }
 

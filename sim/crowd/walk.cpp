@@ -57,7 +57,7 @@ Vec in_doubt(const Scene& scene, const State& state, std::uint32_t id, const Vec
 std::vector<BarrierLine> barrier_lines(const Scene& scene) {
   std::vector<BarrierLine> lines;
   for (const Wall& wall : scene.walls) lines.push_back({wall.points, wall.closed});
-  for (BarrierLine& line : outlines(scene, BodyKind::fixed)) lines.push_back(std::move(line));
+  for (BarrierLine& line : rings(standing_solids(scene))) lines.push_back(std::move(line));
   const Domain& domain = scene.domain;
   if (domain.kind == DomainKind::box)
     lines.push_back(
@@ -129,16 +129,9 @@ void Walk::rank(const State& state, std::size_t place) {
   ranks_.clear[place] = (seen_ ? *seen_ : barriers_).clear(p);
 }
 
-void Walk::look_at_movers(const State& state) {
-  movers_.look(state);
-  std::vector<BarrierLine> lines;
-  movers_.add_lines(lines);
-  seen_->set_moving(lines);
-}
-
 void Walk::look(State& state, Workers& workers) {
   journeys_->look(state);
-  if (seen_) look_at_movers(state);
+  if (seen_) movers_.show(state, *seen_);
   const std::size_t n = present(state);
   cells_.sort(std::span(state.position).subspan(scene_.crowd.first), reach_);
   ranks_.resize(n);
@@ -288,7 +281,7 @@ void Walk::appear(State& state) {
   for (std::size_t group = 0; group < scene_.crowd.groups.size(); ++group) {
     if (!known && is_due(state, group)) {
       standing_.clear();
-      if (seen_) look_at_movers(state);
+      if (seen_) movers_.show(state, *seen_);
       for (std::size_t row = scene_.crowd.first; row < state.id.size(); ++row)
         standing_.add(state.position[row], scene_.bodies.radius[state.id[row] - std::size_t{1}]);
       known = true;

@@ -55,7 +55,6 @@ class Walk {
     void resize(std::size_t n);
   };
 
-  void look_at_movers(const State& state);
   void prefetch(const State& state, std::size_t place) const;
   void rank(const State& state, std::size_t place);
   void measure_all(State& state);

@@ -182,7 +182,7 @@ TEST(Crowd, BearsNoBodiesThatItWouldPush) {
       "at = [1, 1]\n[shapes]\nb.disc.radius = 1\n[[bodies]]\nshape = 'b'\nat = [1.5, 1.5]\n";
   expect_fault(
       kFloor + kGroup + beside,
-      "bodies[0].kind: not supported yet: dynamic bodies beside agents; static and kinematic ones may");
+      "bodies[0].kind: not supported yet: dynamic bodies beside agents; give it kind = \"static\" or");
   expect_fault(
       kFloor + kGroup + beside + "kind = 'static'\n",
       "agents[0].at: an agent of radius 0.2 m at [1, 1] is not wholly on the walkable area, or overlaps");

@@ -173,12 +173,9 @@ TEST(CrowdBodies, AreSeenWhereTheyAre) {
   State state = initial_state(scene);
   state.position[0] = {10, 3};
   Movers movers(scene);
-  movers.look(state);
-  std::vector<BarrierLine> lines;
-  movers.add_lines(lines);
   Barriers barriers(barrier_lines(scene), 1.0);
   EXPECT_FALSE(barriers.block({8, 3}, {12, 3}));
-  barriers.set_moving(lines);
+  movers.show(state, barriers);
   EXPECT_TRUE(barriers.block({8, 3}, {12, 3}));
   EXPECT_NEAR(barriers.distance({8, 3}, 5), 1.0, 0.0013) << "a polygon of 64 sides round it";
   EXPECT_LE(barriers.distance({8, 3}, 5), 1.0);

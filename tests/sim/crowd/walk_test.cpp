@@ -194,6 +194,17 @@ TEST(Walk, OverlapsAreMeasured) {
 TEST(Walk, PlanSaysThatThereIsACrowd) {
   EXPECT_TRUE(plan_for(scene_from(corridor("social_force", "at = [3, 1]\n"))).crowd);
   EXPECT_FALSE(plan_for(scene_from("gravity = [0, -9.81]\n")).crowd);
+  const Plan pushed =
+      plan_for(scene_from(corridor("orca",
+                                   "at = [3, 1]\n[shapes]\nb.disc.radius = 0.5\n[[bodies]]\nshape = "
+                                   "'b'\nkind = 'kinematic'\nat = [8, 1]\n")));
+  for (const Stage& stage : pushed.stages) {
+    EXPECT_FALSE(stage.name == "integrate" && stage.runs) << "he moves as they walk";
+    EXPECT_TRUE(stage.name != "crowd" || stage.reason ==
+                                             "1 agent looks, steers, walks and leaves at its goal, pushed by "
+                                             "1 moving body")
+        << stage.reason;
+  }
 }
 
 }  // namespace
