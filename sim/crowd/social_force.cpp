@@ -86,7 +86,7 @@ constexpr ModelParameter kParameters[] = {
     {"cutoff", 2.5, 0.0, 1e3, "m", "How far others are looked at, centre to centre, m."}};
 
 /// Found by throng bench validation: IMO 4, 8 and 9, and the bottlenecks of Seyfried (2009).
-constexpr double kCalibrated[] = {80.0, 0.922, 185.0, 0.0731, 3.48e4, 3.18e5, 2.5};
+constexpr double kCalibrated[] = {80.0, 1.0, 189.0, 0.0709, 3.47e4, 3.18e5, 2.5};
 constexpr ModelPreset kPresets[] = {
     {"calibrated", "for people in rooms and at exits, by throng bench validation", kCalibrated}};
 static_assert(std::size(kCalibrated) == std::size(kParameters));

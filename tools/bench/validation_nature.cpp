@@ -13,6 +13,8 @@ struct Nature {
 
 constexpr Nature kNatures[] = {
     {"constant_velocity", "", "agents see nobody"},
+    {"collision_free_speed", "Seyfried 2009: flow through",
+     "a passage lets through less than a door of its width: both follow from time_gap and size"},
     {"collision_free_speed", "faster is slower", "nobody presses on another"},
     {"orca", "faster is slower", "nobody presses on another, nor goes faster than top_speed"},
     {"social_force", "IMO 5", "who stands is pushed away by who sets out beside him"},
