@@ -1,10 +1,20 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
 #include "scenarios/limits.h"
 #include "scenarios/read.h"
 
 namespace throng::scenarios {
 
 namespace {
+
+constexpr double kSubstep = 2.5e-3;                  // s: in longer ones contacts sag, and tall stacks fall
+constexpr double kFewest = 4.0, kMostOfThem = 40.0;  // substeps, where the scenario doesn't say
+
+int substeps_of(double dt) {
+  return static_cast<int>(std::clamp(std::ceil(dt / kSubstep * (1.0 - 1e-9)), kFewest, kMostOfThem));
+}
 
 /// A run is made of whole steps.
 void warn_of_longer_end(const toml::table& table, const Time& time, Report& report) {
@@ -22,7 +32,7 @@ void read_time(const toml::table& root, Scene& scene, Report& report) {
   Time& time = scene.time;
   time.dt = number(table, "dt", time.dt);
   time.until = number(table, "until", time.until);
-  time.substeps = static_cast<int>(number(table, "substeps", time.substeps));
+  time.substeps = static_cast<int>(number(table, "substeps", substeps_of(time.dt)));
   if (time.until / time.dt <= Time::kMostSteps) return warn_of_longer_end(table, time, report);
   const char* key = table.contains("until") ? "until" : "dt";
   report.error(*table.get(key), std::string("time.") + key,

@@ -205,4 +205,17 @@ TEST(Load, RefusesAHugeFileBeforeItHasReadAllOfIt) {
   std::remove(file.c_str());
 }
 
+TEST(Load, GivesAStepSoManySubstepsThatTheyAreShort) {
+  const auto substeps = [](const std::string& time) {
+    return load_text("throng = 1\ntime = { until = 0, " + time + " }\n").scene.time.substeps;
+  };
+  EXPECT_EQ(substeps("dt = 0.0001"), 4);
+  EXPECT_EQ(substeps("dt = 0.01"), 4);
+  EXPECT_EQ(substeps("dt = 0.016666666666666666"), 7);
+  EXPECT_EQ(substeps("dt = 0.05"), 20);
+  EXPECT_EQ(substeps("dt = 0.1"), 40);
+  EXPECT_EQ(substeps("dt = 10"), 40);
+  EXPECT_EQ(substeps("dt = 0.1, substeps = 3"), 3) << "as the file says";
+}
+
 }  // namespace throng

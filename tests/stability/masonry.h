@@ -15,10 +15,11 @@ namespace throng {
 class Masonry {
  public:
   /// `dt` in s. A floor at y = 0, wide enough for all that is built here. Nobody sleeps: what stands must
-  /// stand by itself.
-  explicit Masonry(double dt, double friction = 0.6, Vec floor = {0.0, 0.0}) : floor_(floor) {
-    head_ << "sleep = false\ngravity = [0, -9.81]\ntime = { dt = " << exactly(dt)
-          << ", until = 1, substeps = 4 }\n"
+  /// stand by itself. `substeps`: 0 for as many as a scenario has that doesn't say.
+  explicit Masonry(double dt, double friction = 0.6, Vec floor = {0.0, 0.0}, int substeps = 0)
+      : floor_(floor) {
+    head_ << "sleep = false\ngravity = [0, -9.81]\ntime = { dt = " << exactly(dt) << ", until = 1"
+          << (substeps > 0 ? ", substeps = " + std::to_string(substeps) : "") << " }\n"
           << "domain = { box = [[" << exactly(floor.x() - 100) << ", " << exactly(floor.y()) << "], ["
           << exactly(floor.x() + 100) << ", " << exactly(floor.y() + 100) << "]] }\n"
           << "[materials.default]\nfriction = " << friction << "\n";
