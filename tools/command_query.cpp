@@ -288,7 +288,10 @@ void add_query(CLI::App& app, int&) {
   command->add_option("--nearest", options->nearest, "at most so many, the nearest: 1 or more")
       ->transform(whole_number());
   command->add_option("--id", options->id, "of the body with this id")->transform(whole_number());
-  command->add_option("--point", options->point, "X,Y (m): of a place")->check(something());
+  command
+      ->add_option("--point", options->point,
+                   "X,Y (m): of a place, which has no id: an empty column, null in json")
+      ->check(something());
   command->add_flag("--all", options->all, "of every body, in order of id");
   command
       ->add_option("--at", options->at,

@@ -113,8 +113,8 @@ int replay(const Options& options) {
 
 void add_replay(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      app.add_subcommand("replay", "Plays, checks or draws a recording; without options, lists its frames");
+  CLI::App* command = app.add_subcommand(
+      "replay", "Plays, checks or draws a recording; without options, lists 20 of its frames");
   command->add_option("FILE", options->file, "recording (.h5, or the .h5.part of a run)")->required();
   command->add_flag("--verify", options->verify,
                     "runs the scenario again and compares every frame, bit for bit");

@@ -41,7 +41,7 @@ void expect_end_after(const Kept& kept, const std::optional<Checkpoint>& checkpo
   const std::int64_t reached = std::max(recorded, checkpoint ? checkpoint->state.step : 0);
   if (reached <= time.steps()) return;
   char text[120];
-  std::snprintf(text, sizeof text, " reaches %g s already: the end must not be before, at %g s",
+  std::snprintf(text, sizeof text, " has been run to %g s: it can't end before that, at %g s",
                 static_cast<double>(reached) * time.dt, time.until);
   throw InputError(kept.source + text);
 }

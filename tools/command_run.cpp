@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 // throng run: a scenario in, a summary out, and a recording where one is asked for.
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string_view>
 
 #include "sim/input_error.h"
 #include "sim/recording/recorder.h"
@@ -41,6 +44,18 @@ std::string reproduction(const Options& options) {
   return text + " --threads " + std::to_string(options.drive.threads);
 }
 
+/// A recording under the name of something else would be taken for that.
+void expect_name_of_recording(const std::string& output) {
+  constexpr std::array<std::string_view, 13> kOthers{".csv",    ".txt",  ".json", ".toml", ".xdmf",
+                                                     ".lammps", ".html", ".htm",  ".png",  ".mp4",
+                                                     ".mov",    ".mkv",  ".webm"};
+  const std::string ending = std::filesystem::path(output).extension();
+  if (std::ranges::find(kOthers, ending) != kOthers.end())
+    throw InputError(
+        "cannot write " + output +
+        ": a recording is HDF5, as OUT.h5; `throng export` and `throng replay` make other files of it");
+}
+
 /// All that a run does but run. Returns the exit code.
 int rehearse(const Options& options, const Loaded& loaded, const Provenance& provenance) {
   const auto simulation = throng::simulation(loaded.scene, options.drive.threads);
@@ -60,6 +75,7 @@ int run(const Options& options) {
   std::error_code neither;
   if (std::filesystem::equivalent(options.output, options.scene, neither))
     throw InputError("cannot write " + options.output + ": it is the scenario");
+  expect_name_of_recording(options.output);
   const Provenance provenance{loaded.text, loaded.resolved, options.command_line, options.drive.threads,
                               options.drive.checkpoint.value_or(0.0)};
   if (options.dry_run) return rehearse(options, loaded, provenance);
@@ -86,7 +102,7 @@ void add_field(CLI::App& command, Options& options, const char* name, const char
       [&options, field, text](const std::string& value) {
         options.overrides.push_back(std::string(field) + "=" + (text ? "\"" + value + "\"" : value));
       },
-      help);
+      std::string(help) + "; sets " + field);
 }
 
 }  // namespace

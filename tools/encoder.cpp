@@ -3,11 +3,13 @@
 
 #include <fcntl.h>
 #include <spawn.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <vector>
@@ -36,8 +38,8 @@ std::vector<std::string> arguments(const FilmFormat& format) {
   return all;
 }
 
-/// Starts ffmpeg, reading from `input` and writing to `film`. Returns an errno.
-int spawn(pid_t& process, const FilmFormat& format, int input, int film) {
+/// Starts ffmpeg, reading from `input`, writing to `film`, and speaking to `said`. Returns an errno.
+int spawn(pid_t& process, const FilmFormat& format, int input, int film, int said) {
   std::vector<std::string> texts = arguments(format);
   std::vector<char*> words;
   for (std::string& text : texts) words.push_back(text.data());
@@ -46,7 +48,7 @@ int spawn(pid_t& process, const FilmFormat& format, int input, int film) {
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
   posix_spawn_file_actions_adddup2(&actions, film, kFilm);
-  posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
+  for (const int out : {STDOUT_FILENO, STDERR_FILENO}) posix_spawn_file_actions_adddup2(&actions, said, out);
   const int error = posix_spawnp(&process, "ffmpeg", &actions, nullptr, words.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   return error;
@@ -69,13 +71,15 @@ Encoder::Encoder(const std::string& path, const FilmFormat& format) {
     close(film);
     throw InputError("cannot start ffmpeg: " + std::string(std::strerror(errno)));
   }
-  const int error = spawn(process_, format, ends[0], film);
+  said_ = memfd_create("ffmpeg", MFD_CLOEXEC);
+  const int error = said_ < 0 ? errno : spawn(process_, format, ends[0], film, said_);
   close(film);
   close(ends[0]);
   pipe_ = ends[1];
   before_ = std::signal(SIGPIPE, SIG_IGN);  // ffmpeg's end is an error like others
   if (error == 0) return;
   close(pipe_);
+  close(said_);
   std::signal(SIGPIPE, before_);
   throw InputError(error == ENOENT
                        ? "films are made by ffmpeg, which is not installed (Debian: apt install ffmpeg)"
@@ -86,6 +90,7 @@ Encoder::~Encoder() {
   if (process_ > 0) kill(process_, SIGKILL);
   if (process_ > 0) waitpid(process_, nullptr, 0);
   if (pipe_ >= 0) close(pipe_);
+  close(said_);
   std::signal(SIGPIPE, before_);
 }
 
@@ -100,6 +105,13 @@ void Encoder::write(std::span<const unsigned char> picture) {
   throw InputError("ffmpeg ended before the film did");
 }
 
+void Encoder::pass_on() const {
+  lseek(said_, 0, SEEK_SET);
+  char text[4096];
+  for (ssize_t count; (count = read(said_, text, sizeof text)) > 0;)
+    std::fwrite(text, 1, static_cast<std::size_t>(count), stderr);
+}
+
 void Encoder::finish() {
   close(pipe_);
   pipe_ = -1;
@@ -107,6 +119,7 @@ void Encoder::finish() {
   while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
   }
   process_ = -1;
+  pass_on();
   if (WIFSIGNALED(status)) throw InputError("ffmpeg was ended by signal " + std::to_string(WTERMSIG(status)));
   if (WEXITSTATUS(status) != 0)
     throw InputError("ffmpeg failed with exit code " + std::to_string(WEXITSTATUS(status)));

@@ -19,7 +19,8 @@ struct FilmFormat {
   int rate;           ///< pictures a second
 };
 
-/// ffmpeg at work on a film. Its complaints go to the standard error. One at a time.
+/// ffmpeg at work on a film. What it says comes to the standard error when it has ended, so that nobody hears
+/// it complain of a film that a signal cut short. One at a time.
 class Encoder {
  public:
   /// Starts it, to replace what is in the file at `path`. Throws InputError where there is no ffmpeg or no
@@ -36,7 +37,10 @@ class Encoder {
   void finish();
 
  private:
+  void pass_on() const;
+
   pid_t process_ = -1;
+  int said_ = -1;  // a file in memory
   int pipe_ = -1;
   void (*before_)(int);  // what SIGPIPE did
 };

@@ -118,6 +118,15 @@ class Pointers {
     out_ << "</DataItem></Attribute>\n";
   }
 
+  /// The same where some of the run's bodies are recorded, whose ids are no rows: as numbers.
+  void write_radii(const Frame& frame) const {
+    begin_attribute("radius");
+    out_ << "<DataItem Format=\"XML\" Dimensions=\"" << bodies_ << "\" NumberType=\"Float\" Precision=\"8\">";
+    for (std::size_t row = 0; row < frame.is_present.size(); ++row)
+      if (frame.has(row)) out_ << " " << recording_.geometry().bodies.radius[row];
+    out_ << "</DataItem></Attribute>\n";
+  }
+
   /// A frame of nobody. A grid of no points is read as an error, and without one ParaView shows the frame
   /// before: a point at a place (m), of which no cell is made.
   void write_nobody(const Vec& place) const {
@@ -160,10 +169,12 @@ class Pointers {
   std::string path_, rows_, bodies_, bytes_;  // rows_: of bodies that there may be
 };
 
-void write_attributes(const Pointers& to, const Recording& recording, std::size_t frame) {
+/// `present`: who is in the frame, where bodies come and go.
+void write_attributes(const Pointers& to, const Recording& recording, std::size_t frame,
+                      const Frame& present) {
   if (recording.id_sample(frame)) {
     to.write_ids(frame);
-    if (recording.bodies() == recording.bodies_of_run()) to.write_radii_by_id(frame);
+    recording.bodies() == recording.bodies_of_run() ? to.write_radii_by_id(frame) : to.write_radii(present);
   } else {
     to.write_constant("id", "Int", "/particles/trajectory/id");
     to.write_constant("radius", "Float", "/throng/bodies/radius");
@@ -205,7 +216,7 @@ void export_xdmf(const Recording& recording, const std::string& file, std::span<
       to.write_nobody(corner);
     } else {
       to.write_points(i);
-      write_attributes(to, recording, i);
+      write_attributes(to, recording, i, present);
     }
     out << "</Grid>\n";
   }

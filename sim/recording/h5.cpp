@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/recording/h5.h"
 
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <mutex>
@@ -28,6 +29,15 @@ int errno_in(const char* description) {
   return at ? std::atoi(at + std::strlen("errno = ")) : 0;
 }
 
+/// HDF5's words for a file that is shorter than it says, in ours; its own otherwise.
+std::string in_plain_words(const char* description) {
+  unsigned long long bytes = 0, base = 0, whole = 0;
+  if (std::sscanf(description, "truncated file: eof = %llu, sblock->base_addr = %llu, stored_eof = %llu",
+                  &bytes, &base, &whole) != 3)
+    return description;
+  return "it is cut short: " + std::to_string(bytes) + " of " + std::to_string(whole) + " bytes are there";
+}
+
 /// Keeps the first reason with an errno, else the first of all: the walk starts at the innermost call.
 herr_t keep_reason(unsigned, const H5E_error2_t* error, void* out) {
   std::string& reason = *static_cast<std::string*>(out);
@@ -36,7 +46,7 @@ herr_t keep_reason(unsigned, const H5E_error2_t* error, void* out) {
     reason = std::strerror(number);
     return 1;
   }
-  if (reason.empty()) reason = error->desc;
+  if (reason.empty()) reason = in_plain_words(error->desc);
   return 0;
 }
 

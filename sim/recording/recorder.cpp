@@ -11,6 +11,7 @@
 #include <new>
 #include <optional>
 #include <thread>
+#include <utility>
 
 #include "sim/input_error.h"
 #include "sim/recording/build_info.h"
@@ -150,7 +151,7 @@ std::unique_ptr<TrajectoryWriter> Recorder::Impl::make_writer(const Scene& scene
     Frame frame;
     for (std::size_t i = 0; i < kept.frames; ++i) {
       kept.recording->read(i, frame);
-      writer->append(frame);
+      writer->append(std::move(frame));
       if (writer->uncommitted_bytes() >= kCommitBytes) writer->commit();
     }
     writer->commit();

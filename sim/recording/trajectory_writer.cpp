@@ -2,6 +2,7 @@
 #include "sim/recording/trajectory_writer.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "sim/recording/frame_hash.h"
 
@@ -54,13 +55,14 @@ void TrajectoryWriter::append(const State& state, std::span<const ContactRow> co
   append_gathered(state.step, hash(state), contacts, observables, sensed);
 }
 
-void TrajectoryWriter::append(const Frame& frame) {
+void TrajectoryWriter::append(Frame&& frame) {
   gather(frame);
   std::vector<Sensed> sensed;
-  for (const std::optional<Sensed>& one : frame.sensed) sensed.push_back(one.value_or(Sensed{}));
+  for (std::optional<Sensed>& one : frame.sensed) sensed.push_back(std::move(one).value_or(Sensed{}));
+  std::span<const ContactRow> contacts;
+  if (frame.contacts) contacts = *frame.contacts;
   const std::uint64_t stored =
-      append_gathered(frame.step, frame.state_hash, frame.contacts.value_or(std::vector<ContactRow>{}),
-                      frame.observables, sensed);
+      append_gathered(frame.step, frame.state_hash, contacts, frame.observables, sensed);
   if (stored != frame.frame_hash)
     throw h5::Error("frame of step " + std::to_string(frame.step) + " would be stored otherwise");
 }

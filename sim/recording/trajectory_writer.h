@@ -34,7 +34,7 @@ class TrajectoryWriter {
 
   /// Adds a frame that was read from a recording of the same scene. Throws h5::Error where it wouldn't be
   /// stored as it was.
-  void append(const Frame& frame);
+  void append(Frame&& frame);
 
   /// Makes every frame so far count, in an order that no crash can turn round: first the values, then their
   /// hashes.

@@ -39,7 +39,8 @@ inline int cases(int full, int usual) {
 /// What runs are asked to record: all fields in each frame, or all that there is, packed or of a region.
 struct Recorded {
   const char* name;
-  const char* record;  ///< of the scenario
+  const char* record;         ///< of the scenario
+  const char* scene = kHeap;  ///< the rest of it
 };
 inline constexpr Recorded kRecorded[] = {{"whole", ""},
                                          {"packed", R"([record]
@@ -69,11 +70,49 @@ every = 4
 record = true
 )"}};
 
+/// Agents who appear, line up, wait and leave, with all that may be recorded of them.
+inline constexpr Recorded kRecordedCrowd{"crowd", "", R"TOML(throng = 1
+name = "crowd"
+time = { dt = 0.02, until = 8.0 }
+walkable = "POLYGON ((0 0, 10 0, 10 5, 0 5, 0 0), (4 2, 5 2, 5 3, 4 3, 4 2))"
+record = { every = 2, fields = ["position", "contacts"], also = [{ every = 3, fields = ["velocity"] }], observables = 5 }
+queues = { till = { line = [[7, 1], [4, 1]], service = 0.5 } }
+[areas]
+start = [[0, 0], [3, 0], [3, 5], [0, 5]]
+bench = [[6, 3.5], [9, 3.5], [9, 5], [6, 5]]
+exit = [[9.5, 2], [10, 2], [10, 3], [9.5, 3]]
+[[agents]]
+count = 25
+place = { random = { within = "start" } }
+model = "social_force"
+goal = "exit"
+[[agents]]
+count = 20
+appear = { rate = 5 }
+place = { random = { within = "start" } }
+model = "collision_free_speed"
+goal = [{ queue = "till" }, { wait = "bench", for = 1 }, "exit"]
+[[measure]]
+name = "door"
+line = [[9, 0], [9, 5]]
+[[measure]]
+name = "start"
+area = "start"
+voronoi = { cutoff = 1 }
+[[sensors]]
+name = "eyes"
+radius = 2
+fov_degrees = 170
+sight = true
+every = 4
+record = true
+)TOML"};
+
 inline void PrintTo(const Recorded& recorded, std::ostream* out) {
   *out << recorded.name;
 }
 inline std::string heap(const Recorded& recorded) {
-  return std::string(kHeap) + recorded.record;
+  return std::string(recorded.scene) + recorded.record;
 }
 
 class DurableRun : public Program {

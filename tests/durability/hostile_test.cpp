@@ -112,6 +112,15 @@ Told everything(const std::string& path) {
     for (const auto& ring : measure.area.rings)
       for (const Vec& p : ring) all << p;
   }
+  for (const Area& area : scene.crowd.areas) {
+    all << area.name << static_cast<int>(area.use);
+    for (const auto& ring : area.region.rings)
+      for (const Vec& p : ring) all << p;
+  }
+  for (const Queue& queue : scene.crowd.queues) {
+    all << queue.name << queue.spacing << queue.service;
+    for (const Vec& p : queue.line) all << p;
+  }
   for (const auto& ring : scene.crowd.walkable.rings)
     for (const Vec& p : ring) all << p;
   Told told{all.str(), {}};
@@ -214,6 +223,19 @@ struct Hostile : testing::Test {
       return false;
     } catch (const InputError&) {
       return true;
+    }
+  }
+
+  /// `crafted`: what crafted.py is asked to make; each fault has its reason.
+  void expect_refused(const std::string& crafted, const std::map<std::string, std::string>& reasons) const {
+    const std::string script = "/usr/bin/python3 " THRONG_SOURCE_DIR "/tests/durability/crafted.py ";
+    ASSERT_EQ(std::system((script + crafted).c_str()), 0);
+    for (const auto& [fault, reason] : reasons) {
+      const std::string file = folder / (fault + ".h5");
+      EXPECT_THAT(refusal(file), HasSubstr(reason)) << fault;
+      const Cost cost = cost_of([&] { refusal(file); });
+      EXPECT_LT(cost.memory, kSanitized ? 1e9 : 200e6) << fault;
+      EXPECT_LT(cost.seconds, 1.0) << fault;
     }
   }
 
@@ -389,16 +411,37 @@ TEST_F(Hostile, X4CraftedFilesAreRefusedWithTheirReason) {
       {"observables_again_and_again", "observables claim more than the file can hold"},
       {"newer", "written by a newer throng"},
       {"foreign", "not throng's"}};
-  const std::string script = THRONG_SOURCE_DIR "/tests/durability/crafted.py ";
-  ASSERT_EQ(
-      std::system(("/usr/bin/python3 " + script + (folder / "good.h5 ") + folder.path.string()).c_str()), 0);
-  for (const auto& [fault, reason] : reasons) {
-    const std::string file = folder / (fault + ".h5");
-    EXPECT_THAT(refusal(file), HasSubstr(reason)) << fault;
-    const Cost cost = cost_of([&] { refusal(file); });
-    EXPECT_LT(cost.memory, kSanitized ? 1e9 : 200e6) << fault;
-    EXPECT_LT(cost.seconds, 1.0) << fault;
-  }
+  expect_refused((folder / "good.h5 ") + folder.path.string(), reasons);
+}
+
+TEST_F(Hostile, X4CraftedCrowdsAreRefusedWithTheirReason) {
+  record_simulation(folder / "crowd.h5", measured_crowd());
+  EXPECT_EQ(refusal(folder / "crowd.h5"), "accepted");
+  expect_refused((folder / "crowd.h5 ") + folder.path.string() + " crowd",
+                 {{"area_of_unknown_use", "unknown use"},
+                  {"area_of_two_points", "fewer than three points"},
+                  {"area_beyond_its_rings", "area_offset does not fit"},
+                  {"area_nowhere", "not finite"},
+                  {"fewer_uses_than_areas", "use has the wrong size"},
+                  {"areas_elsewhere", "link to elsewhere"},
+                  {"areas_of_a_bomb", "more than the file can hold"},
+                  {"queue_of_one_point", "fewer than two points"},
+                  {"queue_without_spacing", "spacing is out of range"},
+                  {"floor_of_two_points", "fewer than three points"},
+                  {"measure_of_nothing", "line has the wrong size"},
+                  {"measure_without_columns", "is missing"},
+                  {"column_of_few_rows", "too few"},
+                  {"column_too_large", "more than the file can hold"},
+                  {"column_elsewhere", "link to elsewhere"},
+                  {"altered_density", "does not match its hash"},
+                  {"sensor_without_a_rate", "out of range"},
+                  {"sensor_of_no_width", "out of range"},
+                  {"sensor_without_end", "are missing"},
+                  {"sensor_running_backwards", "runs backwards"},
+                  {"altered_sensed", "does not match its hash"},
+                  {"altered_count", "frame 0"},
+                  {"contacts_too_many", "contacts are missing"},
+                  {"presence_of_another", "id is not in order"}});
 }
 
 TEST_F(Hostile, OtherPeoplesHdf5IsNotThrongs) {

@@ -114,6 +114,13 @@ class Crowd(Program):
             self.assertTrue(all_radii.text.endswith(":/throng/bodies/radius"))
             np.testing.assert_array_equal(radius[self.slab(its_ids) - 1], radius[here[frame]])
 
+    def test_xdmf_has_the_radii_of_those_whom_it_shows(self):
+        self.record("a.h5", "--set", "record.of.ids=[2, 3]", "--set", "agents[1].radius=0.25", "--set", "record.every=50")
+        self.assertEqual(self.throng("export", "a.h5", "--format", "xdmf", "-o", "a.xdmf"), (0, ""))
+        radii = [[float(radius) for radius in attribute.find("DataItem").text.split()]
+                 for attribute in xml.parse(self.path("a.xdmf")).getroot().iter("Attribute") if attribute.get("Name") == "radius"]
+        self.assertEqual(radii, [[0.25, 0.2]] * 3 + [[0.25]] * 4)
+
     def test_xdmf_has_a_grid_of_no_cells_where_nobody_is(self):
         self.record("a.h5", "--set", "record.within=[[5, 0], [7, 5]]", "--set", "record.every=10")
         self.assertEqual(self.throng("export", "a.h5", "--format", "xdmf", "-o", "a.xdmf"), (0, ""))
@@ -283,6 +290,11 @@ class Measures(Program):
                 for column in ("count", "forward", "back", "flow", "speed"):
                     np.testing.assert_array_equal(recording.observables[f"measure/{name}/{column}"][0],
                                                   recording.observables[f"measure/door/{column}"][0])
+
+    def test_have_no_place_in_a_table(self):
+        self.record("a.h5", "--set", "record.fields=['position', 'contacts']")
+        self.assertEqual(self.throng("export", "a.h5", "--format", "csv", "-o", "a.csv"),
+                         (0, "throng: warning: a.csv leaves out contacts, observables, what sensors found, which throng_read.py reads\n"))
 
     def test_sensors_tell_whom_they_found(self):
         with throng_read.open(self.record()) as recording:

@@ -167,13 +167,15 @@ class Film(Program):
         before = self.files()
         for number in (signal.SIGINT, signal.SIGTERM):
             film = subprocess.Popen([PROGRAM, "replay", "a.h5", "--video", "new.mp4", "--fps", "200"], cwd=self.folder,
-                                    stderr=subprocess.DEVNULL, start_new_session=True)
+                                    stderr=subprocess.PIPE, start_new_session=True)
             while self.files() == before:
                 self.assertIsNone(film.poll(), "it came too late")
             time.sleep(0.2)
             os.killpg(film.pid, number) if number == signal.SIGINT else film.send_signal(number)
             self.assertEqual(film.wait(), 130)
             time.sleep(0.5)  # for an ffmpeg that goes on
+            with film.stderr as said:
+                self.assertNotRegex(said.read(), b"rawvideo|Error|nvalid", "ffmpeg's words of a picture cut short")
             self.assertEqual(self.files(), before)
 
     def test_of_a_damaged_recording_is_refused(self):

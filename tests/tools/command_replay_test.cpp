@@ -108,6 +108,23 @@ TEST_F(Replay, VerifiesWhatTheSameProgramWrote) {
   EXPECT_EQ(answer.text, "verified: 21 frames\n");
 }
 
+TEST_F(Replay, SaysInPlainWordsThatAFileIsCutShort) {
+  const auto size = std::filesystem::file_size(folder / "a.h5");
+  std::filesystem::resize_file(folder / "a.h5", 1000);
+  EXPECT_EQ(throng("info a.h5").text,
+            "throng: a.h5 is damaged: it cannot be opened: it is cut short: 1000 of " + std::to_string(size) +
+                " bytes are there\n");
+}
+
+TEST_F(Replay, IsOfRecordingsThatAreCalledSo) {
+  for (const std::string ending : {"csv", "png", "toml"}) {
+    const Answer answer = throng("run three.toml -o b." + ending);
+    EXPECT_EQ(answer.code, 2);
+    EXPECT_THAT(answer.text, HasSubstr("cannot write b." + ending + ": a recording is HDF5, as OUT.h5"));
+    EXPECT_FALSE(std::filesystem::exists(folder / ("b." + ending + ".part")));
+  }
+}
+
 TEST_F(Replay, VerifiesOtherFieldsAndRates) {
   ASSERT_EQ(throng("run three.toml -o b.h5 --progress none --every 7 --set 'record.fields=[\"angle\"]'").code,
             0);

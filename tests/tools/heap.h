@@ -4,7 +4,7 @@
 namespace throng {
 
 /// Discs and bricks that fall on one another, with friction and bounces: contacts of both kinds.
-inline const char* const kHeap = R"(throng = 1
+inline constexpr const char* kHeap = R"(throng = 1
 name = "heap"
 gravity = [0, -10]
 time = { dt = 0.01, until = 2.0 }

@@ -155,7 +155,7 @@ TEST_F(Resume, HasNothingToDoForACompleteRecording) {
 TEST_F(Resume, RefusesAnEndBeforeWhatIsRecorded) {
   const Result result = resume(made("a.h5", "0.4") + " --until 0.3");
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_THAT(result.err, HasSubstr("reaches 0.4 s already: the end must not be before, at 0.3 s"));
+  EXPECT_THAT(result.err, HasSubstr("has been run to 0.4 s: it can't end before that, at 0.3 s"));
 }
 
 TEST_F(Resume, RefusesAnotherScenariosCheckpointAndNamesTheLine) {

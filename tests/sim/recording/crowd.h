@@ -17,9 +17,10 @@ namespace throng::testing_recordings {
 inline constexpr const char* kMeasuredCrowd = R"toml(throng = 1
 name = "measured"
 time = { dt = 0.05, until = 1.0 }
-record = { every = 2, observables = 2, fields = ["position"] }
+record = { every = 2, observables = 2, fields = ["position", "contacts"] }
 walkable = "POLYGON ((0 0, 10 0, 10 2, 0 2, 0 0))"
 areas = { exit = [[9, 0], [10, 0], [10, 2], [9, 2]], hall = [[5, 0], [8, 0], [8, 2], [5, 2]] }
+queues = { till = { line = [[6, 1], [4, 1]], service = 1.0 } }
 agents = [
   { at = [1, 0.5], model = "constant_velocity", desired_speed = 1.0, goal = "exit" },
   { at = [4.4, 1.5], model = "constant_velocity", desired_speed = 1.0, goal = "exit" },

@@ -407,6 +407,14 @@ TEST(Selected, MeasuresOfACrowdAreReadAsTheyWere) {
     EXPECT_EQ(after[i].size, before[i].size);
   }
   EXPECT_EQ(after[1].size, 6.0);
+  const Crowd& crowd = recording.geometry().crowd;
+  ASSERT_EQ(crowd.areas.size(), 2u);
+  EXPECT_EQ(crowd.areas[0].name, "exit");
+  EXPECT_EQ(crowd.areas[0].use, AreaUse::goal);
+  EXPECT_EQ(crowd.areas[1].use, AreaUse::none);
+  EXPECT_EQ(crowd.areas[1].region.rings, scene.crowd.areas[1].region.rings);
+  ASSERT_EQ(crowd.queues.size(), 1u);
+  EXPECT_EQ(crowd.queues[0].line, (std::vector<Vec>{{6, 1}, {4, 1}}));
   const auto observed = [&](std::size_t i) { return recording.frame(i).observables.value().crowd.value(); };
   const CrowdObservables first = observed(0), last = observed(recording.frames() - 1);
   EXPECT_EQ(first.agents, 4.0);
