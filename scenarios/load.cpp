@@ -11,6 +11,7 @@
 #include "scenarios/read_crowd.h"
 #include "scenarios/source.h"
 #include "sim/engine_box2d.h"
+#include "sim/engine_event_driven.h"
 
 namespace throng {
 
@@ -31,9 +32,15 @@ void warn_of_idle_borders(const toml::table& root, const Scene& scene, Report& r
 
 /// What only the engine knows, said before anything runs.
 void check_engine(const toml::table& root, const Scene& scene, Report& report) {
-  if (scene.engine != Engine::box2d) return;
-  if (const std::string refusal = box2d_refusal(scene); !refusal.empty())
-    report.error(*root.get("engine"), "engine", "box2d: " + refusal);
+  std::string refusal;
+  if (scene.engine == Engine::box2d) refusal = box2d_refusal(scene);
+  if (scene.engine == Engine::event_driven) refusal = event_driven_refusal(scene);
+  if (!refusal.empty())
+    report.error(*root.get("engine"), "engine", engine_name(scene.engine) + (": " + refusal));
+  const auto substeps = root["time"]["substeps"];
+  if (scene.engine == Engine::event_driven && substeps)
+    report.warning(substeps.node()->source(), "time.substeps",
+                   "has no meaning: engine event_driven has no time step");
 }
 
 void read_scene(const toml::table& root, Scene& scene, Report& report) {

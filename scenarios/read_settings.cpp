@@ -71,7 +71,7 @@ void read_settings(const toml::table& root, Scene& scene, Report& report) {
   if (const auto* seed = good(root, "seed", report))
     scene.seed = static_cast<std::uint64_t>(seed->as_integer()->get());
   if (const auto* engine = good(root, "engine", report))
-    scene.engine = engine->as_string()->get() == "box2d" ? Engine::box2d : Engine::native;
+    scene.engine = engine_named(engine->as_string()->get());
   if (const auto* gravity = good(root, "gravity", report)) scene.gravity = point(*gravity);
   if (const auto* sleep = good(root, "sleep", report)) scene.sleep = sleep->as_boolean()->get();
   read_time(root, scene, report);

@@ -39,7 +39,7 @@ std::string awake_because(const Scene& scene, const Plan& plan) {
   if (!plan.contacts()) return "nothing to rest on";
   if (plan.crowd) return "agents don't sleep";
   if (!plan.gravity) return "gravity is zero: what is slow isn't at rest";
-  if (scene.engine != Engine::native) return "the matter of engine box2d";
+  if (scene.engine != Engine::native) return std::string("the matter of engine ") + engine_name(scene.engine);
   return "";
 }
 

@@ -8,6 +8,21 @@
 
 namespace throng {
 
+namespace {
+
+constexpr const char* kEngines[] = {"native", "box2d", "event_driven"};  // as Engine
+
+}  // namespace
+
+const char* engine_name(Engine engine) {
+  return kEngines[static_cast<std::size_t>(engine)];
+}
+
+Engine engine_named(std::string_view name) {
+  const auto* found = std::ranges::find(kEngines, name);
+  return found == std::end(kEngines) ? Engine::native : static_cast<Engine>(found - std::begin(kEngines));
+}
+
 std::int64_t Time::steps() const {
   const double steps = until / dt;
   const double rounding = std::max(1e-9, 4.0 * std::numeric_limits<double>::epsilon() * steps);

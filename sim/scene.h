@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "narrowphase/convex.h"
@@ -13,7 +14,7 @@
 /// What is simulated: read once from a scenario, const ever after. What changes stands in `State`.
 namespace throng {
 
-enum class Engine { native, box2d };
+enum class Engine { native, box2d, event_driven };
 enum class ContactModel { none, impulse };
 enum class DomainKind { unbounded, box, periodic };
 enum class BodyKind : std::uint8_t { dynamic, fixed, kinematic, agent };  // `fixed` is the file's "static"
@@ -93,6 +94,12 @@ struct Scene {
   Crowd crowd;  ///< whose agents are the last of the bodies
   std::vector<Sensor> sensors;
 };
+
+/// As files and command lines have it.
+const char* engine_name(Engine engine);
+
+/// The engine of that name; native where there is none.
+Engine engine_named(std::string_view name);
 
 /// Whether frames of a recording hold other bodies now and then: those in record.within, agents until they
 /// leave. Also of a scene that was read from a recording, whose bodies are the recorded ones. O(bodies).

@@ -3,6 +3,7 @@
 
 #include "sim/contact/list_contacts.h"
 #include "sim/engine_box2d.h"
+#include "sim/engine_event_driven.h"
 #include "sim/step.h"
 
 namespace throng {
@@ -71,6 +72,7 @@ class Native : public Simulation {
 
 std::unique_ptr<Simulation> simulation(const Scene& scene, int threads) {
   if (scene.engine == Engine::box2d) return box2d_simulation(scene);
+  if (scene.engine == Engine::event_driven) return event_driven_simulation(scene);
   return std::make_unique<Native>(scene, threads);
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/collisions.h"
 #include "sim/contact_row.h"
 #include "sim/plan.h"
 #include "sim/scene.h"
@@ -35,6 +36,9 @@ class Simulation {
 
   /// Replaces `rows` by them: contacts() of them, or before the first step here those of bodies that sleep.
   virtual void list_contacts(std::vector<ContactRow>& rows) const = 0;
+
+  /// Those so far; null where the engine doesn't count them one by one.
+  virtual const Collisions* collisions() const { return nullptr; }
 
   /// Whom each recorded sensor of the scene sensed in the state that there is; nothing for those that weren't
   /// due.

@@ -112,7 +112,7 @@ Json describe(const Recording& recording) {
   return {{"scenario", scene.name},
           {"description", scene.description},
           {"status", status(recording)},
-          {"engine", scene.engine == Engine::box2d ? "box2d" : "native"},
+          {"engine", engine_name(scene.engine)},
           {"bodies", recording.bodies()},
           {"bodies_of_run", recording.bodies_of_run()},
           {"agents", std::ranges::count(scene.bodies.kind, BodyKind::agent)},

@@ -34,7 +34,7 @@ Json to_json(const Scene& scene, const Plan& plan) {
   for (const Stage& stage : plan.stages)
     stages.push_back({{"stage", stage.name}, {"runs", stage.runs}, {"reason", stage.reason}});
   return {{"scenario", scene.name},
-          {"engine", scene.engine == Engine::box2d ? "box2d" : "native"},
+          {"engine", engine_name(scene.engine)},
           {"bodies", scene.bodies.size() - scene.crowd.size()},
           {"agents", scene.crowd.size()},
           {"dynamic", count(scene, BodyKind::dynamic)},
@@ -59,17 +59,18 @@ std::string size_text(double bytes) {
 }
 
 void print(const Scene& scene, const Plan& plan) {
-  std::printf("%s: %s (%zu dynamic, %zu static, %zu kinematic), %s, %s; engine %s\n",
-              printable(scene.name).c_str(), counted_bodies(scene.bodies.size() - scene.crowd.size()).c_str(),
-              count(scene, BodyKind::dynamic), count(scene, BodyKind::fixed),
-              count(scene, BodyKind::kinematic),
-              counted(static_cast<std::int64_t>(scene.crowd.size()), "agent").c_str(),
-              counted(static_cast<std::int64_t>(scene.walls.size()), "wall").c_str(),
-              scene.engine == Engine::box2d ? "box2d" : "native");
+  std::printf(
+      "%s: %s (%zu dynamic, %zu static, %zu kinematic), %s, %s; engine %s\n", printable(scene.name).c_str(),
+      counted_bodies(scene.bodies.size() - scene.crowd.size()).c_str(), count(scene, BodyKind::dynamic),
+      count(scene, BodyKind::fixed), count(scene, BodyKind::kinematic),
+      counted(static_cast<std::int64_t>(scene.crowd.size()), "agent").c_str(),
+      counted(static_cast<std::int64_t>(scene.walls.size()), "wall").c_str(), engine_name(scene.engine));
   std::printf("%lld steps of %g s in %d substeps\n\n", static_cast<long long>(scene.time.steps()),
               scene.time.dt, scene.time.substeps);
   if (scene.engine == Engine::box2d)
     std::puts("Box2D runs the whole step in one stage; the native engine would run:");
+  if (scene.engine == Engine::event_driven)
+    std::puts("From collision to collision in one stage, without a time step; the native engine would run:");
   for (const Stage& stage : plan.stages)
     std::printf("  %-7s %-14s %s\n", stage.runs ? "runs" : "skipped", stage.name.c_str(),
                 stage.reason.c_str());

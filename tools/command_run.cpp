@@ -117,7 +117,7 @@ void add_run(CLI::App& app, int& exit_code, const std::string& command_line) {
   add_field(*command, *options, "--until", "time.until", false, "end of the run (s)");
   add_field(*command, *options, "--dt", "time.dt", false, "length of a step (s)");
   add_field(*command, *options, "--substeps", "time.substeps", false, "solver's substeps in a step");
-  add_field(*command, *options, "--engine", "engine", true, "native or box2d");
+  add_field(*command, *options, "--engine", "engine", true, "native, box2d or event_driven");
   add_field(*command, *options, "--seed", "seed", false, "of all randomness");
   add_field(*command, *options, "--every", "record.every", false, "record each Nth step");
   command

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "sim/crowd/walk.h"
+#include "sim/gas.h"
 #include "sim/observe.h"
 
 namespace throng::tools {
@@ -75,6 +76,14 @@ Json sensor_summary(const Scene& scene, const State& state) {
   return result;
 }
 
+/// What only engines know that go from collision to collision.
+Json gas_summary(const Scene& scene, const State& state, const Collisions& collisions) {
+  return {{"collisions", collisions.pairs},
+          {"wall_collisions", collisions.walls},
+          {"temperature", temperature(scene, state)},
+          {"compressibility_factor", compressibility_factor(scene, state, collisions)}};
+}
+
 }  // namespace
 
 void RunTimes::end_step() {
@@ -106,7 +115,7 @@ Json summary(const Scene& scene, const Simulation& simulation, const RunTimes& t
   for (const auto& [name, total] : simulation.stage_times())
     stages[name] = 1e3 * total / static_cast<double>(std::max<std::int64_t>(times.steps(), 1));
   Json result = {{"scenario", scene.name},
-                 {"engine", scene.engine == Engine::box2d ? "box2d" : "native"},
+                 {"engine", engine_name(scene.engine)},
                  {"steps", state.step},
                  {"time", static_cast<double>(state.step) * scene.time.dt},
                  {"bodies", scene.bodies.size() - scene.crowd.size()},
@@ -123,6 +132,7 @@ Json summary(const Scene& scene, const Simulation& simulation, const RunTimes& t
                  {"momentum", {p.x(), p.y()}},
                  {"contacts", simulation.contacts()},
                  {"output", output.empty() ? Json(nullptr) : Json(output)}};
+  if (simulation.collisions()) result.update(gas_summary(scene, state, *simulation.collisions()));
   if (!state.sleep.island.empty()) result["asleep"] = asleep(state.sleep);
   if (scene.crowd.size() > 0) result.update(crowd_summary(scene, state));
   if (!scene.sensors.empty()) result["sensors"] = sensor_summary(scene, state);

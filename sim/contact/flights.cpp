@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 
+#include "sim/contact/strike.h"
 #include "sim/periodic.h"
 
 namespace throng {
@@ -18,36 +19,6 @@ namespace {
 
 constexpr double kRounding = 1e-9;  // of the reach: deeper overlaps come from the scene, not from collisions
 constexpr std::size_t kMostCollisions = 100;  // a body and step, all together
-
-/// How two discs touch.
-struct Touch {
-  Vec normal;                 // unit, from a to b
-  double radius_a, radius_b;  // m
-};
-
-double tangent_mass(const SolverBody& a, const SolverBody& b, const Touch& touch) {
-  return 1.0 / (a.inverse_mass + b.inverse_mass + a.inverse_inertia * touch.radius_a * touch.radius_a +
-                b.inverse_inertia * touch.radius_b * touch.radius_b);
-}
-
-void strike(SolverBody& a, SolverBody& b, const Touch& touch, const Surface& surface) {
-  const Vec& n = touch.normal;
-  const Vec t = tangent(n);
-  const Vec velocity = b.velocity - a.velocity;
-  const double normal =
-      std::max(0.0, -(1.0 + surface.restitution) * velocity.dot(n) / (a.inverse_mass + b.inverse_mass));
-  Vec impulse = normal * n;
-  if (surface.friction > 0.0) {
-    const double slip = velocity.dot(t) - (a.spin * touch.radius_a + b.spin * touch.radius_b);
-    const double limit = surface.friction * normal;
-    const double rub = std::clamp(-tangent_mass(a, b, touch) * slip, -limit, limit);
-    impulse += rub * t;
-    a.spin -= a.inverse_inertia * touch.radius_a * rub;
-    b.spin -= b.inverse_inertia * touch.radius_b * rub;
-  }
-  a.velocity -= a.inverse_mass * impulse;
-  b.velocity += b.inverse_mass * impulse;
-}
 
 }  // namespace
 

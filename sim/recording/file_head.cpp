@@ -23,7 +23,6 @@ void write_h5md(hid_t file) {
 }
 
 void write_parameters(hid_t file, const Scene& scene, const Provenance& provenance) {
-  constexpr const char* engines[] = {"native", "box2d"};
   const h5::Handle group = h5::create_group(file, "parameters");
   const std::string command_line = as_utf8(provenance.command_line);
   h5::write_attribute(group, "dt", scene.time.dt);
@@ -34,7 +33,7 @@ void write_parameters(hid_t file, const Scene& scene, const Provenance& provenan
   h5::write_attribute(group, "seed", scene.seed);
   h5::write_attribute(group, "threads", std::int64_t{provenance.threads});
   h5::write_attribute(group, "checkpoint", provenance.checkpoint);
-  h5::write_attribute(group, "engine", std::string_view(engines[static_cast<int>(scene.engine)]));
+  h5::write_attribute(group, "engine", std::string_view(engine_name(scene.engine)));
   h5::write_attribute(group, "precision", std::string_view(scene.record.single ? "single" : "double"));
   h5::write_attribute(group, "version", std::string_view(version_text()));
   h5::write_attribute(group, "compiler", std::string_view(compiler_text()));

@@ -52,7 +52,6 @@ const Case kCases[] = {
      "s.toml:5:9: error: sensors[0].sight: must be true or false, or one of"},
     {"[[measure]]\nname = 'x'\nline = [[0, 0], [1, 0]]",
      "error: measure: counts agents, and there are none: it needs [[agents]]"},
-    {"engine = 'event_driven'", "s.toml:2:10: error: engine: not supported yet: engine"},
     {"contact = { model = 'spring' }", "s.toml:2:21: error: contact.model: not supported yet: contact.model"},
     {"contact = { model = 'hertz' }", "s.toml:2:21: error: contact.model: not supported yet: contact.model"},
     {"record = { quantize = 0 }",
@@ -74,7 +73,8 @@ const Case kCases[] = {
      "s.toml:6:11: error: bodies[0].place.file: not supported yet: bodies[0].place"},
     // choices and names
     {"engine = 'navite'",
-     "s.toml:2:10: error: engine: must be one of \"native\", \"box2d\", and is \"navite\", did you mean"},
+     "s.toml:2:10: error: engine: must be one of \"native\", \"box2d\", \"event_driven\", and is \"navite\", "
+     "did you mean"},
     {"contact.model = 'impulses'",
      "s.toml:2:17: error: contact.model: must be one of \"impulse\", \"none\", and is"},
     {"record.fields = ['positon']", "s.toml:2:18: error: record.fields[0]: must be one of"},
@@ -235,6 +235,11 @@ const Case kCases[] = {
     // what an engine can't do
     {"engine = 'box2d'\ndomain.periodic = [[0, 0], [9, 9]]\n" BALL "at = [1, 1]",
      "s.toml:2:10: error: engine: box2d: domain.periodic: Box2D has no periodic domains"},
+    {"engine = 'event_driven'\ncontact.model = 'none'",
+     "s.toml:2:10: error: engine: event_driven: contact.model = \"none\": "},
+    {"engine = 'event_driven'\nshapes.b.polygon = [[0, 0], [1, 0], [1, 1], [0, 1]]\n[[bodies]]\nshape = "
+     "'b'\nat = [1, 1]",
+     "s.toml:2:10: error: engine: event_driven: shapes.b: body 1 isn't a disc"},
     {"engine = 'box2d'\ncontact.model = 'none'",
      "s.toml:2:10: error: engine: box2d: contact.model = \"none\": "},
     {"engine = 'box2d'\nshapes.b.polygon = [[0, 0], [0.004, 0], [0.004, 1], [0, 1]]\n[[bodies]]\nshape = "

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "sim/contact/contact.h"
+#include "sim/plan.h"
+
+namespace throng {
+
+/// How two discs touch.
+struct Touch {
+  Vec normal;                 ///< unit, from a to b
+  double radius_a, radius_b;  ///< m
+};
+
+/// A collision in no time: restitution along the normal, Coulomb friction across, which stops the slip where
+/// it can. Returns the impulse along the normal (N s).
+double strike(SolverBody& a, SolverBody& b, const Touch& touch, const Surface& surface);
+
+}  // namespace throng

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "sim/engine_event_driven.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "sim/event_driven/hard_discs.h"
+#include "sim/input_error.h"
+#include "sim/sensing/sensing.h"
+
+namespace throng {
+
+namespace {
+
+class EventDriven : public Simulation {
+ public:
+  explicit EventDriven(const Scene& scene)
+      : scene_(scene),
+        plan_(plan_for(scene)),
+        state_(initial_state(scene)),
+        discs_(scene, plan_),
+        sensing_(scene, 1) {
+    sensing_.sense(state_);
+  }
+
+  void step() override {
+    const auto begin = std::chrono::steady_clock::now();
+    const double time = static_cast<double>(state_.step + 1) * scene_.time.dt;
+    discs_.run_until(time, rows_);
+    collide_ += seconds_since(begin);
+    const auto flown = std::chrono::steady_clock::now();
+    ++state_.step;
+    discs_.store(time, state_);
+    store_ += seconds_since(flown);
+    if (!scene_.sensors.empty()) sense();
+  }
+
+  const State& state() const override { return state_; }
+
+  /// What its collisions left stands in HardDiscs to more digits than the state of a step holds.
+  bool restore(const State&) override { return false; }
+
+  std::size_t contacts() const override { return rows_.size(); }
+  void list_contacts(std::vector<ContactRow>& rows) const override { rows = rows_; }
+  const Collisions* collisions() const override { return &discs_.collisions(); }
+  std::span<const Sensed> sensed() const override { return sensing_.sensed(); }
+
+  std::vector<std::pair<std::string, double>> stage_times() const override {
+    std::vector<std::pair<std::string, double>> all{{"collide", collide_}, {"store", store_}};
+    if (!scene_.sensors.empty()) all.push_back({"sense", sense_});
+    return all;
+  }
+
+ private:
+  static double seconds_since(std::chrono::steady_clock::time_point begin) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  }
+
+  void sense() {
+    const auto begin = std::chrono::steady_clock::now();
+    sensing_.sense(state_);
+    sense_ += seconds_since(begin);
+  }
+
+  const Scene& scene_;
+  const Plan plan_;
+  State state_;
+  HardDiscs discs_;
+  Sensing sensing_;
+  std::vector<ContactRow> rows_;                      ///< collisions of the last step
+  double collide_ = 0.0, store_ = 0.0, sense_ = 0.0;  ///< s
+};
+
+/// What a body is that isn't a disc which flies, or stands still; "" where it is.
+std::string refusal_of(const Scene& scene, std::size_t row) {
+  const BodyKind kind = scene.bodies.kind[row];
+  const std::string body = "body " + std::to_string(row + 1);
+  if (kind == BodyKind::agent) return "agents: they choose their ways; take engine native";
+  if (kind == BodyKind::kinematic) return body + " is kinematic: what moves must be a dynamic disc";
+  const Shape& shape = scene.shapes[scene.bodies.shape[row]];
+  if (kind == BodyKind::dynamic && shape.kind != ShapeKind::disc)
+    return "shapes." + shape.name + ": " + body + " isn't a disc, and what moves must be";
+  const Material& material = scene.materials[scene.bodies.material[row]];
+  if (material.rolling_resistance > 0.0)
+    return "materials." + material.name + ".rolling_resistance: collisions in no time resist no rolling";
+  return "";
+}
+
+}  // namespace
+
+std::string event_driven_refusal(const Scene& scene) {
+  if (scene.contact == ContactModel::none)
+    return "contact.model = \"none\": collisions are all that this engine knows";
+  double largest = 0.0;
+  for (std::size_t row = 0; row < scene.bodies.size(); ++row) {
+    if (std::string refusal = refusal_of(scene, row); !refusal.empty()) return refusal;
+    if (scene.bodies.kind[row] == BodyKind::dynamic) largest = std::max(largest, scene.bodies.radius[row]);
+  }
+  if (scene.domain.kind == DomainKind::periodic &&
+      (scene.domain.max - scene.domain.min).minCoeff() < 8.0 * largest)
+    return "domain.periodic: must measure at least four times the largest disc";
+  return "";
+}
+
+std::unique_ptr<Simulation> event_driven_simulation(const Scene& scene) {
+  if (const std::string refusal = event_driven_refusal(scene); !refusal.empty())
+    throw InputError("engine event_driven: " + refusal);
+  return std::make_unique<EventDriven>(scene);
+}
+
+}  // namespace throng

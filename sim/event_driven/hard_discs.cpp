@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: MIT
+#include "sim/event_driven/hard_discs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+#include "narrowphase/disc_fall.h"
+#include "narrowphase/disc_flight.h"
+#include "sim/contact/strike.h"
+#include "sim/input_error.h"
+#include "sim/periodic.h"
+#include "sim/simulation_error.h"
+
+namespace throng {
+
+namespace {
+
+constexpr double kNever = Soonest::kNever;
+constexpr double kRounding = 1e-9;          // of the reach: deeper overlaps are the scene's
+constexpr std::uint32_t kMostStill = 1000;  // collisions of one disc while time stands still
+
+std::vector<std::uint32_t> dynamic_rows(const Bodies& bodies) {
+  std::vector<std::uint32_t> rows;
+  for (std::uint32_t row = 0; row < bodies.size(); ++row)
+    if (bodies.kind[row] == BodyKind::dynamic) rows.push_back(row);
+  return rows;
+}
+
+double largest_radius(const Bodies& bodies, std::span<const std::uint32_t> rows) {
+  double largest = 0.0;
+  for (const std::uint32_t row : rows) largest = std::max(largest, bodies.radius[row]);
+  return largest;
+}
+
+Eigen::AlignedBox2d box_round(const Bodies& bodies, std::span<const std::uint32_t> rows) {
+  Eigen::AlignedBox2d box;
+  for (const std::uint32_t row : rows) box.extend(bodies.position[row]);
+  return rows.empty() ? Eigen::AlignedBox2d(Vec(0, 0), Vec(0, 0)) : box;
+}
+
+double slack(double reach) {
+  return (1.0 + kRounding) * reach;
+}
+
+/// When something comes to a border that it is `gap` (m) before, at `nearing` (m/s) and `pull` (m/s²): the
+/// time at which it goes beyond it, even if it was beyond before.
+double time_to_border(double gap, double nearing, double pull) {
+  if (pull == 0.0) return nearing > 0.0 ? gap / nearing : kNever;
+  const double squared = nearing * nearing + 2.0 * pull * gap;
+  if (pull < 0.0 && (nearing <= 0.0 || squared < 0.0)) return kNever;
+  const double root = std::sqrt(std::max(0.0, squared));
+  return nearing > 0.0 ? 2.0 * gap / (nearing + root) : (root - nearing) / pull;
+}
+
+Vec place_in(const Domain& domain, const Vec& place) {
+  return domain.kind == DomainKind::periodic ? wrapped(place, domain) : place;
+}
+
+}  // namespace
+
+HardDiscs::HardDiscs(const Scene& scene, const Plan& plan)
+    : scene_(scene),
+      plan_(plan),
+      pull_(plan.gravity ? scene.gravity : Vec(0.0, 0.0)),
+      period_(plan.periodic ? Vec(scene.domain.max - scene.domain.min) : Vec(0.0, 0.0)),
+      obstacles_(obstacles(scene, largest_radius(scene.bodies, dynamic_rows(scene.bodies)))),
+      bodies_(dynamic_rows(scene.bodies)),
+      cells_(scene.domain, box_round(scene.bodies, bodies_),
+             slack(2.0 * largest_radius(scene.bodies, bodies_)), bodies_.size()),
+      soonest_(bodies_.size()) {
+  place_discs();
+  refuse_overlaps();
+  for (std::uint32_t disc = 0; disc < discs_.size(); ++disc) foresee(disc, 0.0, kNobody);
+}
+
+void HardDiscs::place_discs() {
+  const Bodies& bodies = scene_.bodies;
+  const auto cell = [&](std::uint32_t row) {
+    return cells_.cell_of(place_in(scene_.domain, bodies.position[row]));
+  };
+  std::ranges::stable_sort(bodies_, {}, [&](std::uint32_t row) {
+    const Cell at = cell(row);
+    return std::pair(at.at[1], at.at[0]);
+  });
+  for (const std::uint32_t row : bodies_) {
+    discs_.push_back({place_in(scene_.domain, bodies.position[row]), bodies.velocity[row], 0.0,
+                      bodies.radius[row], bodies.spin[row]});
+    next_.push_back({.cell = cell(row), .inverse_mass = 1.0 / mass(scene_, row)});
+    cells_.add(static_cast<std::uint32_t>(discs_.size() - 1), cells_.slot(next_.back().cell));
+  }
+  cells_.list(obstacles_, slack(largest_radius(bodies, bodies_)));
+}
+
+/// Id of a body, or what else it is.
+std::string HardDiscs::name(std::uint32_t other) const {
+  return is_disc(other) ? "body " + std::to_string(body(other) + 1) : "a wall, a border or a static body";
+}
+
+void HardDiscs::refuse_overlaps() const {
+  const auto refuse = [&](std::uint32_t disc, std::uint32_t other, double gap) {
+    if (gap >= -kRounding * discs_[disc].radius) return;
+    throw InputError("engine event_driven: body " + std::to_string(body(disc) + 1) + " and " + name(other) +
+                     " overlap by " + std::to_string(-gap) + " m at the beginning: hard discs can't");
+  };
+  const std::size_t sides = obstacles_.side.size();
+  for (std::uint32_t disc = 0; disc < discs_.size(); ++disc) {
+    const Flying& one = discs_[disc];
+    for_each_near(disc, {}, [&](std::uint32_t other, const Vec& shift) {
+      const Vec between = discs_[other].position + shift - one.position;
+      refuse(disc, other, between.norm() - one.radius - discs_[other].radius);
+    });
+    for (const std::uint32_t row : cells_.obstacles(cells_.slot(next_[disc].cell))) {
+      const auto count = static_cast<std::uint32_t>(discs_.size());
+      refuse(
+          disc, count + row,
+          row < sides
+              ? narrowphase::disc_flight(one.position, one.radius, one.velocity, obstacles_.side[row]).gap
+              : narrowphase::disc_flight(one.position, one.radius, one.velocity, obstacles_.part[row - sides])
+                    .gap);
+    }
+  }
+}
+
+const Surface& HardDiscs::surface(std::uint32_t disc, std::uint32_t other) const {
+  if (plan_.surfaces.size() == 1) return plan_.surfaces[0];
+  const std::vector<std::uint32_t>& material = scene_.bodies.material;
+  const std::uint32_t second =
+      is_disc(other) ? material[body(other)] : obstacles_.material[other - discs_.size()];
+  return plan_.surfaces[material[body(disc)] * scene_.materials.size() + second];
+}
+
+/// Calls visit(other, shift) for each other disc in the range of cells round the disc's: its image there is
+/// moved by `shift` (m).
+template <class Visit>
+void HardDiscs::for_each_near(std::uint32_t disc, const Range& range, Visit visit) const {
+  cells_.for_each_near(next_[disc].cell, range.first, range.last, [&](std::size_t slot, int x, int y) {
+    const Vec shift(x * period_.x(), y * period_.y());
+    cells_.for_each_in(slot, [&](std::uint32_t other) {
+      if (other != disc) visit(other, shift);
+    });
+  });
+}
+
+/// All of what may come next to the disc, which has just collided with `collided`: two discs don't meet again
+/// at once.
+void HardDiscs::foresee(std::uint32_t disc, double now, std::uint32_t collided) {
+  next_[disc].collision = kNever, next_[disc].other = kNobody;
+  foresee_crossing(disc, now, {0, 0});
+  foresee_obstacles(disc, now, collided);
+  foresee_discs(disc, now, {}, collided);
+  set(disc);
+}
+
+void HardDiscs::set(std::uint32_t disc) {
+  soonest_.set(disc, std::min(next_[disc].crossing, next_[disc].collision));
+}
+
+/// When it leaves its cell: of the four borders the first that it comes to. `entered`: -1 or 1 along each
+/// axis where it has just come in that way. Who came in as the pull goes doesn't go back before he is turned
+/// aside.
+void HardDiscs::foresee_crossing(std::uint32_t disc, double now, const std::array<int, 2>& entered) {
+  const Flying& one = discs_[disc];
+  Next& next = next_[disc];
+  next.crossing = kNever;
+  for (int axis : {0, 1})
+    for (int step : {-1, 1}) {
+      const double pull = step * pull_[axis];
+      if (pull < 0.0 && entered[axis] == -step) continue;
+      const double way = cells_.border(axis, next.cell.at[axis] + (step > 0 ? 1 : 0)) - one.position[axis];
+      const double time = one.since + time_to_border(step * way, step * one.velocity[axis], pull);
+      const bool turned = pull < 0.0 && time <= now && step * velocity(one, now)[axis] <= 0.0;
+      if (turned || !(std::max(now, time) < next.crossing)) continue;
+      next.crossing = std::max(now, time);
+      next.axis = static_cast<std::int8_t>(axis), next.step = static_cast<std::int8_t>(step);
+    }
+}
+
+void HardDiscs::foresee_obstacles(std::uint32_t disc, double now, std::uint32_t collided) {
+  const Flying& one = discs_[disc];
+  Next& next = next_[disc];
+  const std::size_t sides = obstacles_.side.size();
+  const auto rows = cells_.obstacles(cells_.slot(next_[disc].cell));
+  if (rows.empty()) return;
+  const narrowphase::Fall fall{place(one, now), velocity(one, now), pull_};
+  for (const std::uint32_t row : rows) {
+    const auto other = static_cast<std::uint32_t>(discs_.size()) + row;
+    double time;
+    if (row < sides)
+      time = narrowphase::fall_time(fall, one.radius, obstacles_.side[row]);
+    else if (plan_.gravity)
+      time = narrowphase::fall_time(fall, one.radius, obstacles_.part[row - sides], next.crossing - now);
+    else if (other == collided)
+      continue;
+    else
+      time = narrowphase::disc_flight(fall.position, one.radius, fall.velocity, obstacles_.part[row - sides])
+                 .time;
+    if (now + time < next.collision) next.collision = now + time, next.other = other;
+  }
+}
+
+void HardDiscs::foresee_discs(std::uint32_t disc, double now, const Range& range, std::uint32_t collided) {
+  find_approaching(disc, now, range);
+  Next& next = next_[disc];
+  for (const Approach& pair : std::span(approaching_).first(approached_)) {
+    if (pair.other == collided) continue;
+    const double root = pair.nearing * pair.nearing - pair.speed2 * pair.excess;
+    if (root < 0.0) continue;
+    const double time = now + std::max(0.0, pair.excess) / (pair.nearing + std::sqrt(root));
+    if (time < next.collision)
+      next.collision = time, next.other = pair.other, next.had = discs_[pair.other].had;
+  }
+}
+
+/// Who comes nearer and might touch before what comes next to the disc: few of those who are near. Without
+/// branches that nobody can foresee.
+void HardDiscs::find_approaching(std::uint32_t disc, double now, const Range& range) {
+  const Flying& one = discs_[disc];
+  const Vec from = place(one, now), speed = velocity(one, now);
+  const double until = next_[disc].collision - now;
+  std::size_t count = 0;
+  for_each_near(disc, range, [&](std::uint32_t other, const Vec& shift) {
+    if (count == approaching_.size()) approaching_.resize(2 * count + 16);
+    const Flying& two = discs_[other];
+    const Vec between = place(two, now) + shift - from, way = velocity(two, now) - speed;
+    const double reach = one.radius + two.radius;
+    const double excess = narrowphase::dot(between, between) - reach * reach,
+                 nearing = -narrowphase::dot(between, way);
+    approaching_[count] = {excess, nearing, narrowphase::dot(way, way), other};
+    count += static_cast<std::size_t>((nearing > 0.0) & (excess <= 2.0 * nearing * until));
+  });
+  approached_ = count;
+}
+
+void HardDiscs::run_until(double time, std::vector<ContactRow>& rows) {
+  rows.clear();
+  while (soonest_.time() <= time) {
+    const double now = soonest_.time();
+    const std::uint32_t disc = soonest_.row();
+    const Next& next = next_[disc];
+    if (next.crossing <= next.collision)
+      cross(disc);
+    else if (is_disc(next.other) && discs_[next.other].had != next.had)
+      foresee(disc, now, kNobody);
+    else
+      collide(disc, now, rows);
+  }
+}
+
+/// Into the next cell: three more cells are near, and other obstacles.
+void HardDiscs::cross(std::uint32_t disc) {
+  Next& next = next_[disc];
+  Flying& one = discs_[disc];
+  Cell& cell = next.cell;
+  const double now = next.crossing;
+  cells_.remove(disc, cells_.slot(cell));
+  cell.at[next.axis] += next.step;
+  if (plan_.periodic && (cell.at[next.axis] < 0 || cell.at[next.axis] == cells_.count(next.axis))) {
+    cell.at[next.axis] -= next.step * cells_.count(next.axis);
+    one.position[next.axis] -= next.step * period_[next.axis];
+  }
+  cells_.add(disc, cells_.slot(cell));
+  Range range;
+  range.first[next.axis] = range.last[next.axis] = next.step;
+  std::array<int, 2> entered{0, 0};
+  entered[next.axis] = next.step;
+  foresee_crossing(disc, now, entered);
+  foresee_obstacles(disc, now, kNobody);
+  foresee_discs(disc, now, range, kNobody);
+  set(disc);
+}
+
+/// To where it is now: there its way bends.
+void HardDiscs::advance(std::uint32_t disc, double now) {
+  Flying& one = discs_[disc];
+  one.position = place(one, now);
+  one.velocity = velocity(one, now);
+  next_[disc].turn += (now - one.since) * one.spin;
+  one.since = now;
+  ++one.had;
+}
+
+void HardDiscs::watch_for_collapse(std::uint32_t disc, std::uint32_t other, double now) {
+  std::uint32_t& still = next_[disc].still;
+  still = now - discs_[disc].since <= 4.0 * std::numeric_limits<double>::epsilon() * now ? still + 1 : 0;
+  if (still < kMostStill) return;
+  throw SimulationError(
+      "at " + std::to_string(now) + " s body " + std::to_string(body(disc) + 1) + " and " + name(other) +
+      " collide without end (inelastic collapse): hard discs come to rest on one another only in "
+      "infinitely many collisions; let the run end before, or take engine native");
+}
+
+SolverBody HardDiscs::solver_body(std::uint32_t other) const {
+  if (!is_disc(other)) return {Vec(0, 0), 0.0, 0.0, Vec(0, 0), 0.0, 0.0};
+  const Flying& one = discs_[other];
+  const double inverse_mass = next_[other].inverse_mass, gyration2 = 0.5 * one.radius * one.radius;
+  return {one.velocity, one.spin, inverse_mass, one.position, 0.0, inverse_mass / gyration2};
+}
+
+/// From the disc to the other, which touch.
+Vec HardDiscs::normal(std::uint32_t disc, std::uint32_t other) const {
+  const Vec& from = discs_[disc].position;
+  if (is_disc(other)) {
+    const Vec way = discs_[other].position - from;
+    return (plan_.periodic ? nearest_image(way, period_) : way).normalized();
+  }
+  const std::size_t row = other - discs_.size(), sides = obstacles_.side.size();
+  if (row < sides) return -obstacles_.side[row].normal;
+  return narrowphase::towards(from, obstacles_.part[row - sides]);
+}
+
+void HardDiscs::collide(std::uint32_t disc, double now, std::vector<ContactRow>& rows) {
+  const std::uint32_t other = next_[disc].other;
+  const bool pair = is_disc(other);
+  watch_for_collapse(disc, other, now);
+  advance(disc, now);
+  if (pair) advance(other, now);
+  const Vec n = normal(disc, other);
+  SolverBody a = solver_body(disc), b = solver_body(other);
+  const Touch touch{n, discs_[disc].radius, pair ? discs_[other].radius : 0.0};
+  const double impulse = strike(a, b, touch, surface(disc, other));
+  discs_[disc].velocity = a.velocity, discs_[disc].spin = a.spin;
+  if (pair) discs_[other].velocity = b.velocity, discs_[other].spin = b.spin;
+  (pair ? collisions_.pairs : collisions_.walls) += 1;
+  if (pair) collisions_.virial += (touch.radius_a + touch.radius_b) * impulse;
+  rows.push_back(row(disc, other, n, impulse));
+  foresee(disc, now, other);
+  if (pair) foresee(other, now, disc);
+}
+
+ContactRow HardDiscs::row(std::uint32_t disc, std::uint32_t other, const Vec& normal, double impulse) const {
+  const Flying& one = discs_[disc];
+  std::uint32_t a = body(disc) + 1, b = is_disc(other) ? body(other) + 1 : 0;
+  if (b != 0 && b < a) std::swap(a, b);
+  return {a, b, impulse, place_in(scene_.domain, one.position + one.radius * normal)};
+}
+
+void HardDiscs::store(double time, State& state) const {
+  for (std::uint32_t disc = 0; disc < discs_.size(); ++disc) {
+    const Flying& one = discs_[disc];
+    const std::uint32_t row = body(disc);
+    state.position[row] = place_in(scene_.domain, place(one, time));
+    state.velocity[row] = velocity(one, time);
+    state.spin[row] = one.spin;
+    state.angle[row] = scene_.bodies.angle[row] + (next_[disc].turn + (time - one.since) * one.spin);
+    check_body(state, row);
+  }
+}
+
+}  // namespace throng

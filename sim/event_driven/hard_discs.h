@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/collisions.h"
+#include "sim/contact/contact.h"
+#include "sim/contact_row.h"
+#include "sim/event_driven/folded_cells.h"
+#include "sim/event_driven/soonest.h"
+#include "sim/plan.h"
+#include "sim/state.h"
+
+namespace throng {
+
+/// Hard discs from collision to collision, in the order of their times (Alder and Wainwright, J. Chem. Phys.
+/// 31, 459, 1959): no time step, no error but rounding. Each disc flies, or falls, from its last collision on
+/// and is looked at again only where it collides, crosses the border of its cell, or where whom it was to
+/// meet was turned aside before. It keeps the soonest of its collisions alone; those of a pair not kept are
+/// found again when one of the two is looked at, which happens before (Lubachevsky, J. Comput. Phys. 94, 255,
+/// 1991).
+///
+/// Times count from the scene's beginning: they are right to the spacing of doubles there, 1e-14 s at 100 s.
+class HardDiscs {
+ public:
+  /// Expects what `event_driven_refusal` has nothing against. Throws InputError where discs overlap by more
+  /// than rounding.
+  HardDiscs(const Scene& scene, const Plan& plan);
+
+  /// O(log n) a collision. Replaces `rows` by the collisions. Throws SimulationError where collisions don't
+  /// end: inelastic collapse.
+  void run_until(double time, std::vector<ContactRow>& rows);
+
+  /// Writes where all are at `time` (s), at or after the last collision. O(n).
+  void store(double time, State& state) const;
+
+  const Collisions& collisions() const { return collisions_; }
+
+ private:
+  static constexpr std::uint32_t kNobody = UINT32_MAX;
+
+  /// A disc since its last collision, in one cache line.
+  struct alignas(64) Flying {
+    Vec position;  // m, then; moved by a period where it leaves a domain that repeats
+    Vec velocity;  // m/s, then
+    double since;  // s
+    double radius;
+    double spin;
+    std::uint32_t had = 0;  // collisions
+  };
+
+  /// What comes next to a disc, and what only it itself needs.
+  struct alignas(64) Next {
+    double crossing = Soonest::kNever;   // s, of the border of its cell
+    double collision = Soonest::kNever;  // s
+    std::uint32_t other = kNobody;       // whom it meets: a disc, or behind all discs an obstacle
+    std::uint32_t had = 0;               // collisions that the other had had when it was foreseen
+    Cell cell;
+    double inverse_mass = 0.0;       // 1/kg
+    double turn = 0.0;               // rad, at its last collision, since the beginning
+    std::uint32_t still = 0;         // the last so many collisions without time going on
+    std::int8_t axis = 0, step = 0;  // of the crossing
+  };
+
+  /// A disc that comes nearer.
+  struct Approach {
+    double excess;   // m²: distance squared less the touching one
+    double nearing;  // m²/s: less scalar product of distance and velocity
+    double speed2;   // m²/s²
+    std::uint32_t other;
+  };
+
+  /// The part of the 3 x 3 cells round a disc's cell that is looked at.
+  struct Range {
+    std::array<int, 2> first{-1, -1}, last{1, 1};
+  };
+
+  void place_discs();
+  void refuse_overlaps() const;
+  std::uint32_t body(std::uint32_t disc) const { return bodies_[disc]; }
+  bool is_disc(std::uint32_t other) const { return other < discs_.size(); }
+  const Surface& surface(std::uint32_t disc, std::uint32_t other) const;
+  std::string name(std::uint32_t other) const;
+
+  Vec place(const Flying& disc, double time) const {
+    const double way = time - disc.since;
+    if (!plan_.gravity) return disc.position + way * disc.velocity;
+    return disc.position + way * (disc.velocity + 0.5 * way * pull_);
+  }
+  Vec velocity(const Flying& disc, double time) const {
+    return plan_.gravity ? Vec(disc.velocity + (time - disc.since) * pull_) : disc.velocity;
+  }
+  template <class Visit>
+  void for_each_near(std::uint32_t disc, const Range& range, Visit visit) const;
+
+  void foresee(std::uint32_t disc, double now, std::uint32_t collided);
+  void foresee_crossing(std::uint32_t disc, double now, const std::array<int, 2>& entered);
+  void foresee_obstacles(std::uint32_t disc, double now, std::uint32_t collided);
+  void foresee_discs(std::uint32_t disc, double now, const Range& range, std::uint32_t collided);
+  void find_approaching(std::uint32_t disc, double now, const Range& range);
+  void set(std::uint32_t disc);
+
+  void cross(std::uint32_t disc);
+  void collide(std::uint32_t disc, double now, std::vector<ContactRow>& rows);
+  void advance(std::uint32_t disc, double now);
+  void watch_for_collapse(std::uint32_t disc, std::uint32_t other, double now);
+  SolverBody solver_body(std::uint32_t other) const;
+  Vec normal(std::uint32_t disc, std::uint32_t other) const;
+  ContactRow row(std::uint32_t disc, std::uint32_t other, const Vec& normal, double impulse) const;
+
+  const Scene& scene_;
+  const Plan& plan_;
+  const Vec pull_;    // m/s²
+  const Vec period_;  // m
+  const Obstacles obstacles_;
+  std::vector<std::uint32_t> bodies_;  // row of each disc, cell by cell: neighbours stand near one another
+  FoldedCells cells_;
+  std::vector<Flying> discs_;
+  std::vector<Next> next_;
+  Soonest soonest_;
+  std::vector<Approach> approaching_;  // the first `approached_` of them, of the last search
+  std::size_t approached_ = 0;
+  Collisions collisions_;
+};
+
+}  // namespace throng
