@@ -3,7 +3,6 @@
 import json
 import os
 import pathlib
-import pty
 import re
 import shutil
 import signal
@@ -14,7 +13,7 @@ import unittest
 import h5py
 import numpy as np
 
-from program import PROGRAM, Program
+from program import PROGRAM, Program, terminal
 
 # Takes the pictures like ffmpeg; what it was told, and how many bytes came, it writes down beside them.
 FAKE = """#!/usr/bin/python3
@@ -74,7 +73,7 @@ class Film(Program):
     def test_shows_how_far_it_is_on_a_terminal_and_clears_that_away(self):
         self.record()
         self.install(FAKE)
-        master, slave = pty.openpty()
+        master, slave = terminal()
         done = subprocess.run([PROGRAM, "replay", "a.h5", "--video", "a.mp4", "--width", "400", "--speed", "0.004"], cwd=self.folder,
                               stderr=slave, env={**os.environ, "PATH": self.path("bin")})
         said = os.read(master, 1 << 16).decode()

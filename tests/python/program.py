@@ -2,6 +2,7 @@
 """The program as its users run it, in a folder of the test's own that goes with it."""
 import os
 import pathlib
+import pty
 import subprocess
 import sys
 import tempfile
@@ -34,6 +35,14 @@ spin = 2.0
 [[walls]]
 segment = [[0, 2.9], [1, 2.9]]
 """
+
+
+def terminal():
+    """Both ends of a terminal. A machine that has none to give, as a bare chroot, skips the test and says so."""
+    try:
+        return pty.openpty()
+    except OSError as error:
+        raise unittest.SkipTest(f"this machine gives no pseudo-terminal: {error}") from error
 
 
 class Program(unittest.TestCase):

@@ -3,7 +3,6 @@
 import fcntl
 import json
 import os
-import pty
 import re
 import select
 import signal
@@ -15,7 +14,7 @@ import unittest
 
 import pyte
 
-from program import PROGRAM, Program
+from program import PROGRAM, Program, terminal
 
 ENTER, LEAVE = b"\033[?1049h\033[?25l\033[2J", b"\033[0m\033[?25h\033[?1049l"
 
@@ -94,7 +93,7 @@ class Session:
 
     def __init__(self, folder, *arguments, columns=80, rows=24, kind="xterm-256color", ignored=None):
         self.columns, self.rows, self.ignored = columns, rows, ignored
-        self.master, self.slave = pty.openpty()
+        self.master, self.slave = terminal()
         self.resize(columns, rows)
         self.before = termios.tcgetattr(self.slave)
         self.process = subprocess.Popen([PROGRAM, *arguments], cwd=folder, stdin=self.slave, stdout=self.slave, stderr=self.slave,
@@ -395,8 +394,8 @@ class Terminal(Program):
     def test_rests_where_the_terminal_that_it_listens_to_is_hung_up(self):
         """It happened: such a terminal has always something to read, which is nothing, and a processor was busy with it."""
         self.two()
-        shown, screen = pty.openpty()
-        typed, keys = pty.openpty()
+        shown, screen = terminal()
+        typed, keys = terminal()
         process = subprocess.Popen([PROGRAM, "replay", "two.h5", "--speed", "0.0001"], cwd=self.folder, stdin=keys, stdout=screen,
                                    start_new_session=True, env={**os.environ, "TERM": "xterm"})
         self.addCleanup(process.wait)
