@@ -13,12 +13,13 @@ using throng::testing::load_text;
 
 TEST(Report, NamesAllFaultsInTheOrderOfTheText) {
   const Loaded loaded = load_text("nmae = 1\nthrong = 2\nengine = 'x'\ntime = { until = -1, dt = 0 }\n");
-  EXPECT_EQ(faults(loaded),
-            "s.toml:1:1: error: nmae: unknown key, did you mean \"name\"?\n"
-            "s.toml:2:10: error: throng: must be 1, the version of this grammar, and is the integer 2\n"
-            "s.toml:3:10: error: engine: must be one of \"native\", \"box2d\", and is \"x\"\n"
-            "s.toml:4:18: error: time.until: must be a number from 0 to 1e+12 s, and is the integer -1\n"
-            "s.toml:4:27: error: time.dt: must be a number from 1e-12 to 1e+06 s, and is the integer 0\n");
+  EXPECT_EQ(
+      faults(loaded),
+      "s.toml:1:1: error: nmae: unknown key, did you mean \"name\"?\n"
+      "s.toml:2:10: error: throng: must be 1, the version of this grammar, and is the integer 2\n"
+      "s.toml:3:10: error: engine: must be one of \"native\", \"box2d\", \"event_driven\", and is \"x\"\n"
+      "s.toml:4:18: error: time.until: must be a number from 0 to 1e+12 s, and is the integer -1\n"
+      "s.toml:4:27: error: time.dt: must be a number from 1e-12 to 1e+06 s, and is the integer 0\n");
 }
 
 TEST(Report, FindsWhatTheGrammarCannotSayInTheSameGo) {

@@ -46,7 +46,7 @@ at = [3.5, 5.5]
 shape = "ball"
 at = [10.5, 0.5]
 )";
-const std::string kHead = "throng = 1\nname = \"four\"\ntime = { dt = 0.25, until = 1.0 }\n";
+const std::string kHead = "throng = 1\nname = \"four\"\ntime = { dt = 0.25, until = 1.0, substeps = 4 }\n";
 const std::string kPlane = kHead + kBodies;
 const std::string kTorus = kHead + "domain = { periodic = [[0, 0], [12, 12]] }\n" + kBodies;
 
