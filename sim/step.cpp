@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "sim/periodic.h"
 #include "sim/simulation_error.h"
@@ -38,25 +39,26 @@ class StageClock {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-void load(const State& state, Rows awake, std::span<SolverBody> bodies, Workers& workers) {
-  workers.for_ranges(awake.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      const std::uint32_t i = awake[k];
-      bodies[i].position = state.position[i];
-      bodies[i].velocity = state.velocity[i];
-      bodies[i].spin = state.spin[i];
-      bodies[i].turn = 0.0;
-    }
+void load(const State& state, Rows awake, std::span<SolverBody> bodies) {
+  awake.for_each([&](std::uint32_t i) {
+    bodies[i].position = state.position[i];
+    bodies[i].velocity = state.velocity[i];
+    bodies[i].spin = state.spin[i];
+    bodies[i].turn = 0.0;
   });
 }
 
-void fall(SolverBody& body, const Vec& kick) {
-  if (body.inverse_mass > 0.0) body.velocity += kick;
+void fall(std::span<SolverBody> bodies, Rows awake, const Vec& kick) {
+  awake.for_each([&](std::uint32_t i) {
+    if (bodies[i].inverse_mass > 0.0) bodies[i].velocity += kick;
+  });
 }
 
-void move(SolverBody& body, double h) {
-  body.position += h * body.velocity;
-  body.turn += h * body.spin;
+void move(std::span<SolverBody> bodies, Rows awake, double h) {
+  awake.for_each([&](std::uint32_t i) {
+    bodies[i].position += h * bodies[i].velocity;
+    bodies[i].turn += h * bodies[i].spin;
+  });
 }
 
 /// Bounces all that meets in this substep, and what that sets in motion, until nothing meets any more.
@@ -85,85 +87,55 @@ void resist_rolling(Workspace& work) {
   resist(std::span<RollContact>(contacts.point_rolls), contacts.faces, work.bodies);
 }
 
-/// Where nobody can touch anybody.
-void fly_on(const Plan& plan, const Vec& kick, Workspace& work) {
-  const Rows awake = work.sleepers.bodies();
-  work.workers.for_ranges(awake.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      SolverBody& body = work.bodies[awake[i]];
-      if (plan.gravity) fall(body, kick);
-      move(body, work.solver.h);
-    }
-  });
-}
-
-/// Gravity, and what contacts did before.
-void start(const Plan& plan, const Vec& kick, const Vec* period, Workspace& work) {
-  Contacts& contacts = work.contacts;
-  const std::span<SolverBody> bodies = work.bodies;
-  contacts.strips.for_each_group(work.workers, [&](std::size_t group, std::size_t phase) {
-    if (phase == 0 && plan.gravity)
-      contacts.strips.for_each_body(group, [&](std::uint32_t i) { fall(bodies[i], kick); });
-    prepare_and_start(contacts.discs.blocks(group), bodies, period);
-    prepare_and_start(contacts.faces.blocks(group), bodies);
-  });
-  warm_start(contacts.disc_rolls, bodies);
-  warm_start(contacts.point_rolls, bodies);
-}
-
-void push_apart(Workspace& work) {
-  Contacts& contacts = work.contacts;
-  contacts.strips.for_each_group(work.workers, [&](std::size_t group, std::size_t) {
-    push_apart(contacts.discs.blocks(group), work.bodies, work.solver);
-    push_apart(contacts.faces.blocks(group), work.bodies, work.solver);
-  });
-  resist_rolling(work);
-}
-
-void move_and_relax(const Plan& plan, Workspace& work) {
-  Contacts& contacts = work.contacts;
-  const std::span<SolverBody> bodies = work.bodies;
-  const double h = work.solver.h;
-  contacts.strips.for_each_unmoved([&](std::uint32_t i) { move(bodies[i], h); });
-  contacts.strips.for_each_group(work.workers, [&](std::size_t group, std::size_t phase) {
-    if (phase == 0) contacts.strips.for_each_body(group, [&](std::uint32_t i) { move(bodies[i], h); });
-    relax(contacts.discs.blocks(group), bodies, work.solver, plan.periodic);
-    relax(contacts.faces.blocks(group), bodies, work.solver);
-  });
-  resist_rolling(work);
-}
-
 void substep(const Scene& scene, const Plan& plan, Workspace& work) {
   const Vec kick = work.solver.h * scene.gravity;
-  if (!plan.contacts()) return fly_on(plan, kick, work);
   const Vec size = scene.domain.max - scene.domain.min, *period = plan.periodic ? &size : nullptr;
+  const std::span<DiscBlock> discs = work.contacts.discs.blocks();
+  const std::span<FaceBlock> faces = work.contacts.faces.blocks();
+  const std::span<SolverBody> bodies = work.bodies;
+  const Rows awake = work.sleepers.bodies();
   if (plan.restitution) {
     prepare_bounce(work, period);
     bounce(work, plan.gravity ? kick : Vec(0.0, 0.0), plan.elastic ? kElasticSweeps : kBounceSweeps);
   }
-  start(plan, kick, period, work);
-  push_apart(work);
-  move_and_relax(plan, work);
+  if (plan.gravity) fall(bodies, awake, kick);
+  if (plan.contacts()) {
+    prepare_and_start(discs, bodies, period);
+    prepare_and_start(faces, bodies);
+    warm_start(work.contacts.disc_rolls, bodies);
+    warm_start(work.contacts.point_rolls, bodies);
+    push_apart(discs, bodies, work.solver);
+    push_apart(faces, bodies, work.solver);
+    resist_rolling(work);
+  }
+  move(bodies, awake, work.solver.h);
+  if (plan.contacts()) {
+    relax(discs, bodies, work.solver, plan.periodic);
+    relax(faces, bodies, work.solver);
+    resist_rolling(work);
+  }
 }
 
-void store(const Scene& scene, const Plan& plan, std::span<const SolverBody> bodies, Rows awake, State& state,
-           Workers& workers) {
-  workers.for_ranges(awake.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      const std::uint32_t i = awake[k];
-      state.position[i] = bodies[i].position;
-      state.velocity[i] = bodies[i].velocity;
-      state.spin[i] = bodies[i].spin;
-      state.angle[i] += bodies[i].turn;
-      check_body(state, i);
-      if (plan.periodic) state.position[i] = wrapped(state.position[i], scene.domain);
-    }
+void store(const Scene& scene, const Plan& plan, std::span<const SolverBody> bodies, Rows awake,
+           State& state) {
+  awake.for_each([&](std::uint32_t i) {
+    state.position[i] = bodies[i].position;
+    state.velocity[i] = bodies[i].velocity;
+    state.spin[i] = bodies[i].spin;
+    state.angle[i] += bodies[i].turn;
+    check_body(state, i);
+    if (plan.periodic) state.position[i] = wrapped(state.position[i], scene.domain);
   });
 }
 
 [[noreturn]] void fail_at_chain(const State& state) {
   throw SimulationError("step " + std::to_string(state.step + 1) +
                         ": bodies hit one another on and on within it: take a shorter dt");
+}
+
+double mean_radius(const Colliders& colliders) {
+  const double sum = std::accumulate(colliders.radius.begin(), colliders.radius.end(), 0.0);
+  return colliders.radius.empty() ? 0.0 : sum / static_cast<double>(colliders.size());
 }
 
 }  // namespace
@@ -174,7 +146,7 @@ Workspace::Workspace(const Scene& scene, const Plan& plan, int threads)
       sleepers(scene, plan),
       flights(scene, plan),
       finder(scene, plan),
-      bodies(scene.bodies.size() + kStillRows),
+      bodies(scene.bodies.size() + 1),
       crowd(scene),
       sensing(scene, threads) {
   for (SolverBody& body : bodies) body = {Vec(0.0, 0.0), 0.0, 0.0, Vec(0.0, 0.0), 0.0, 0.0};
@@ -184,8 +156,8 @@ Workspace::Workspace(const Scene& scene, const Plan& plan, int threads)
     bodies[i].inverse_inertia = 1.0 / inertia(scene, i);
   }
   const double h = plan.substep;
-  solver = {h, softness(kContactHertz / h, kContactDamping, h), kPushOut * candidates.mean_radius(),
-            plan.friction};
+  solver = {h, softness(kContactHertz / h, kContactDamping, h),
+            kPushOut * mean_radius(candidates.colliders()), plan.friction};
 }
 
 /// Agents choose their velocity and walk.
@@ -209,8 +181,8 @@ void step_crowd(const Plan& plan, State& state, Workspace& work) {
 bool fly(const Scene& scene, const State& state, Workspace& work, StageClock& clock) {
   if (!work.candidates.serve(state, scene.time.dt)) work.candidates.find(state, scene.time.dt);
   clock.lap(work.times.find_pairs);
-  load(state, work.sleepers.bodies(), work.bodies, work.workers);
-  work.contacts.clear();
+  load(state, work.sleepers.bodies(), work.bodies);
+  work.contacts.start(work.bodies.size());
   const bool flown = work.flights.fly(work.candidates, work.bodies, work.workers);
   clock.lap(work.times.collide);
   return flown;
@@ -232,7 +204,7 @@ void find_pairs(const Scene& scene, const Plan& plan, State& state, Workspace& w
 void push(const Scene& scene, const Plan& plan, State& state, Workspace& work, StageClock& clock) {
   if (plan.contacts()) find_pairs(scene, plan, state, work, clock);
   const Rows awake = work.sleepers.bodies();
-  load(state, awake, work.bodies, work.workers);
+  load(state, awake, work.bodies);
   if (plan.contacts()) {
     work.finder.find(work.candidates, state, work.bodies, awake, work.contacts, work.workers);
     clock.lap(work.times.find_contacts);
@@ -242,7 +214,6 @@ void push(const Scene& scene, const Plan& plan, State& state, Workspace& work, S
 }
 
 void step_bodies(const Scene& scene, const Plan& plan, State& state, Workspace& work) {
-  const Workers::Shift shift(work.workers, work.sleepers.bodies().size());
   StageClock clock;
   for (int attempt = 1;; ++attempt) {
     const bool flown = plan.flights && fly(scene, state, work, clock);
@@ -253,8 +224,8 @@ void step_bodies(const Scene& scene, const Plan& plan, State& state, Workspace& 
     if (attempt == kAttempts) fail_at_chain(state);
   }
   ++state.step;
-  store(scene, plan, work.bodies, work.sleepers.bodies(), state, work.workers);
-  if (plan.contacts()) work.contacts.save(state, work.workers);
+  store(scene, plan, work.bodies, work.sleepers.bodies(), state);
+  if (plan.contacts()) work.contacts.save(state);
   clock.lap(work.times.store);
   if (!plan.sleep) return;
   work.sleepers.settle(state, work.candidates, work.contacts, work.bodies);

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 /// Which contacts may be solved at once.
@@ -17,10 +16,8 @@ class BlockOrder {
  public:
   static constexpr std::size_t kWidth = 8, kKinds = 2;
 
-  /// Forgets all. `free_from`: a number for each body, at most `base` at first; kept, and raised by less than
-  /// 2^28, until the last contact is placed. Who orders several lists with bodies of their own may share it,
-  /// and with a higher base use it again. Allocates only to grow.
-  void start(std::span<std::uint32_t> free_from, std::uint32_t base);
+  /// Forgets all. Allocates only to grow.
+  void start(std::size_t bodies);
 
   /// The lane of the next contact: block * kWidth + lane, lanes of a block ascending. Whoever doesn't move
   /// stands in no one's way. Contacts of one kind, below kKinds, share no block with others. O(1) amortized,
@@ -34,12 +31,11 @@ class BlockOrder {
   using Ways = std::vector<std::uint32_t>;  // of each block: itself, or one on the way to the next with room
 
   std::uint32_t open_from(std::uint32_t block, std::size_t kind);
-  std::uint32_t add_block(std::size_t kind);
+  void add_block(std::size_t kind);
 
-  std::uint32_t first_open_ = 0;        // all blocks before it are full
-  std::span<std::uint32_t> free_from_;  // of each body: base_ and the first block that it may stand in
-  std::uint32_t base_ = 0;              // less than this is as much as none
-  std::array<Ways, kKinds> next_open_;  // for each kind
+  std::uint32_t first_open_ = 0;          // all blocks before it are full
+  std::vector<std::uint32_t> free_from_;  // of each body: the first block that it may stand in
+  std::array<Ways, kKinds> next_open_;    // for each kind
   std::vector<std::uint8_t> filled_;
 };
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <string>
 
 #include "sim/periodic.h"
@@ -32,11 +31,6 @@ std::vector<broadphase::Extent> extents(const Obstacles& obstacles) {
   return result;
 }
 
-double mean_radius(const Colliders& colliders) {
-  const double sum = std::accumulate(colliders.radius.begin(), colliders.radius.end(), 0.0);
-  return colliders.radius.empty() ? 0.0 : sum / static_cast<double>(colliders.size());
-}
-
 [[noreturn]] void fail_at_period(const State& state, std::uint32_t body) {
   throw SimulationError(
       "step " + std::to_string(state.step + 1) + ": body " + std::to_string(state.id[body]) +
@@ -59,11 +53,7 @@ double mean_radius(const Colliders& colliders) {
 }  // namespace
 
 Candidates::Candidates(const Scene& scene, const Plan& plan)
-    : scene_(scene),
-      plan_(plan),
-      colliders_(throng::colliders(scene, plan)),
-      mean_radius_(throng::mean_radius(colliders_)),
-      rows_(Rows::all(0)) {
+    : scene_(scene), plan_(plan), colliders_(throng::colliders(scene, plan)), rows_(Rows::all(0)) {
   period_ = {scene.domain.min, scene.domain.max - scene.domain.min};
   if (!plan.obstacles && !plan.box) return;
   const double widest = colliders_.radius.empty() ? 0.0 : *std::ranges::max_element(colliders_.radius);

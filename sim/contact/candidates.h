@@ -76,7 +76,6 @@ class Candidates {
   Vec obstacle_shift(std::uint32_t collider) const;
 
   const Colliders& colliders() const { return colliders_; }
-  double mean_radius() const { return mean_radius_; }  ///< m, of colliders; 0 where there are none
   const Obstacles& obstacles() const { return obstacles_; }
 
  private:
@@ -91,7 +90,6 @@ class Candidates {
   const Scene& scene_;
   const Plan& plan_;
   Colliders colliders_;
-  double mean_radius_;  ///< m
   Obstacles obstacles_;
   broadphase::BoxIndex index_;
   broadphase::MovingPairs disc_pairs_;

@@ -29,16 +29,17 @@ void fill_lane(DiscBlock& block, std::size_t lane, const DiscContact& contact, c
 
 }  // namespace
 
-void DiscBlocks::start(std::span<std::uint32_t> free_from, std::uint32_t base, std::uint32_t nobody) {
-  nobody_ = nobody;
-  order_.start(free_from, base);
+void DiscBlocks::start(std::size_t bodies) {
+  nobody_ = static_cast<std::uint32_t>(bodies - 1);
+  order_.start(bodies);
+  lane_.clear();
 }
 
-std::uint32_t DiscBlocks::add(const DiscContact& contact, const SolverBody& a, const SolverBody& b) {
+void DiscBlocks::add(const DiscContact& contact, const SolverBody& a, const SolverBody& b) {
   const std::uint32_t lane = order_.place(contact.a, a.inverse_mass > 0.0, contact.b, b.inverse_mass > 0.0);
+  lane_.push_back(lane);
   if (blocks_.size() < order_.blocks()) blocks_.resize(order_.blocks());
   fill_lane(blocks_[lane / kWidth], lane % kWidth, contact, a, b);
-  return lane;
 }
 
 void DiscBlocks::finish() {
@@ -46,17 +47,17 @@ void DiscBlocks::finish() {
     for (std::size_t lane = order_.filled(i); lane < kWidth; ++lane) clear_lane(blocks_[i], lane, nobody_);
 }
 
-double DiscBlocks::normal_impulse(std::uint32_t seat) const {
-  return blocks_[seat / kWidth].normal_impulse[seat % kWidth];
+double DiscBlocks::normal_impulse(std::size_t i) const {
+  return blocks_[lane_[i] / kWidth].normal_impulse[lane_[i] % kWidth];
 }
 
-double DiscBlocks::tangent_impulse(std::uint32_t seat) const {
-  return blocks_[seat / kWidth].tangent_impulse[seat % kWidth];
+double DiscBlocks::tangent_impulse(std::size_t i) const {
+  return blocks_[lane_[i] / kWidth].tangent_impulse[lane_[i] % kWidth];
 }
 
-DiscContact DiscBlocks::operator[](std::uint32_t seat) const {
-  const DiscBlock& block = blocks_[seat / kWidth];
-  const std::size_t lane = seat % kWidth;
+DiscContact DiscBlocks::operator[](std::size_t i) const {
+  const DiscBlock& block = blocks_[lane_[i] / kWidth];
+  const std::size_t lane = lane_[i] % kWidth;
   DiscContact contact;
   contact.a = block.a[lane], contact.b = block.b[lane];
   contact.normal = {block.normal_x[lane], block.normal_y[lane]};

@@ -27,27 +27,29 @@ struct alignas(64) DiscBlock {
 
 class DiscBlocks {
  public:
-  /// Forgets all contacts. `free_from` and `base` as BlockOrder::start; `nobody`: a row that never moves.
-  void start(std::span<std::uint32_t> free_from, std::uint32_t base, std::uint32_t nobody);
+  /// Forgets all contacts. `bodies`: how many rows there are, of which the last never moves.
+  void start(std::size_t bodies);
 
-  /// Adds a contact between those bodies and returns its seat. Allocates only to grow.
-  std::uint32_t add(const DiscContact& contact, const SolverBody& a, const SolverBody& b);
+  /// Adds a contact between those bodies. Allocates only to grow.
+  void add(const DiscContact& contact, const SolverBody& a, const SolverBody& b);
 
   /// To be called behind the last.
   void finish();
 
-  double normal_impulse(std::uint32_t seat) const;   ///< N s, of the contact that has this seat
-  double tangent_impulse(std::uint32_t seat) const;  ///< N s
+  std::size_t size() const { return lane_.size(); }
+  double normal_impulse(std::size_t i) const;   ///< N s, of the i-th contact that was added
+  double tangent_impulse(std::size_t i) const;  ///< N s
 
   /// Its bodies, radii, normal and impulses as the solver left them; what else a contact has is not set.
-  DiscContact operator[](std::uint32_t seat) const;
+  DiscContact operator[](std::size_t i) const;
 
   std::span<DiscBlock> blocks() { return {blocks_.data(), order_.blocks()}; }
 
  private:
   BlockOrder order_;
   std::uint32_t nobody_ = 0;
-  std::vector<DiscBlock> blocks_;  // never shrinks
+  std::vector<std::uint32_t> lane_;  // of each contact
+  std::vector<DiscBlock> blocks_;    // never shrinks
 };
 
 /// As the two of solve.h, one after the other. `period`: the domain's, or null.

@@ -40,20 +40,23 @@ void fill_point(FaceBlock::Point& point, std::size_t lane, const PointContact& c
 
 }  // namespace
 
-void FaceBlocks::start(std::span<std::uint32_t> free_from, std::uint32_t base, std::uint32_t nobody) {
-  nobody_ = nobody;
-  order_.start(free_from, base);
+void FaceBlocks::start(std::size_t bodies) {
+  nobody_ = static_cast<std::uint32_t>(bodies - 1);
+  order_.start(bodies);
+  seat_.clear();
 }
 
-std::uint32_t FaceBlocks::add(std::span<const PointContact> face, const SolverBody& a, const SolverBody& b) {
+void FaceBlocks::add(std::span<const PointContact> face, const SolverBody& a, const SolverBody& b) {
   const std::uint32_t lane =
       order_.place(face[0].a, a.inverse_mass > 0.0, face[0].b, b.inverse_mass > 0.0, face.size() - 1);
   if (blocks_.size() < order_.blocks()) blocks_.resize(order_.blocks());
   FaceBlock& block = blocks_[lane / kWidth];
   block.count = face.size();
   fill_lane(block, lane % kWidth, face[0]);
-  for (std::size_t p = 0; p < face.size(); ++p) fill_point(block.points[p], lane % kWidth, face[p]);
-  return 2 * lane;
+  for (std::uint32_t p = 0; p < face.size(); ++p) {
+    fill_point(block.points[p], lane % kWidth, face[p]);
+    seat_.push_back({lane, p});
+  }
 }
 
 void FaceBlocks::finish() {
@@ -63,22 +66,22 @@ void FaceBlocks::finish() {
   }
 }
 
-const FaceBlock::Point& FaceBlocks::point(std::uint32_t seat) const {
-  return blocks_[seat / 2 / kWidth].points[seat % 2];
+const FaceBlock::Point& FaceBlocks::point(std::size_t i) const {
+  return blocks_[seat_[i].lane / kWidth].points[seat_[i].point];
 }
 
-double FaceBlocks::normal_impulse(std::uint32_t seat) const {
-  return point(seat).normal_impulse[seat / 2 % kWidth];
+double FaceBlocks::normal_impulse(std::size_t i) const {
+  return point(i).normal_impulse[seat_[i].lane % kWidth];
 }
 
-double FaceBlocks::tangent_impulse(std::uint32_t seat) const {
-  return point(seat).tangent_impulse[seat / 2 % kWidth];
+double FaceBlocks::tangent_impulse(std::size_t i) const {
+  return point(i).tangent_impulse[seat_[i].lane % kWidth];
 }
 
-PointContact FaceBlocks::operator[](std::uint32_t seat) const {
-  const FaceBlock& block = blocks_[seat / 2 / kWidth];
-  const FaceBlock::Point& p = point(seat);
-  const std::size_t lane = seat / 2 % kWidth;
+PointContact FaceBlocks::operator[](std::size_t i) const {
+  const FaceBlock& block = blocks_[seat_[i].lane / kWidth];
+  const FaceBlock::Point& p = point(i);
+  const std::size_t lane = seat_[i].lane % kWidth;
   PointContact contact;
   contact.a = block.a[lane], contact.b = block.b[lane];
   contact.normal = {block.normal_x[lane], block.normal_y[lane]};

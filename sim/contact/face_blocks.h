@@ -34,29 +34,35 @@ struct alignas(64) FaceBlock {
 
 class FaceBlocks {
  public:
-  /// Forgets all contacts. `free_from` and `base` as BlockOrder::start; `nobody`: a row that never moves.
-  void start(std::span<std::uint32_t> free_from, std::uint32_t base, std::uint32_t nobody);
+  /// Forgets all contacts. `bodies`: how many rows there are, of which the last never moves.
+  void start(std::size_t bodies);
 
-  /// Adds the one or two points of a face between those bodies and returns the first one's seat; the other's
-  /// is the next number. Allocates only to grow.
-  std::uint32_t add(std::span<const PointContact> face, const SolverBody& a, const SolverBody& b);
+  /// Adds the one or two points of a face between those bodies. Allocates only to grow.
+  void add(std::span<const PointContact> face, const SolverBody& a, const SolverBody& b);
 
   /// To be called behind the last.
   void finish();
 
-  double normal_impulse(std::uint32_t seat) const;   ///< N s, of the point that has this seat
-  double tangent_impulse(std::uint32_t seat) const;  ///< N s
+  std::size_t size() const { return seat_.size(); }  ///< points
+  double normal_impulse(std::size_t i) const;        ///< N s, of the i-th point that was added
+  double tangent_impulse(std::size_t i) const;       ///< N s
 
   /// Its bodies, normal, arms and impulses as the solver left them; what else a contact has is not set.
-  PointContact operator[](std::uint32_t seat) const;
+  PointContact operator[](std::size_t i) const;
 
   std::span<FaceBlock> blocks() { return {blocks_.data(), order_.blocks()}; }
 
  private:
-  const FaceBlock::Point& point(std::uint32_t seat) const;
+  struct Seat {
+    std::uint32_t lane;   // among all lanes
+    std::uint32_t point;  // 0 or 1
+  };
+
+  const FaceBlock::Point& point(std::size_t i) const;
 
   BlockOrder order_;
   std::uint32_t nobody_ = 0;
+  std::vector<Seat> seat_;         // of each point
   std::vector<FaceBlock> blocks_;  // never shrinks
 };
 

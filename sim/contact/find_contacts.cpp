@@ -8,7 +8,6 @@
 #include "narrowphase/half_plane.h"
 #include "sim/contact/contact_key.h"
 #include "sim/contact/find_rolls.h"
-#include "sim/contact/memory.h"
 
 namespace throng {
 
@@ -21,9 +20,41 @@ using narrowphase::Reference;
 
 namespace {
 
+/// The contacts of the last step that pressed. They and the questions ascend by key: the search never goes
+/// back.
+class Memory {
+ public:
+  /// Keys below `first` won't be asked for.
+  explicit Memory(std::span<const ContactImpulse> kept, std::uint64_t first = 0) : kept_(kept) {
+    const auto below = [](const ContactImpulse& contact, std::uint64_t key) { return contact.key < key; };
+    next_ = static_cast<std::size_t>(std::lower_bound(kept.begin(), kept.end(), first, below) - kept.begin());
+  }
+
+  /// The first contact under that key; null where nothing pressed.
+  const ContactImpulse* find(std::uint64_t key) {
+    while (next_ < kept_.size() && kept_[next_].key < key) ++next_;
+    return next_ < kept_.size() && kept_[next_].key == key ? &kept_[next_] : nullptr;
+  }
+
+  void recall(std::uint64_t key, std::uint32_t feature, ContactBase& contact) {
+    contact.normal_impulse = contact.tangent_impulse = 0.0;
+    if (!find(key)) return;
+    const std::uint32_t touch = narrowphase::without_reference(feature);
+    for (std::size_t i = next_; i < kept_.size() && kept_[i].key == key; ++i)
+      if (narrowphase::without_reference(kept_[i].feature) == touch) {
+        contact.normal_impulse = kept_[i].normal;
+        contact.tangent_impulse = kept_[i].tangent;
+      }
+  }
+
+ private:
+  std::span<const ContactImpulse> kept_;
+  std::size_t next_;
+};
+
 /// The face that described the contact of a and b in the last step.
-Reference reference(std::span<const ContactImpulse> kept, const Convex& a, const Convex& b) {
-  return kept.empty() ? Reference{} : narrowphase::reference(kept[0].feature, a, b);
+Reference reference(const ContactImpulse* kept, const Convex& a, const Convex& b) {
+  return kept ? narrowphase::reference(kept->feature, a, b) : Reference{};
 }
 
 /// The mass that bodies a and b show to an impulse along `direction` at those arms.
@@ -59,6 +90,21 @@ bool is_disc(const Colliders& colliders, std::uint32_t row) {
   return colliders.shape.empty() || !colliders.shape[row];
 }
 
+/// The contact of two discs about their bodies' centres; its normal is found in each substep.
+DiscContact disc_contact(const Colliders& colliders, Pair pair, std::span<const SolverBody> bodies,
+                         const Surface& surface) {
+  DiscContact contact;
+  contact.a = colliders.body[pair.a], contact.b = colliders.body[pair.b];
+  contact.radius_a = colliders.radius[pair.a], contact.radius_b = colliders.radius[pair.b];
+  contact.friction = surface.friction, contact.restitution = surface.restitution;
+  const SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
+  const double masses = a.inverse_mass + b.inverse_mass;
+  contact.normal_mass = 1.0 / masses;
+  contact.tangent_mass = 1.0 / (masses + a.inverse_inertia * contact.radius_a * contact.radius_a +
+                                b.inverse_inertia * contact.radius_b * contact.radius_b);
+  return contact;
+}
+
 /// Fills in what one point of a manifold adds. `radius_a`, `radius_b`: of discs, whose arms are exact.
 void place(PointContact& contact, const ManifoldPoint& point, const SolverBody& a, const SolverBody& b,
            const Vec& shift, double radius_a, double radius_b) {
@@ -76,76 +122,58 @@ std::uint64_t ContactFinder::Touch::key() const {
   return key_of(pair, obstacle);
 }
 
-ContactFinder::ContactFinder(const Scene& scene, const Plan& plan)
-    : scene_(scene), plan_(plan), discs_(scene, plan) {}
+ContactFinder::ContactFinder(const Scene& scene, const Plan& plan) : scene_(scene), plan_(plan) {}
 
 void ContactFinder::find(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
                          Rows awake, Contacts& contacts, Workers& workers) {
-  contacts.clear();
-  contacts.strips.cut(bodies, awake, candidates.pairs().size() + candidates.obstacle_pairs().size(),
-                      candidates.mean_radius(), workers);
-  const std::span<const Pair> discs = sort_out(candidates);
-  discs_.find(discs, candidates, state, bodies, contacts, workers);
-  if (!touches_.empty()) {
-    if (plan_.polygons) turn_shapes(state, awake, workers);
-    touch(candidates, state, contacts.strips, workers);
-    count_points(contacts);
-    add_points(candidates, bodies, contacts, workers);
-  }
+  contacts.start(bodies.size());
+  sort_out(candidates, state, bodies, contacts);
+  find_touches(candidates, state, bodies, awake, contacts, workers);
   if (plan_.rolling) find_rolls(scene_, plan_, candidates, state, bodies, contacts);
 }
 
-/// Returns the pairs of discs; all others may touch.
-std::span<const Pair> ContactFinder::sort_out(const Candidates& candidates) {
-  const Colliders& colliders = candidates.colliders();
-  touches_.clear(), disc_pairs_.clear();
-  const bool all_discs = colliders.shape.empty();
-  for (const Pair& pair : all_discs ? std::span<const Pair>() : candidates.pairs())
-    if (is_disc(colliders, pair.a) && is_disc(colliders, pair.b))
-      disc_pairs_.push_back(pair);
-    else
-      touches_.push_back({pair, false, candidates.shift(pair)});
-  for (const Pair& pair : candidates.obstacle_pairs())
-    touches_.push_back({pair, true, candidates.obstacle_shift(pair.a)});
-  return all_discs ? candidates.pairs() : disc_pairs_;
-}
-
-void ContactFinder::turn_shapes(const State& state, Rows awake, Workers& workers) {
-  pose_.resize(state.position.size());
-  workers.for_ranges(awake.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      pose_[awake[i]] = narrowphase::pose(state.position[awake[i]], state.angle[awake[i]]);
-  });
-}
-
-/// What is kept of the last step, the manifold now, and its group.
-void ContactFinder::touch(const Candidates& candidates, const State& state, const Strips& strips,
-                          Workers& workers) {
-  const std::vector<std::uint32_t>& body = candidates.colliders().body;
-  const auto nobody = static_cast<std::uint32_t>(state.position.size());
-  group_.resize(touches_.size());
+void ContactFinder::find_touches(const Candidates& candidates, const State& state,
+                                 std::span<const SolverBody> bodies, Rows awake, Contacts& contacts,
+                                 Workers& workers) {
+  if (touches_.empty()) return;
+  manifolds_.resize(touches_.size());
+  if (plan_.polygons) {
+    pose_.resize(state.position.size());
+    workers.for_ranges(awake.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        pose_[awake[i]] = narrowphase::pose(state.position[awake[i]], state.angle[awake[i]]);
+    });
+  }
   workers.for_ranges(touches_.size(), [&](std::size_t begin, std::size_t end) {
     Memory memory(state.point_contacts, touches_[begin].key());
-    for (std::size_t i = begin; i < end; ++i) {
-      Touch& touch = touches_[i];
-      touch.kept = memory.find(touch.key());
-      touch.manifold = manifold(candidates, state, touch);
-      group_[i] = touch.manifold.count == 0
-                      ? static_cast<std::uint8_t>(strips.groups())
-                      : strips.group(body[touch.pair.a], touch.obstacle ? nobody : body[touch.pair.b]);
-    }
+    for (std::size_t i = begin; i < end; ++i)
+      manifolds_[i] = manifold(candidates, state, touches_[i], memory.find(touches_[i].key()));
   });
+  add_points(candidates, state, bodies, contacts);
 }
 
-/// Numbers the points and makes room for them.
-void ContactFinder::count_points(Contacts& contacts) {
-  std::uint32_t points = 0;
-  for (Touch& touch : touches_) {
-    touch.first_point = points;
-    points += static_cast<std::uint32_t>(touch.manifold.count);
+void ContactFinder::sort_out(const Candidates& candidates, const State& state,
+                             std::span<const SolverBody> bodies, Contacts& contacts) {
+  const Colliders& colliders = candidates.colliders();
+  const std::vector<std::uint32_t>& material = scene_.bodies.material;
+  Memory memory(state.disc_contacts);
+  touches_.clear();
+  for (const Pair& pair : candidates.pairs()) {
+    if (!is_disc(colliders, pair.a) || !is_disc(colliders, pair.b)) {
+      touches_.push_back({pair, false, candidates.shift(pair)});
+      continue;
+    }
+    const std::size_t row = material[colliders.body[pair.a]] * scene_.materials.size();
+    DiscContact contact =
+        disc_contact(colliders, pair, bodies, plan_.surfaces[row + material[colliders.body[pair.b]]]);
+    contacts.disc_key.push_back(key_of(pair, false));
+    memory.recall(contacts.disc_key.back(), 0, contact);
+    contacts.discs.add(contact, bodies[contact.a], bodies[contact.b]);
+    if (plan_.restitution) contacts.disc_bounces.push_back(contact);
   }
-  contacts.point_key.resize(points), contacts.point_feature.resize(points);
-  contacts.point_bounces.resize(plan_.restitution ? points : 0);
+  contacts.discs.finish();
+  for (const Pair& pair : candidates.obstacle_pairs())
+    touches_.push_back({pair, true, candidates.obstacle_shift(pair.a)});
 }
 
 /// A disc looks the same from all sides: where there is nothing else, nobody has turned.
@@ -153,7 +181,8 @@ Pose ContactFinder::pose(const State& state, std::uint32_t body) const {
   return plan_.polygons ? pose_[body] : Pose{state.position[body]};
 }
 
-Manifold ContactFinder::manifold(const Candidates& candidates, const State& state, const Touch& touch) const {
+Manifold ContactFinder::manifold(const Candidates& candidates, const State& state, const Touch& touch,
+                                 const ContactImpulse* kept) const {
   const Colliders& colliders = candidates.colliders();
   const auto [row_a, row_b] = touch.pair;
   // A disc about its body's centre has no shape of its own: it borrows one.
@@ -170,7 +199,7 @@ Manifold ContactFinder::manifold(const Candidates& candidates, const State& stat
     pose_b.position += touch.shift;
     const Convex& b = shape(row_b, disc_b);
     const double reach = candidates.reach(touch.pair);
-    const Manifold m = narrowphase::manifold(a, pose_a, b, pose_b, reach, reference(touch.kept, a, b));
+    const Manifold m = narrowphase::manifold(a, pose_a, b, pose_b, reach, reference(kept, a, b));
     return colliders.radius[row_a] >= colliders.radius[row_b]
                ? on_outline_of_a(m, {a, pose_a}, rim(colliders, row_a), {b, pose_b}, reach)
                : on_outline_of_b(m, {a, pose_a}, {b, pose_b}, rim(colliders, row_b), reach);
@@ -181,9 +210,8 @@ Manifold ContactFinder::manifold(const Candidates& candidates, const State& stat
   if (row_b < sides) return narrowphase::manifold(a, pose_a, obstacles.side[row_b], reach);
   const Convex& part = obstacles.part[row_b - sides];
   const Pose pose_b{touch.shift};
-  return on_outline_of_b(
-      narrowphase::manifold(a, pose_a, part, pose_b, reach, reference(touch.kept, a, part)), {a, pose_a},
-      {part, pose_b}, obstacles.rim[row_b - sides], reach);
+  return on_outline_of_b(narrowphase::manifold(a, pose_a, part, pose_b, reach, reference(kept, a, part)),
+                         {a, pose_a}, {part, pose_b}, obstacles.rim[row_b - sides], reach);
 }
 
 /// What all points of one manifold share but the normal.
@@ -203,45 +231,51 @@ PointContact ContactFinder::point_contact(const Colliders& colliders, const Obst
   return contact;
 }
 
-void ContactFinder::add_points(const Candidates& candidates, std::span<const SolverBody> bodies,
-                               Contacts& contacts, Workers& workers) {
-  const Strips& strips = contacts.strips;
-  of_group_.sort(group_, strips.groups() + 1, workers);
-  contacts.faces.start(contacts.point_key.size(), bodies.size(), strips.groups());
-  strips.for_each_group(workers, [&](std::size_t group, std::size_t phase) {
-    const std::uint32_t still = still_row(bodies, group);
-    contacts.faces.start_group(group, phase, still);
-    for (const std::uint32_t i : of_group_[group]) {
-      const Touch& touch = touches_[i];
-      PointContact contact = point_contact(candidates.colliders(), candidates.obstacles(), touch, still);
-      contact.normal = touch.manifold.normal;
-      add_face(touch, contact, candidates.colliders(), bodies, group, contacts);
+void ContactFinder::add_points(const Candidates& candidates, const State& state,
+                               std::span<const SolverBody> bodies, Contacts& contacts) const {
+  const Colliders& colliders = candidates.colliders();
+  Memory memory(state.point_contacts);
+  for (std::size_t i = 0; i < touches_.size(); ++i) {
+    const Touch& touch = touches_[i];
+    if (manifolds_[i].count == 0) continue;
+    const std::uint64_t key = touch.key();
+    PointContact contact = point_contact(colliders, candidates.obstacles(), touch,
+                                         static_cast<std::uint32_t>(bodies.size() - 1));
+    contact.normal = manifolds_[i].normal;
+    const double radius_a = colliders.radius[touch.pair.a];
+    const double radius_b = touch.obstacle ? 0.0 : colliders.radius[touch.pair.b];
+    std::array<PointContact, 2> face;
+    const auto count = static_cast<std::size_t>(manifolds_[i].count);
+    for (std::size_t p = 0; p < count; ++p) {
+      const ManifoldPoint& point = manifolds_[i].points[p];
+      face[p] = contact;
+      place(face[p], point, bodies[contact.a], bodies[contact.b], touch.shift, radius_a, radius_b);
+      memory.recall(key, point.feature, face[p]);
+      contacts.point_key.push_back(key);
+      contacts.point_feature.push_back(point.feature);
+      if (plan_.restitution) contacts.point_bounces.push_back(face[p]);
     }
-    contacts.faces.group(group).finish();
-  });
+    contacts.faces.add({face.data(), count}, bodies[contact.a], bodies[contact.b]);
+  }
+  contacts.faces.finish();
 }
 
-/// `contact`: what its points share.
-void ContactFinder::add_face(const Touch& touch, const PointContact& contact, const Colliders& colliders,
-                             std::span<const SolverBody> bodies, std::size_t group,
-                             Contacts& contacts) const {
-  const double radius_a = colliders.radius[touch.pair.a];
-  const double radius_b = touch.obstacle ? 0.0 : colliders.radius[touch.pair.b];
-  const SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
-  std::array<PointContact, 2> face{contact, contact};
-  const auto count = static_cast<std::uint32_t>(touch.manifold.count);
-  for (std::uint32_t p = 0; p < count; ++p) {
-    const ManifoldPoint& point = touch.manifold.points[p];
-    place(face[p], point, a, b, touch.shift, radius_a, radius_b);
-    if (const ContactImpulse* kept = recall(touch.kept, point.feature))
-      face[p].normal_impulse = kept->normal, face[p].tangent_impulse = kept->tangent;
-    const std::uint32_t i = touch.first_point + p;
-    contacts.point_key[i] = touch.key();
-    contacts.point_feature[i] = point.feature;
-    if (plan_.restitution) contacts.point_bounces[i] = face[p];
-  }
-  const std::uint32_t seat = contacts.faces.group(group).add({face.data(), count}, a, b);
-  for (std::uint32_t p = 0; p < count; ++p) contacts.faces.seat(touch.first_point + p, group, seat + p);
+void Contacts::start(std::size_t bodies) {
+  discs.start(bodies), disc_key.clear(), disc_bounces.clear();
+  faces.start(bodies), point_key.clear(), point_feature.clear(), point_bounces.clear();
+  disc_rolls.clear(), point_rolls.clear();
+}
+
+void Contacts::save(State& state) const {
+  state.disc_contacts.clear(), state.point_contacts.clear();
+  for (std::size_t i = 0; i < discs.size(); ++i)
+    if (const double normal = discs.normal_impulse(i); normal > 0.0)
+      state.disc_contacts.push_back({disc_key[i], 0, normal, discs.tangent_impulse(i)});
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    if (const double normal = faces.normal_impulse(i); normal > 0.0)
+      state.point_contacts.push_back({point_key[i], point_feature[i], normal, faces.tangent_impulse(i)});
+  save_rolls(discs, disc_rolls, state.disc_contacts);
+  save_rolls(faces, point_rolls, state.point_contacts);
 }
 
 }  // namespace throng

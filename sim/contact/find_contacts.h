@@ -6,12 +6,31 @@
 
 #include "narrowphase/manifold.h"
 #include "sim/contact/candidates.h"
-#include "sim/contact/contacts.h"
-#include "sim/contact/find_discs.h"
+#include "sim/contact/contact.h"
+#include "sim/contact/disc_blocks.h"
+#include "sim/contact/face_blocks.h"
+#include "sim/contact/roll.h"
 #include "sim/rows.h"
 #include "sim/workers.h"
 
 namespace throng {
+
+/// The contacts of one step, with the names under which `State` keeps their impulses. Ascending by key: the
+/// smaller collider, then the other; contacts with obstacles come after all pairs.
+struct Contacts {
+  DiscBlocks discs;
+  std::vector<std::uint64_t> disc_key;
+  FaceBlocks faces;
+  std::vector<std::uint64_t> point_key;
+  std::vector<std::uint32_t> point_feature;
+  std::vector<RollContact> disc_rolls;  ///< of the same contacts; empty where nothing resists rolling
+  std::vector<RollContact> point_rolls;
+  std::vector<DiscContact> disc_bounces;  ///< the same contacts once more; empty where no surface bounces
+  std::vector<PointContact> point_bounces;
+
+  void start(std::size_t bodies);  ///< forgets all; of so many rows of bodies the last never moves
+  void save(State& state) const;   ///< the impulses of contacts that press, for the next step
+};
 
 /// Narrowphase: what the solver must look at among the candidates, with the impulses of the step before. A
 /// pair whose contact pressed then keeps its reference face while that is as good as the widest.
@@ -29,34 +48,27 @@ class ContactFinder {
     broadphase::Pair pair;
     bool obstacle;  // the pair's b is an obstacle
     Vec shift;      // m, to the image of b that is nearest to a
-    std::span<const ContactImpulse> kept = {};
-    std::uint32_t first_point = 0;  // among all points
-    narrowphase::Manifold manifold = {};
 
     std::uint64_t key() const;
   };
 
-  std::span<const broadphase::Pair> sort_out(const Candidates& candidates);
-  void turn_shapes(const State& state, Rows awake, Workers& workers);
-  void touch(const Candidates& candidates, const State& state, const Strips& strips, Workers& workers);
-  void count_points(Contacts& contacts);
+  void find_touches(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
+                    Rows awake, Contacts& contacts, Workers& workers);
+  void sort_out(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
+                Contacts& contacts);
   narrowphase::Pose pose(const State& state, std::uint32_t body) const;
-  narrowphase::Manifold manifold(const Candidates& candidates, const State& state, const Touch& touch) const;
+  narrowphase::Manifold manifold(const Candidates& candidates, const State& state, const Touch& touch,
+                                 const ContactImpulse* kept) const;
+  void add_points(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
+                  Contacts& contacts) const;
   PointContact point_contact(const Colliders& colliders, const Obstacles& obstacles, const Touch& touch,
                              std::uint32_t obstacle_row) const;
-  void add_points(const Candidates& candidates, std::span<const SolverBody> bodies, Contacts& contacts,
-                  Workers& workers);
-  void add_face(const Touch& touch, const PointContact& contact, const Colliders& colliders,
-                std::span<const SolverBody> bodies, std::size_t group, Contacts& contacts) const;
 
   const Scene& scene_;
   const Plan& plan_;
-  DiscFinder discs_;
-  std::vector<broadphase::Pair> disc_pairs_;  // empty where there is nothing but discs
-  std::vector<narrowphase::Pose> pose_;       // of each body; only where some are no discs
+  std::vector<narrowphase::Pose> pose_;  // of each body; only where some are no discs
   std::vector<Touch> touches_;
-  std::vector<std::uint8_t> group_;  // of each touch; those without a contact have the one behind all groups
-  Buckets of_group_;
+  std::vector<narrowphase::Manifold> manifolds_;  // of each touch
 };
 
 }  // namespace throng

@@ -2,7 +2,6 @@
 #include "sim/contact/find_rolls.h"
 
 #include "sim/contact/contact_key.h"
-#include "sim/contact/memory.h"
 
 namespace throng {
 
@@ -23,10 +22,23 @@ double rolling_radius(const Obstacles& obstacles, std::uint32_t row) {
   return row < sides ? 0.0 : rolling_radius(obstacles.part[row - sides]);
 }
 
-double kept_impulse(Memory& memory, std::uint64_t key, std::uint32_t feature) {
-  const ContactImpulse* kept = recall(memory.find(key), feature);
-  return kept ? kept->rolling : 0.0;
-}
+/// The impulses that the last step kept of one kind of contact. They and the questions ascend by key.
+class KeptRolls {
+ public:
+  explicit KeptRolls(std::span<const ContactImpulse> contacts) : contacts_(contacts) {}
+
+  double find(std::uint64_t key, std::uint32_t feature) {
+    while (next_ < contacts_.size() && contacts_[next_].key < key) ++next_;
+    const std::uint32_t touch = narrowphase::without_reference(feature);
+    for (std::size_t i = next_; i < contacts_.size() && contacts_[i].key == key; ++i)
+      if (narrowphase::without_reference(contacts_[i].feature) == touch) return contacts_[i].rolling;
+    return 0.0;
+  }
+
+ private:
+  std::span<const ContactImpulse> contacts_;
+  std::size_t next_ = 0;
+};
 
 class RollFinder {
  public:
@@ -64,14 +76,14 @@ class RollFinder {
 void find_rolls(const Scene& scene, const Plan& plan, const Candidates& candidates, const State& state,
                 std::span<const SolverBody> bodies, Contacts& contacts) {
   const RollFinder finder(scene, plan, candidates, bodies);
-  Memory discs(state.disc_contacts), points(state.point_contacts);
+  KeptRolls kept_discs(state.disc_contacts), kept_points(state.point_contacts);
   for (std::uint32_t i = 0; i < contacts.disc_key.size(); ++i) {
     const std::uint64_t key = contacts.disc_key[i];
-    finder.add(key, i, kept_impulse(discs, key, 0), contacts.disc_rolls);
+    finder.add(key, i, kept_discs.find(key, 0), contacts.disc_rolls);
   }
   for (std::uint32_t i = 0; i < contacts.point_key.size(); ++i) {
     const std::uint64_t key = contacts.point_key[i];
-    finder.add(key, i, kept_impulse(points, key, contacts.point_feature[i]), contacts.point_rolls);
+    finder.add(key, i, kept_points.find(key, contacts.point_feature[i]), contacts.point_rolls);
   }
 }
 

@@ -5,7 +5,6 @@
 
 #include "sim/contact/disc_blocks.h"
 #include "sim/contact/face_blocks.h"
-#include "sim/contact/grouped.h"
 
 namespace throng {
 
@@ -38,7 +37,7 @@ void resist(std::span<RollContact> rolls, const Blocks& contacts, std::span<Solv
   }
 }
 
-template void resist(std::span<RollContact>, const Grouped<DiscBlocks>&, std::span<SolverBody>);
-template void resist(std::span<RollContact>, const Grouped<FaceBlocks>&, std::span<SolverBody>);
+template void resist(std::span<RollContact>, const DiscBlocks&, std::span<SolverBody>);
+template void resist(std::span<RollContact>, const FaceBlocks&, std::span<SolverBody>);
 
 }  // namespace throng

@@ -7,7 +7,6 @@
 #include <ostream>
 
 #include "sim/simulation.h"
-#include "sim/step.h"
 #include "tests/sim/scene_from.h"
 
 namespace throng {
@@ -69,35 +68,6 @@ TEST_P(EveryScene, HasContactsToTest) {
 
 INSTANTIATE_TEST_SUITE_P(Gallery, EveryScene, ::testing::ValuesIn(kGallery),
                          [](const auto& scene) { return std::string(scene.param.scene); });
-
-/// A wall of discs, one of boxes, a plank over them all and a driven wheel below it.
-constexpr const char* kManyContacts =
-    "gravity = [0, -9.81]\ntime = { dt = 0.01, until = 1 }\ndomain = { box = [[0, 0], [200, 200]] }\n"
-    "[materials.default]\ndensity = 1.0\nfriction = 0.5\nrestitution = 0.2\nrolling_resistance = 0.1\n"
-    "[shapes]\nball = { disc = { radius = 0.5 } }\nwheel = { disc = { radius = 2 } }\n"
-    "box = { polygon = [[0, 0], [1, 0], [1, 1], [0, 1]] }\n"
-    "plank = { polygon = [[0, 0], [180, 0], [180, 1], [0, 1]] }\n"
-    "[[bodies]]\nshape = \"ball\"\n"
-    "place = { lattice = { origin = [0.5, 0.5], spacing = [0.995, 0.995], size = [120, 120] } }\n"
-    "[[bodies]]\nshape = \"box\"\n"
-    "place = { lattice = { origin = [121, 0.5], spacing = [0.995, 0.995], size = [60, 119] } }\n"
-    "[[bodies]]\nshape = \"plank\"\nat = [91, 120]\n"
-    "[[bodies]]\nshape = \"wheel\"\nat = [60, 121.5]\nkind = \"kinematic\"\nspin = 3\n";
-
-TEST(Threads, DoNotMatterToContactsThatAreSolvedInStrips) {
-  const Scene scene = scene_from(kManyContacts);
-  const Plan plan = plan_for(scene);
-  const auto reached = [&](int threads) {
-    State state = initial_state(scene);
-    Workspace work(scene, plan, threads);
-    for (int i = 0; i < 4; ++i) step(scene, plan, state, work);
-    EXPECT_GE(work.contacts.strips.count(), 4u);
-    EXPECT_GT(work.contacts.disc_rolls.size(), 10000u);
-    return hash(state);
-  };
-  const std::uint64_t once = reached(1);
-  for (const int threads : {2, 3, 2}) EXPECT_EQ(reached(threads), once);
-}
 
 TEST(Hash, TellsStatesApartByEachQuantity) {
   const Scene scene =

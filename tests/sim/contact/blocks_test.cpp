@@ -96,18 +96,9 @@ class Blocks : public ::testing::TestWithParam<std::int64_t> {
     EXPECT_LT(pressing, static_cast<std::ptrdiff_t>(contacts.size() * 9 / 10));
   }
 
-  template <class Blocks>
-  void start(Blocks& blocks) {
-    seats_.clear();
-    free_from_.assign(kBodies, 0);
-    blocks.start(free_from_, 0, kBodies - 1);
-  }
-
   const unsigned seed_ = std::random_device()();
   std::mt19937 random_{seed_};
   std::vector<SolverBody> bodies_;
-  std::vector<std::uint32_t> seats_;  // of the contacts that were added
-  std::vector<std::uint32_t> free_from_;
 };
 
 class DiscBlocksOnEachTarget : public Blocks {
@@ -134,10 +125,9 @@ class DiscBlocksOnEachTarget : public Blocks {
                b.inverse_inertia * contact.radius_b * contact.radius_b);
   }
 
-  void fill(DiscBlocks& blocks, const std::vector<DiscContact>& contacts) {
-    start(blocks);
-    for (const DiscContact& contact : contacts)
-      seats_.push_back(blocks.add(contact, bodies_[contact.a], bodies_[contact.b]));
+  void fill(DiscBlocks& blocks, const std::vector<DiscContact>& contacts) const {
+    blocks.start(bodies_.size());
+    for (const DiscContact& contact : contacts) blocks.add(contact, bodies_[contact.a], bodies_[contact.b]);
     blocks.finish();
   }
 
@@ -157,7 +147,7 @@ class DiscBlocksOnEachTarget : public Blocks {
       push_apart(blocks.blocks(), bodies, how), move(bodies), relax(blocks.blocks(), bodies, how, period);
     }
     expect_same(bodies_, bodies);
-    for (std::size_t i = 0; i < one.size(); ++i) expect_same(one[i], blocks[seats_[i]]);
+    for (std::size_t i = 0; i < one.size(); ++i) expect_same(one[i], blocks[i]);
   }
 };
 
@@ -199,14 +189,12 @@ class FaceBlocksOnEachTarget : public Blocks {
     return result;
   }
 
-  void fill(FaceBlocks& blocks, std::span<const PointContact> points) {
-    start(blocks);
+  void fill(FaceBlocks& blocks, std::span<const PointContact> points) const {
+    blocks.start(bodies_.size());
     for (std::size_t i = 0, next; i < points.size(); i = next) {
       const bool two = i + 1 < points.size() && points[i + 1].normal == points[i].normal;
       next = i + (two ? 2 : 1);
-      const std::uint32_t seat =
-          blocks.add(points.subspan(i, next - i), bodies_[points[i].a], bodies_[points[i].b]);
-      for (std::size_t p = i; p < next; ++p) seats_.push_back(seat + static_cast<std::uint32_t>(p - i));
+      blocks.add(points.subspan(i, next - i), bodies_[points[i].a], bodies_[points[i].b]);
     }
     blocks.finish();
   }
@@ -228,9 +216,9 @@ class FaceBlocksOnEachTarget : public Blocks {
     }
     expect_same(bodies_, bodies);
     for (std::size_t i = 0; i < one.size(); ++i) {
-      expect_same(one[i], blocks[seats_[i]]);
-      EXPECT_EQ(one[i].arm_a, blocks[seats_[i]].arm_a);
-      EXPECT_EQ(one[i].arm_b, blocks[seats_[i]].arm_b);
+      expect_same(one[i], blocks[i]);
+      EXPECT_EQ(one[i].arm_a, blocks[i].arm_a);
+      EXPECT_EQ(one[i].arm_b, blocks[i].arm_b);
     }
   }
 };
