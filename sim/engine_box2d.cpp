@@ -4,12 +4,12 @@
 #include <box2d/box2d.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <span>
 
 #include "sim/input_error.h"
 #include "sim/sensing/sensing.h"
+#include "sim/stage_clock.h"
 
 namespace throng {
 
@@ -82,10 +82,10 @@ class Box2dSimulation : public Simulation {
   }
 
   void step() override {
-    const auto begin = std::chrono::steady_clock::now();
+    StageClock clock;
     const int n = scene_.time.substeps;
     world_.Step(static_cast<float>(scene_.time.dt), 2 * n, std::max(1, n - 1));
-    solve_ += seconds_since(begin);
+    clock.lap(solve_);
     ++state_.step;
     for (std::size_t row = 0; row < bodies_.size(); ++row) {
       const b2Body& body = *bodies_[row];
@@ -96,7 +96,10 @@ class Box2dSimulation : public Simulation {
       check_body(state_, row);
       check_speed(row);
     }
-    if (!scene_.sensors.empty()) sense();
+    clock.lap(store_);
+    if (scene_.sensors.empty()) return;
+    sensing_.sense(state_);
+    clock.lap(sense_);
   }
 
   const State& state() const override { return state_; }
@@ -118,21 +121,12 @@ class Box2dSimulation : public Simulation {
   std::span<const Sensed> sensed() const override { return sensing_.sensed(); }
 
   std::vector<std::pair<std::string, double>> stage_times() const override {
-    if (scene_.sensors.empty()) return {{"box2d", solve_}};
-    return {{"box2d", solve_}, {"sense", sense_}};
+    std::vector<std::pair<std::string, double>> all{{"box2d", solve_}, {"store", store_}};
+    if (!scene_.sensors.empty()) all.push_back({"sense", sense_});
+    return all;
   }
 
  private:
-  static double seconds_since(std::chrono::steady_clock::time_point begin) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  }
-
-  void sense() {
-    const auto begin = std::chrono::steady_clock::now();
-    sensing_.sense(state_);
-    sense_ += seconds_since(begin);
-  }
-
   /// The id of what moves; 0 of obstacles. Box2D's own way to it is not const.
   std::uint32_t id_of(const b2Body& body) const {
     if (body.GetType() == b2_staticBody) return 0;
@@ -247,7 +241,7 @@ class Box2dSimulation : public Simulation {
   b2Body* ground_ = nullptr;
   std::vector<b2Body*> bodies_;
   Sensing sensing_;
-  double solve_ = 0.0, sense_ = 0.0;  ///< s
+  double solve_ = 0.0, store_ = 0.0, sense_ = 0.0;  ///< s
 };
 
 }  // namespace

@@ -2,11 +2,11 @@
 #include "sim/engine_event_driven.h"
 
 #include <algorithm>
-#include <chrono>
 
 #include "sim/event_driven/hard_discs.h"
 #include "sim/input_error.h"
 #include "sim/sensing/sensing.h"
+#include "sim/stage_clock.h"
 
 namespace throng {
 
@@ -24,15 +24,16 @@ class EventDriven : public Simulation {
   }
 
   void step() override {
-    const auto begin = std::chrono::steady_clock::now();
+    StageClock clock;
     const double time = static_cast<double>(state_.step + 1) * scene_.time.dt;
     discs_.run_until(time, rows_);
-    collide_ += seconds_since(begin);
-    const auto flown = std::chrono::steady_clock::now();
+    clock.lap(collide_);
     ++state_.step;
     discs_.store(time, state_);
-    store_ += seconds_since(flown);
-    if (!scene_.sensors.empty()) sense();
+    clock.lap(store_);
+    if (scene_.sensors.empty()) return;
+    sensing_.sense(state_);
+    clock.lap(sense_);
   }
 
   const State& state() const override { return state_; }
@@ -52,16 +53,6 @@ class EventDriven : public Simulation {
   }
 
  private:
-  static double seconds_since(std::chrono::steady_clock::time_point begin) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  }
-
-  void sense() {
-    const auto begin = std::chrono::steady_clock::now();
-    sensing_.sense(state_);
-    sense_ += seconds_since(begin);
-  }
-
   const Scene& scene_;
   const Plan plan_;
   State state_;

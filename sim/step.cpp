@@ -10,6 +10,7 @@
 
 #include "sim/periodic.h"
 #include "sim/simulation_error.h"
+#include "sim/stage_clock.h"
 
 namespace throng {
 
@@ -25,19 +26,6 @@ constexpr double kRestSpeed = 2.0;  // slower than what gravity gives in so many
 /// At a step in which a body is hit so hard that it gets where nobody was looked for: after some of them all
 /// are looked at as far as the farthest one got.
 constexpr int kAttempts = 20, kLocalAttempts = 4;
-
-/// Measures the time from lap to lap.
-class StageClock {
- public:
-  void lap(double& total) {
-    const auto now = std::chrono::steady_clock::now();
-    total += std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 void load(const State& state, Rows awake, std::span<SolverBody> bodies) {
   awake.for_each([&](std::uint32_t i) {
