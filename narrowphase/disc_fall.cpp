@@ -17,7 +17,8 @@ constexpr double kRounding = 1e-9;  // of the reach: farther behind an edge's li
 /// When a point comes within `reach` of the origin.
 double time_to_point(const Fall& point, double reach, double until) {
   const Vec &p = point.position, &v = point.velocity, &g = point.pull;
-  const Polynomial<4> excess = {dot(p, p) - reach * reach, 2.0 * dot(p, v), dot(v, v) + dot(p, g), dot(v, g),
+  const double touching = std::max(0.0, dot(p, p) - reach * reach);  // nobody is nearer, but by rounding
+  const Polynomial<4> excess = {touching, 2.0 * dot(p, v), dot(v, v) + dot(p, g), dot(v, g),
                                 0.25 * dot(g, g)};
   double from = 0.0;
   const auto turns = sign_changes(derivative(excess), 0.0, until);
@@ -37,7 +38,7 @@ double time_to_edge(const Fall& centre, const Convex& shape, std::size_t i, doub
   const Vec& normal = shape.normals[i];
   const double gap = dot(normal, centre.position - tail) - grown, nearing = -dot(normal, centre.velocity);
   if (gap < -kRounding * grown && nearing > 0.0) return kNever;
-  const double time = time_to_line(gap, nearing, -dot(normal, centre.pull));
+  const double time = time_to_line(gap, nearing, -dot(normal, centre.pull), kRounding * grown);
   if (time == kNever) return kNever;
   const Vec at = centre.position + time * centre.velocity + 0.5 * time * time * centre.pull;
   const double along = dot(at - tail, head - tail);
@@ -46,19 +47,21 @@ double time_to_edge(const Fall& centre, const Convex& shape, std::size_t i, doub
 
 }  // namespace
 
-double time_to_line(double gap, double nearing, double pull) {
+double time_to_line(double gap, double nearing, double pull, double rounding) {
   if (pull == 0.0) return nearing > 0.0 ? std::max(gap, 0.0) / nearing : kNever;
   const double squared = nearing * nearing + 2.0 * pull * gap;
   if (nearing > 0.0) {
     if (gap <= 0.0) return 0.0;
     return squared >= 0.0 ? 2.0 * gap / (nearing + std::sqrt(squared)) : kNever;
   }
-  return pull > 0.0 && squared >= 0.0 ? (std::sqrt(squared) - nearing) / pull : kNever;
+  if (!(pull > 0.0)) return kNever;
+  if (squared >= 0.0) return (std::sqrt(squared) - nearing) / pull;
+  return gap < -rounding ? kNever : -2.0 * nearing / pull;
 }
 
 double fall_time(const Fall& centre, double radius, const HalfPlane& free) {
   return time_to_line(dot(free.normal, centre.position - free.point) - radius,
-                      -dot(free.normal, centre.velocity), -dot(free.normal, centre.pull));
+                      -dot(free.normal, centre.velocity), -dot(free.normal, centre.pull), kNever);
 }
 
 double fall_time(const Fall& centre, double radius, const Convex& shape, double until) {

@@ -9,18 +9,27 @@ namespace throng {
 namespace {
 
 constexpr double kDiscsInACell = 0.7;  // fewer: more crossings of borders; more: more pairs to look at
+constexpr double kEmpty = 1e9;         // m, of a cell where nobody flies
+constexpr double kMostAcross = 1e6;
+constexpr std::int64_t kFewestInAPeriod = 3;  // in which two discs are near each other in one image at most
+
+/// m, `least` or more: as many cells as discs, but of a domain as thin as a thread no more than kMostAcross.
+double fitting_edge(const Vec& size, double least, double discs) {
+  const double area = std::max(size.x(), least) * std::max(size.y(), least);
+  return std::max({least, std::sqrt(kDiscsInACell * area / discs), size.maxCoeff() / kMostAcross});
+}
 
 }  // namespace
 
 FoldedCells::FoldedCells(const Domain& domain, const Eigen::AlignedBox2d& around, double least, std::size_t n)
     : next_(n, kNobody) {
   const bool bounded = domain.kind != DomainKind::unbounded;
+  const std::int64_t fewest = domain.kind == DomainKind::periodic ? kFewestInAPeriod : 1;
   origin_ = bounded ? domain.min : around.min();
   const Vec size = (bounded ? domain.max : around.max()) - origin_;
-  const double area = std::max(size.x(), least) * std::max(size.y(), least);
-  const double edge = std::max(least, std::sqrt(kDiscsInACell * area / static_cast<double>(n)));
+  const double edge = n == 0 ? kEmpty : fitting_edge(size, least, static_cast<double>(n));
   for (int axis : {0, 1}) {
-    count_[axis] = std::max<std::int64_t>(1, static_cast<std::int64_t>(size[axis] / edge));
+    count_[axis] = std::max(fewest, static_cast<std::int64_t>(size[axis] / edge));
     edge_[axis] = bounded ? size[axis] / static_cast<double>(count_[axis]) : edge;
   }
   const auto slots = static_cast<std::size_t>(count_[0] * count_[1]);

@@ -24,6 +24,7 @@ class FoldedCells {
   static constexpr std::uint32_t kNobody = UINT32_MAX;
 
   /// For n discs within `around`, or within the domain where it has borders; edges of `least` (m) or more.
+  /// Expects that a domain that repeats measures three times that. O(n).
   FoldedCells(const Domain& domain, const Eigen::AlignedBox2d& around, double least, std::size_t n);
 
   Cell cell_of(const Vec& place) const;

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <tuple>
+#include <cstdio>
+#include <limits>
+#include <utility>
 
 #include "narrowphase/disc_fall.h"
 #include "narrowphase/disc_flight.h"
@@ -19,7 +20,7 @@ namespace {
 
 constexpr double kNever = Soonest::kNever;
 constexpr double kRounding = 1e-9;          // of the reach: deeper overlaps are the scene's
-constexpr std::uint32_t kMostStill = 1000;  // collisions of one disc while time stands still
+constexpr std::uint32_t kMostStill = 1000;  // collisions in a row that lead nowhere
 
 std::vector<std::uint32_t> dynamic_rows(const Bodies& bodies) {
   std::vector<std::uint32_t> rows;
@@ -78,7 +79,10 @@ HardDiscs::HardDiscs(const Scene& scene, const Plan& plan)
 void HardDiscs::place_discs() {
   const Bodies& bodies = scene_.bodies;
   const auto cell = [&](std::uint32_t row) {
-    return cells_.cell_of(place_in(scene_.domain, bodies.position[row]));
+    Cell at = cells_.cell_of(place_in(scene_.domain, bodies.position[row]));
+    if (plan_.periodic)  // whose last place is before the border, though by rounding in no cell
+      for (int axis : {0, 1}) at.at[axis] = std::min(at.at[axis], cells_.count(axis) - 1);
+    return at;
   };
   std::ranges::stable_sort(bodies_, {}, [&](std::uint32_t row) {
     const Cell at = cell(row);
@@ -101,8 +105,10 @@ std::string HardDiscs::name(std::uint32_t other) const {
 void HardDiscs::refuse_overlaps() const {
   const auto refuse = [&](std::uint32_t disc, std::uint32_t other, double gap) {
     if (gap >= -kRounding * discs_[disc].radius) return;
+    char depth[32];
+    std::snprintf(depth, sizeof depth, "%.3g", -gap);
     throw InputError("engine event_driven: body " + std::to_string(body(disc) + 1) + " and " + name(other) +
-                     " overlap by " + std::to_string(-gap) + " m at the beginning: hard discs can't");
+                     " overlap by " + depth + " m at the beginning: hard discs can't");
   };
   const std::size_t sides = obstacles_.side.size();
   for (std::uint32_t disc = 0; disc < discs_.size(); ++disc) {
@@ -177,6 +183,7 @@ void HardDiscs::foresee_crossing(std::uint32_t disc, double now, const std::arra
     }
 }
 
+/// Those that it meets in its cell: beyond lie others, and where the domain repeats other images of them.
 void HardDiscs::foresee_obstacles(std::uint32_t disc, double now, std::uint32_t collided) {
   const Flying& one = discs_[disc];
   Next& next = next_[disc];
@@ -196,7 +203,7 @@ void HardDiscs::foresee_obstacles(std::uint32_t disc, double now, std::uint32_t 
     else
       time = narrowphase::disc_flight(fall.position, one.radius, fall.velocity, obstacles_.part[row - sides])
                  .time;
-    if (now + time < next.collision) next.collision = now + time, next.other = other;
+    if (now + time < std::min(next.collision, next.crossing)) next.collision = now + time, next.other = other;
   }
 }
 
@@ -271,22 +278,37 @@ void HardDiscs::cross(std::uint32_t disc) {
   set(disc);
 }
 
-/// To where it is now: there its way bends.
-void HardDiscs::advance(std::uint32_t disc, double now) {
+/// To where it is now: there its way bends. Returns for how long it has flown (s).
+double HardDiscs::advance(std::uint32_t disc, double now) {
   Flying& one = discs_[disc];
+  const double flown = now - one.since;
   one.position = place(one, now);
   one.velocity = velocity(one, now);
-  next_[disc].turn += (now - one.since) * one.spin;
+  next_[disc].turn += flown * one.spin;
   one.since = now;
   ++one.had;
+  return flown;
 }
 
-void HardDiscs::watch_for_collapse(std::uint32_t disc, std::uint32_t other, double now) {
+/// m/s, of the two, who touch; below 0 where they part.
+double HardDiscs::closing_speed(std::uint32_t disc, std::uint32_t other, const Vec& normal) const {
+  const Vec& velocity = discs_[disc].velocity;
+  return normal.dot(is_disc(other) ? Vec(velocity - discs_[other].velocity) : velocity);
+}
+
+/// Of the disc, which has flown for so long (s) since its last collision. One leads nowhere where time stands
+/// still, and where nobody comes nearer faster than one who fell as far as rounding may put him wrong: who
+/// rests would do that for ever.
+void HardDiscs::watch_for_collapse(std::uint32_t disc, std::uint32_t other, double flown, double speed) {
+  constexpr double kSpacing = 4.0 * std::numeric_limits<double>::epsilon();
+  const Flying& one = discs_[disc];
+  const bool slow = speed * speed <= 2.0 * pull_.norm() * kRounding * one.radius;
   std::uint32_t& still = next_[disc].still;
-  still = now - discs_[disc].since <= 4.0 * std::numeric_limits<double>::epsilon() * now ? still + 1 : 0;
+  still = slow || flown <= kSpacing * one.since ? still + 1 : 0;
   if (still < kMostStill) return;
   throw SimulationError(
-      "at " + std::to_string(now) + " s body " + std::to_string(body(disc) + 1) + " and " + name(other) +
+      "at " + std::to_string(one.since) + " s body " + std::to_string(body(disc) + 1) + " and " +
+      name(other) +
       " collide without end (inelastic collapse): hard discs come to rest on one another only in "
       "infinitely many collisions; let the run end before, or take engine native");
 }
@@ -313,10 +335,11 @@ Vec HardDiscs::normal(std::uint32_t disc, std::uint32_t other) const {
 void HardDiscs::collide(std::uint32_t disc, double now, std::vector<ContactRow>& rows) {
   const std::uint32_t other = next_[disc].other;
   const bool pair = is_disc(other);
-  watch_for_collapse(disc, other, now);
-  advance(disc, now);
-  if (pair) advance(other, now);
+  const double flown = advance(disc, now), other_flown = pair ? advance(other, now) : 0.0;
   const Vec n = normal(disc, other);
+  const double speed = closing_speed(disc, other, n);
+  watch_for_collapse(disc, other, flown, speed);
+  if (pair) watch_for_collapse(other, disc, other_flown, speed);
   SolverBody a = solver_body(disc), b = solver_body(other);
   const Touch touch{n, discs_[disc].radius, pair ? discs_[other].radius : 0.0};
   const double impulse = strike(a, b, touch, surface(disc, other));

@@ -31,7 +31,8 @@ class HardDiscs {
   HardDiscs(const Scene& scene, const Plan& plan);
 
   /// O(log n) a collision. Replaces `rows` by the collisions. Throws SimulationError where collisions don't
-  /// end: inelastic collapse.
+  /// end (inelastic collapse): after a thousand of one disc in a row between which no time passes, or of
+  /// bounces lower than 1e-9 of its radius.
   void run_until(double time, std::vector<ContactRow>& rows);
 
   /// Writes where all are at `time` (s), at or after the last collision. O(n).
@@ -61,7 +62,7 @@ class HardDiscs {
     Cell cell;
     double inverse_mass = 0.0;       // 1/kg
     double turn = 0.0;               // rad, at its last collision, since the beginning
-    std::uint32_t still = 0;         // the last so many collisions without time going on
+    std::uint32_t still = 0;         // the last so many collisions that led nowhere
     std::int8_t axis = 0, step = 0;  // of the crossing
   };
 
@@ -105,8 +106,9 @@ class HardDiscs {
 
   void cross(std::uint32_t disc);
   void collide(std::uint32_t disc, double now, std::vector<ContactRow>& rows);
-  void advance(std::uint32_t disc, double now);
-  void watch_for_collapse(std::uint32_t disc, std::uint32_t other, double now);
+  double advance(std::uint32_t disc, double now);
+  double closing_speed(std::uint32_t disc, std::uint32_t other, const Vec& normal) const;
+  void watch_for_collapse(std::uint32_t disc, std::uint32_t other, double flown, double speed);
   SolverBody solver_body(std::uint32_t other) const;
   Vec normal(std::uint32_t disc, std::uint32_t other) const;
   ContactRow row(std::uint32_t disc, std::uint32_t other, const Vec& normal, double impulse) const;

@@ -68,6 +68,16 @@ TEST(DiscFall, LeavesWhatItTouchesAndComesBack) {
   EXPECT_EQ(fall_time({{0, 1.5}, {0, -3}, {0, -10}}, 0.5, ball, 9.0), 0.0);
 }
 
+// It happened: who had come to rest on a floor but for rounding fell through it.
+TEST(DiscFall, LandsAgainThoughRoundingPutItBehindTheSurface) {
+  const Vec touching{0, 0.49999999999999989}, up{0, 1e-9}, pull{0, -10};
+  EXPECT_NEAR(fall_time({touching, up, pull}, 0.5, HalfPlane{{0, 0}, {0, 1}}), 2e-10, 1e-24);
+  EXPECT_NEAR(fall_time({touching, up, pull}, 0.5, segment({-9, 0}, {9, 0}), 9.0), 2e-10, 1e-24);
+  EXPECT_NEAR(fall_time({touching, up, pull}, 0.25, disc(0.25), 9.0), 2e-10, 1e-20);
+  EXPECT_EQ(fall_time({{0, 0.4}, {0, 1}, pull}, 0.5, segment({-9, 0}, {9, 0}), 9.0), kNever)
+      << "from below it never comes out";
+}
+
 /// The first time at which the gap is at or below 0, by looking every `step`.
 double looked_up(const Fall& fall, double radius, const Convex& shape, double until, double step) {
   for (double t = 0.0; t <= until; t += step) {
