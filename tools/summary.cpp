@@ -81,7 +81,7 @@ Json gas_summary(const Scene& scene, const State& state, const Collisions& colli
   return {{"collisions", collisions.pairs},
           {"wall_collisions", collisions.walls},
           {"temperature", temperature(scene, state)},
-          {"compressibility_factor", compressibility_factor(scene, state, collisions)}};
+          {"compressibility_factor", or_null(compressibility_factor(scene, state, collisions))}};
 }
 
 }  // namespace

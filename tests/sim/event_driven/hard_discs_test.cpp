@@ -358,9 +358,31 @@ TEST(HardDiscs, AGasObeysItsEquationOfState) {
   const double expected =
       (1 + eta * eta / 8 + eta * eta * eta / 18 - 4 * eta * eta * eta * eta / 21) / ((1 - eta) * (1 - eta));
   const double measured =
-      compressibility_factor(scene, run.simulation->state(), *run.simulation->collisions());
+      compressibility_factor(scene, run.simulation->state(), *run.simulation->collisions()).value();
   EXPECT_NEAR(measured / expected, 1.0, 0.03)
       << "area fraction " << eta << ", collisions " << run.simulation->collisions()->pairs;
+}
+
+TEST(HardDiscs, TellTheirEquationOfStateOnlyWhereTheirEnergyStays) {
+  const auto factor = [](const std::string& text) {
+    Flown run(text + ball(0, 0, 1, 0) + ball(3, 0.1, 0, 0));
+    run.steps(40);
+    EXPECT_EQ(run.simulation->collisions()->pairs, 1);
+    return compressibility_factor(run.scene, run.simulation->state(), *run.simulation->collisions());
+  };
+  // n = (sqrt(0.99), 0.1): the impulse is m n.x, the virial that times 1 m, and E is m / 2.
+  EXPECT_NEAR(factor(setting(1, 0)).value(), 1 + std::sqrt(0.99) / 4.0, 1e-13);
+  EXPECT_EQ(factor(setting(0.9, 0)), std::nullopt);
+  EXPECT_EQ(factor(setting(1, 0.5)), std::nullopt);
+  EXPECT_EQ(factor("gravity = [0, -1]\n" + setting(1, 0)), std::nullopt);
+}
+
+TEST(HardDiscs, AreAsWarmAsTheyFlyBesideTheirCommonMotion) {
+  const std::string two = setting(1, 0) + ball(0, 0, 3, 0) + ball(3, 0, 1, 0);
+  const double m = 0.25 * 3.14159265358979324;  // kg
+  Flown open(two), round("domain = { periodic = [[-5, -5], [5, 5]] }\n" + two);
+  EXPECT_NEAR(temperature(open.scene, open.simulation->state()), 0.5 * m * (9 + 1) / 2, 1e-14);
+  EXPECT_NEAR(temperature(round.scene, round.simulation->state()), 0.5 * m * (1 + 1) / 1, 1e-14);
 }
 
 }  // namespace
