@@ -66,6 +66,9 @@ class ThrongRead(Program):
             np.testing.assert_array_equal(list(position), everything)
             for key in (21, -22):
                 self.assertRaises(IndexError, lambda: position[key])
+            for time in (0.1, 2.5, np.float64(3)):  # it happened: 2.5 s was taken for frame 2
+                self.assertRaises(TypeError, lambda: position[time])
+                self.assertRaises(TypeError, lambda: recording[time])
             self.assertEqual([recording.index_at(t) for t in (0, 0.104, 0.106, 0.2)], [0, 10, 11, 20])
             for outside in (-0.01, 0.21, np.nan):
                 self.assertRaises(IndexError, recording.index_at, outside)

@@ -32,6 +32,7 @@ import dataclasses
 import errno
 import functools
 import math
+import operator
 import os
 from collections import namedtuple
 from urllib.parse import unquote
@@ -576,10 +577,11 @@ def _damage_named(path, where):
 
 
 def _frame(path, count, i):
-    """Frame i, counted from the end where it is negative."""
+    """Frame i, counted from the end where it is negative; a time is no frame."""
+    i = operator.index(i)
     if not -count <= i < count:
         raise NotRecorded(f"{path} has no frame {i}: " + (f"they go from 0 to {count - 1}" if count else "it has none"))
-    return range(count)[int(i)]
+    return range(count)[i]
 
 
 def _frames(path, count, some):
