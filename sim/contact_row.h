@@ -7,10 +7,11 @@
 
 namespace throng {
 
-/// A point at which a body pressed on another or on an obstacle at the end of a step.
+/// A point at which a body pressed on another or on an obstacle at the end of a step; of engine event_driven
+/// a collision within the step.
 struct ContactRow {
   std::uint32_t a = 0, b = 0;  ///< ids of the bodies; b is 0 for a wall, a border or a static body
-  double impulse = 0.0;        ///< N s, along the normal, in the last substep
+  double impulse = 0.0;        ///< N s, along the normal, in the last substep, or of the collision
   Vec point{0.0, 0.0};         ///< m
 
   friend bool operator==(const ContactRow&, const ContactRow&) = default;

@@ -34,6 +34,15 @@ TEST(FoldedCells, AreNotManyHoweverThinTheirDomain) {
     }
 }
 
+TEST(FoldedCells, AreAsWideAsTheyMustBeHoweverManyOrFewDiscs) {
+  for (const std::size_t discs : {10'000, 1})
+    for (const DomainKind kind : {DomainKind::box, DomainKind::periodic, DomainKind::unbounded})
+      EXPECT_GE(cells_in(kind, {20, 7}, discs).edge(1), 1.0);
+  const FoldedCells nobody(Domain{}, {Vec(0, 0), Vec(0, 0)}, 0.0, 0);
+  EXPECT_GT(nobody.edge(0), 0.0);
+  EXPECT_EQ(nobody.slots(), 1u);
+}
+
 TEST(FoldedCells, AreThreeAtLeastAcrossADomainThatRepeats) {
   const FoldedCells cells = cells_in(DomainKind::periodic, {4, 9}, 1);
   EXPECT_EQ(cells.count(0), 3);

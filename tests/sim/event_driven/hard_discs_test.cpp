@@ -137,6 +137,59 @@ TEST(HardDiscs, ComeToRestOnFloorsWhereverTheseAre) {
     }
 }
 
+TEST(HardDiscs, WhoStaysWithSomebodyHasCollidedOnce) {
+  // A hundred pairs, and a hundred discs and walls, in as many directions; then speed and gap are rounding's.
+  Scene scene = scene_from("engine = \"event_driven\"\n" + setting(0, 0, 1.01) + ball(0, 0, 0, 0));
+  Bodies& bodies = scene.bodies;
+  const auto add = [&](const Vec& at, const Vec& velocity) {
+    for (auto* all : {&bodies.shape, &bodies.material}) all->push_back(0);
+    bodies.kind.push_back(BodyKind::dynamic), bodies.radius.push_back(0.5);
+    bodies.position.push_back(at), bodies.velocity.push_back(velocity);
+    bodies.angle.push_back(0.0), bodies.spin.push_back(0.0);
+  };
+  for (int i = 1; i <= 100; ++i) {
+    const Vec n(std::cos(0.3 * i), std::sin(0.3 * i)), t(-n.y(), n.x()), pair(10 * i, 9), wall(10 * i, 30);
+    add(pair - n, 0.5 * n), add(pair + n, -0.5 * n);
+    add(wall - 1.5 * n, n);
+    scene.walls.push_back({{wall - 3 * t, wall + 3 * t}, false, 0});
+  }
+  Flown run(std::move(scene));
+  run.steps(1);
+  EXPECT_EQ(run.simulation->collisions()->pairs, 100);
+  EXPECT_EQ(run.simulation->collisions()->walls, 100);
+}
+
+TEST(HardDiscs, CollapseWhereNothingPulls) {
+  // A heavy disc squeezes a light one against a wall: it stops after infinitely many collisions.
+  Flown run("time = { dt = 1, until = 20 }\n" + material(0.5, 0) +
+            "[shapes]\nball = { disc = { radius = 5 } }\nsmall = { disc = { radius = 0.5 } }\n" +
+            ball(10, 0, -1, 0) + "[[bodies]]\nshape = \"small\"\nat = [1, 0]\n" +
+            "[[walls]]\nsegment = [[0, -9], [0, 9]]\n");
+  EXPECT_THROW(run.steps(20), SimulationError);
+  EXPECT_LT(run.simulation->collisions()->walls, 1200) << "a thousand times without time between";
+}
+
+TEST(HardDiscs, TurnBackAtTheBorderOfACell) {
+  // 200 discs in 24 x 11 cells, thrown up so that they come as high as a border, but for rounding.
+  const double g = 9.81, border = 5 * (10.0 / 11);
+  std::string text =
+      "gravity = [0, -9.81]\ntime = { dt = 0.1, until = 1 }\ndomain = { box = [[0, 0], [20, 10]] }\n" +
+      material(1, 0) + "[shapes]\nball = { disc = { radius = 0.04 } }\n";
+  for (int i = 0; i < 200; ++i) text += ball(0.05 + 0.1 * i, 1, 0, 0);
+  Scene scene = scene_from(text);
+  for (std::size_t i = 0; i < 200; ++i) {
+    const double y = border - 0.1 - 0.004 * static_cast<double>(i);
+    scene.bodies.position[i].y() = y;
+    scene.bodies.velocity[i].y() = std::sqrt(2 * g * (border - y));
+  }
+  scene.engine = Engine::event_driven;
+  Flown run(scene);
+  run.steps(8);
+  for (std::size_t i = 0; i < 200; ++i)
+    EXPECT_NEAR(run.at(i).y(), scene.bodies.position[i].y() + 0.8 * scene.bodies.velocity[i].y() - 0.32 * g,
+                1e-14);
+}
+
 // It happened: two collisions at one time, each time the outer one comes, were counted as a thousand.
 TEST(HardDiscs, MayCollideTwiceAtATimeAsOftenAsTheyLike) {
   Flown run("domain = { box = [[0, 0], [10, 10]] }\n" + setting(1, 0, 100) + ball(5, 5, 1, 0) +
@@ -178,20 +231,33 @@ TEST(HardDiscs, MeetThoseAgainWhomTheyHaveJustLeftOnTheOtherSide) {
 // It happened: the one met was an image of the obstacle; once the disc had gone round, the bounce was off an
 // image far away.
 TEST(HardDiscs, BounceOffTheImageOfAnObstacleThatIsNear) {
-  Flown run("domain = { periodic = [[0, 0], [10, 10]] }\n" + setting(1, 0, 0.5) + ball(0.99, 5, 0, 0) +
-            "kind = \"static\"\n" + ball(8, 5.3, 1, 0));
-  run.steps(6);
-  const Vec n(std::sqrt(0.91), -0.3);
-  EXPECT_NEAR((run.velocity(1) - (Vec(1, 0) - 2 * n.x() * n)).norm(), 0.0, 1e-14);
+  for (const double post : {0.99, 0.7}) {  // beyond the border, and before it
+    Flown run("domain = { periodic = [[0, 0], [10, 10]] }\n" + setting(1, 0, 0.5) + ball(post, 5, 0, 0) +
+              "kind = \"static\"\n" + ball(8, 5.3, 1, 0));
+    run.steps(6);
+    const Vec n(std::sqrt(0.91), -0.3);
+    EXPECT_NEAR((run.velocity(1) - (Vec(1, 0) - 2 * n.x() * n)).norm(), 0.0, 1e-14) << post;
+  }
 }
 
+// The last place before 1 is in the fourth third of the period, by rounding.
 TEST(HardDiscs, MayStartAtTheLastPlaceBeforeTheBorder) {
-  Scene scene = scene_from("engine = \"event_driven\"\ndomain = { periodic = [[-10, 0], [0.01, 10]] }\n" +
-                           setting(1, 0, 1) + ball(0, 5, 1, 0) + ball(-8, 5, 0, 0));
-  scene.bodies.position[0].x() = std::nextafter(0.01, 0.0);  // 10.01 from the other border, by rounding
+  Scene scene = scene_from("engine = \"event_driven\"\ndomain = { periodic = [[0, 0], [1, 1]] }\n" +
+                           material(1, 0) + "[shapes]\nball = { disc = { radius = 0.1 } }\n" +
+                           ball(0, 0.5, 1, 0) + ball(0.3, 0.5, 0, 0));
+  scene.bodies.position[0].x() = std::nextafter(1.0, 0.0);
   Flown run(std::move(scene));
-  run.steps(2);
+  run.steps(20);
   EXPECT_EQ(run.velocity(1), Vec(1, 0));
+}
+
+TEST(HardDiscs, StartAndStayWithinADomainThatRepeats) {
+  Flown run("domain = { periodic = [[0, 0], [10, 10]] }\n" + setting(1, 0, 1) + ball(23, 5, 1, 0) +
+            ball(-4, 5, 0, 0));
+  run.steps(6);  // from 3: it meets the other one, at 6, after 2 s, who goes on to 10
+  EXPECT_EQ(run.simulation->collisions()->pairs, 1);
+  EXPECT_EQ(run.at(0), Vec(5, 5));
+  EXPECT_EQ(run.at(1), Vec(0, 5));
 }
 
 TEST(HardDiscs, MayBeNone) {
@@ -221,29 +287,50 @@ TEST(HardDiscs, AgreeWithAllPairsLookedAtAfterEachCollision) {
   }
 }
 
+/// Lets an elastic gas fly 0.6 s in a square of that size (m), on both engines. Returns the collisions with
+/// what stands still.
+std::int64_t fly_as_native(const std::string& domain, double size, const std::string& obstacles) {
+  const std::string within = "[[0, 0], [" + std::to_string(size) + ", " + std::to_string(size) + "]]";
+  const std::string text =
+      "seed = 8\ntime = { dt = 0.02, until = 1 }\ndomain = { " + domain + " = " + within + " }\n" +
+      material(1, 0.3) +
+      "[shapes]\ngrain = { disc = { radius = { uniform = [0.1, 0.4] } } }\npost = { disc = { radius = 0.3 } "
+      "}\n"
+      "wedge = { polygon = [[0, 0], [1, 0], [0, 1]] }\n[[bodies]]\nshape = \"grain\"\ncount = " +
+      std::to_string(size < 5 ? 10 : 250) + "\nplace = { random = { within = " + within +
+      " } }\nvelocity = { maxwell = 1.0 }\n" + obstacles;
+  Flown run(text);
+  Trial native(text);
+  run.steps(30), native.steps(30);
+  const Vec period = run.scene.domain.max - run.scene.domain.min;
+  for (std::size_t i = 0; i < run.scene.bodies.size(); ++i) {
+    Vec d = run.at(i) - native.state.position[i];
+    if (domain == "periodic") d = nearest_image(d, period);
+    EXPECT_NEAR(d.norm(), 0.0, 1e-9) << domain << " " << size << ", body " << i << obstacles;
+    EXPECT_NEAR(run.simulation->state().spin[i], native.state.spin[i], 1e-8);
+    EXPECT_NEAR(run.simulation->state().angle[i], native.state.angle[i], 1e-8);
+  }
+  return run.simulation->collisions()->walls;
+}
+
 TEST(HardDiscs, AgreeWithTheNativeEngineOfElasticGasesWhateverTheDomain) {
   for (const char* domain : {"box", "periodic"})
-    for (const double size : {4.0, 20.0}) {
-      const std::string within = "[[0, 0], [" + std::to_string(size) + ", " + std::to_string(size) + "]]";
-      const std::string text = std::string("seed = 8\ntime = { dt = 0.02, until = 1 }\ndomain = { ") +
-                               domain + " = " + within + " }\n" + material(1, 0.3) +
-                               "[shapes]\ngrain = { disc = { radius = { uniform = [0.1, 0.4] } } }\n"
-                               "[[bodies]]\nshape = \"grain\"\ncount = " +
-                               std::to_string(size < 5 ? 10 : 250) +
-                               "\nplace = { random = { within = " + within +
-                               " } }\nvelocity = { maxwell = 1.0 }\n";
-      Flown run(text);
-      Trial native(text);
-      run.steps(30), native.steps(30);
-      const Vec period = run.scene.domain.max - run.scene.domain.min;
-      for (std::size_t i = 0; i < run.scene.bodies.size(); ++i) {
-        Vec d = run.at(i) - native.state.position[i];
-        if (std::string(domain) == "periodic") d = nearest_image(d, period);
-        EXPECT_NEAR(d.norm(), 0.0, 1e-9) << domain << " " << size << ", body " << i;
-        EXPECT_NEAR(run.simulation->state().spin[i], native.state.spin[i], 1e-8);
-        EXPECT_NEAR(run.simulation->state().angle[i], native.state.angle[i], 1e-8);
-      }
-    }
+    for (const double size : {4.0, 20.0}) fly_as_native(domain, size, "");
+}
+
+TEST(HardDiscs, AgreeWithTheNativeEngineAmongObstaclesAcrossTheBorders) {
+  for (const double size : {4.0, 20.0}) {
+    const std::string posts =
+        "[[bodies]]\nshape = \"post\"\nkind = \"static\"\nplace = { lattice = { origin = [0.45, 0.5], "
+        "spacing "
+        "= [1, 1], size = [1, " +
+        std::to_string(size < 5 ? 4 : 20) + "] } }\n";
+    const std::string others =
+        "[[bodies]]\nshape = \"wedge\"\nkind = \"static\"\nat = [2.6, 0.2]\n"
+        "[[walls]]\nsegment = [[1, 0.1], [1.7, 0.4]]\n";
+    for (const char* domain : {"box", "periodic"})
+      EXPECT_GT(fly_as_native(domain, size, posts + others), size < 5 ? 2 : 10) << domain;
+  }
 }
 
 TEST(HardDiscs, AGasThatFallsKeepsItsEnergyAndItsPlaces) {
@@ -375,6 +462,48 @@ TEST(HardDiscs, TellTheirEquationOfStateOnlyWhereTheirEnergyStays) {
   EXPECT_EQ(factor(setting(0.9, 0)), std::nullopt);
   EXPECT_EQ(factor(setting(1, 0.5)), std::nullopt);
   EXPECT_EQ(factor("gravity = [0, -1]\n" + setting(1, 0)), std::nullopt);
+}
+
+TEST(HardDiscs, BounceAsTheirTwoMaterialsSay) {
+  Flown run(
+      "time = { dt = 1, until = 9 }\n[materials]\nsoft = { restitution = 0.25, friction = 0 }\n"
+      "hard = { restitution = 0.75, friction = 0 }\n" +
+      std::string(kDisc) + ball(0, 0, 1, 0) + "material = \"soft\"\n" + ball(3, 0, 0, 0) +
+      "material = \"soft\"\n" + ball(0, 9, 1, 0) + "material = \"soft\"\n" +
+      "[[walls]]\nsegment = [[3, 8], [3, 10]]\nmaterial = \"hard\"\n");
+  run.steps(4);
+  EXPECT_NEAR(run.velocity(1).x() - run.velocity(0).x(), 0.25, 1e-15);
+  EXPECT_NEAR(run.velocity(2).x(), -0.75, 1e-15);
+}
+
+TEST(HardDiscs, TellTheCollisionsOfTheLastStep) {
+  // The second one flies from the left: its row comes first. Masses 1 to 4, so it comes back with -0.6.
+  Flown run("time = { dt = 1, until = 9 }\n" + material(1, 0) +
+            "[shapes]\nball = { disc = { radius = 1 } }\nsmall = { disc = { radius = 0.5 } }\n" +
+            ball(4, 0, 0, 0) + "[[bodies]]\nshape = \"small\"\nat = [1, 0]\nvelocity = [1, 0]\n" +
+            "[[walls]]\nsegment = [[0, -5], [0, 5]]\n");
+  std::vector<ContactRow> rows;
+  run.steps(1);
+  run.simulation->list_contacts(rows);
+  EXPECT_TRUE(rows.empty());
+  run.steps(1);
+  run.simulation->list_contacts(rows);
+  ASSERT_EQ(rows.size(), 1u);
+  const double impulse = 1.6 * 0.25 * 3.14159265358979324;  // kg m/s
+  EXPECT_EQ(rows[0].a, 1u);
+  EXPECT_EQ(rows[0].b, 2u);
+  EXPECT_NEAR(rows[0].impulse, impulse, 1e-14);
+  EXPECT_NEAR((rows[0].point - Vec(3, 0)).norm(), 0.0, 1e-15);
+  EXPECT_NEAR(run.simulation->collisions()->virial, 1.5 * impulse, 1e-14);
+  run.steps(3);
+  run.simulation->list_contacts(rows);
+  ASSERT_EQ(rows.size(), 1u) << "of the wall, after 1.5 + 2 / 0.6 s";
+  EXPECT_EQ(run.simulation->contacts(), 1u);
+  EXPECT_EQ(rows[0].a, 2u);
+  EXPECT_EQ(rows[0].b, 0u);
+  EXPECT_NEAR(rows[0].point.norm(), 0.0, 1e-14);
+  EXPECT_EQ(run.simulation->collisions()->pairs, 1);
+  EXPECT_EQ(run.simulation->collisions()->walls, 1);
 }
 
 TEST(HardDiscs, AreAsWarmAsTheyFlyBesideTheirCommonMotion) {
