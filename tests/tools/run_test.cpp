@@ -39,6 +39,24 @@ shape = "ball"
 at = [0, 2]
 )";
 
+const char* const kTwoDiscs = R"(throng = 1
+engine = "event_driven"
+time = { dt = 1, until = 8, substeps = 3 }
+domain = { box = [[0, 0], [10, 10]] }
+[materials.default]
+restitution = 1
+friction = 0
+[shapes]
+ball = { disc = { radius = 0.5 } }
+[[bodies]]
+shape = "ball"
+at = [2, 5]
+velocity = [1, 0]
+[[bodies]]
+shape = "ball"
+at = [5, 5]
+)";
+
 class RunCommand : public Program {};
 class PlanCommand : public Program {};
 
@@ -116,6 +134,34 @@ TEST_F(RunCommand, RecordsWhatReplayThenVerifies) {
   const Result verified = throng("replay --verify " + recording);
   EXPECT_EQ(verified.exit_code, 0) << verified.err;
   EXPECT_THAT(verified.out + verified.err, HasSubstr("11"));
+}
+
+TEST_F(RunCommand, TellsWhatTheCollisionsOfHardDiscsSayOfThem) {
+  const std::string scene = write("a.toml", kTwoDiscs);
+  const Result result = throng("run " + scene);
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("time.substeps: has no meaning"));
+  const json summary = json::parse(result.out);
+  EXPECT_EQ(summary["engine"], "event_driven");
+  EXPECT_EQ(summary["collisions"], 1);
+  EXPECT_EQ(summary["wall_collisions"], 1);
+  EXPECT_NEAR(summary["temperature"].get<double>(), 0.7853981633974483 / 4, 1e-15);  // m / 2 over two discs
+  EXPECT_NEAR(summary["compressibility_factor"].get<double>(), 1 + 1.0 / 8,
+              1e-14);  // m v 1 m, over m v^2 8 s
+  const json cooled = json::parse(throng("run " + scene + " --set materials.default.restitution=0.5").out);
+  EXPECT_EQ(cooled["compressibility_factor"], nullptr);
+  EXPECT_FALSE(json::parse(throng("run " + scene + " --engine native").out).contains("collisions"));
+}
+
+TEST_F(RunCommand, StopsWhereHardDiscsComeToRestAndRefusesThoseThatOverlap) {
+  const std::string scene = write("a.toml", kTwoDiscs);
+  const Result rest =
+      throng("run " + scene + " --set gravity=[0,-10] --set materials.default.restitution=0.5");
+  EXPECT_EQ(rest.exit_code, 1);
+  EXPECT_THAT(rest.err, HasSubstr("inelastic collapse"));
+  const Result overlap = throng("run " + scene + " --set bodies.1.at=[2.9,5]");
+  EXPECT_EQ(overlap.exit_code, 2);
+  EXPECT_THAT(overlap.err, HasSubstr("body 1 and body 2 overlap by 0.1 m"));
 }
 
 TEST_F(RunCommand, OverwritesOnlyWhenForced) {
