@@ -358,6 +358,30 @@ TEST(HardDiscs, AGasThatFallsKeepsItsEnergyAndItsPlaces) {
   EXPECT_GT(run.simulation->collisions()->walls, 1000);
 }
 
+TEST(HardDiscs, OverlapNobodyWhereTheyFallRoundAndRound) {
+  std::int64_t walls = 0;
+  for (int seed = 1; seed <= 8; ++seed) {
+    Flown run(
+        "seed = " + std::to_string(seed) +
+        "\ngravity = [0, -10]\ntime = { dt = 0.05, until = 1 }\n"
+        "domain = { periodic = [[-1, 2], [14, 6]] }\n" +
+        material(1, 0) +
+        "[shapes]\ngrain = { disc = { radius = { uniform = [0.1, 0.4] } } }\npost = { disc = { radius = 0.4 "
+        "} }\n"
+        "wedge = { polygon = [[0, 0], [0.9, 0.1], [0.3, 0.8]] }\n"
+        "[[bodies]]\nshape = \"post\"\nkind = \"static\"\nat = [-0.7, 4]\n"
+        "[[bodies]]\nshape = \"wedge\"\nkind = \"static\"\nat = [6.5, 2.4]\n"
+        "[[bodies]]\nshape = \"grain\"\ncount = 18\nplace = { random = { within = [[-1, 2], [14, 6]] } }\n"
+        "velocity = { maxwell = 2.0 }\n[[walls]]\nsegment = [[7.5, 4], [8.5, 4.5]]\n");
+    for (int i = 0; i < 240; ++i) {
+      run.steps(1);
+      ASSERT_LT(overlap(run.scene, run.simulation->state()).max, 1e-12) << "seed " << seed << ", step " << i;
+    }
+    walls += run.simulation->collisions()->walls;
+  }
+  EXPECT_GT(walls, 1000);
+}
+
 TEST(HardDiscs, DontCareHowOftenTheirStateIsWritten) {
   Scene scene = gallery_scene("gas");
   scene.engine = Engine::event_driven;
