@@ -98,8 +98,13 @@ void warn_of_velocities(const Options& options, const Recording& recording,
       stderr,
       "throng: warning: %s leaves out velocities, which MDAnalysis wants in every frame: %s has them "
       "each %d steps, positions each %d\n",
-      options.output.c_str(), options.file.c_str(), every(record, RecordField::velocity),
-      every(record, RecordField::position));
+      printable(options.output).c_str(), printable(options.file).c_str(),
+      every(record, RecordField::velocity), every(record, RecordField::position));
+}
+
+/// For people.
+std::string output_name(const Options& options) {
+  return options.output == kStandardOutput ? "the standard output" : options.output;
 }
 
 /// No format has a place for what is not of a body.
@@ -114,7 +119,7 @@ void warn_of_other_things(const Options& options, const Recording& recording) {
   add(!record.sensors.empty(), "what sensors found");
   if (!left_out.empty())
     std::fprintf(stderr, "throng: warning: %s leaves out %s, which throng_read.py reads\n",
-                 printable(options.output).c_str(), left_out.c_str());
+                 printable(output_name(options)).c_str(), left_out.c_str());
 }
 
 void write_format(const Recording& recording, const Options& options, std::span<const std::size_t> frames,
@@ -162,7 +167,7 @@ void add_export(CLI::App& app, int& exit_code) {
   command->add_option("--to", options->to, "no frame after this time (s); up to the last one without it")
       ->check(real_number());
   command->add_option("--every", options->every, "exports each Nth of the frames that the format shows")
-      ->transform(whole_number() & CLI::Range(std::int64_t{1}, std::int64_t{1} << 40));
+      ->transform(whole_number(1, std::int64_t{1} << 40));
   command->add_flag("--force", options->force, "overwrites the output where it exists");
   command->footer(
       "csv    a line a frame and body: step, time (s), id, and what was recorded of x, y (m), vx, vy (m/s),\n"

@@ -194,13 +194,27 @@ std::string fields_and_rates(const Json& d) {
   return text.empty() ? "none" : text;
 }
 
+/// "each step", or "each step that is a multiple of 4 or 10": of which there are frames.
+std::string steps_of_frames(const Record& record) {
+  std::vector<int> bases;  // multiples of others say nothing new
+  for (const int rate : rates(record))
+    if (std::ranges::none_of(bases, [rate](int base) { return rate % base == 0; })) bases.push_back(rate);
+  if (bases.front() == 1) return "each step";
+  std::string text = "each step that is a multiple of " + std::to_string(bases.front());
+  for (std::size_t i = 1; i < bases.size(); ++i)
+    text += (i + 1 < bases.size() ? ", " : " or ") + std::to_string(bases[i]);
+  return text;
+}
+
 void print(const Json& description, const Recording& recording) {
+  const Record& record = recording.geometry().record;
   for (const auto& [key, value] : description.items()) {
     if (key == "rates" || key == "samples") continue;
     std::string text = readable(value);
     if (key == "walkable" && !value.is_null()) text = readable_entry(value);
-    if (key == "frames") text += ": of each step that has any of the fields, observables or sensors below";
-    if (key == "every") text += value == 1 ? " step" : " steps";
+    if (key == "frames") text += ", of " + steps_of_frames(record);
+    if (key == "every")
+      text += std::string(value == 1 ? " step" : " steps") + ", of what has no rate of its own below";
     if (key == "fields") text = fields_and_rates(description);
     if (key == "observables" && !value.is_null()) text = how_often(value, frames_with(recording, value));
     std::printf("%-13s %s\n", key.c_str(), printable(text).c_str());

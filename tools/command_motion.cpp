@@ -196,8 +196,7 @@ void add_motion(CLI::App& app, int& exit_code) {
       ->add_option("--margin", options->margin,
                    "clearance (m) that a free path has at least, instead of the file's: what comes as near "
                    "is hit")
-      ->check(real_number())
-      ->check(CLI::Range(0.0, 1e9));
+      ->check(real_number(0.0, 1e9));
   CLI::Option* waypoint =
       command
           ->add_option(
@@ -212,8 +211,7 @@ void add_motion(CLI::App& app, int& exit_code) {
               "--epsilon", options->epsilon,
               "clearance (m) that is not worth more computations: what comes nearer may be left undecided; "
               "without it, what rounding lets be told")
-          ->check(real_number())
-          ->check(CLI::Range(0.0, 1e9));
+          ->check(real_number(0.0, 1e9));
   CLI::Option* png = command->add_option(
       "--png", options->png,
       "picture to write or replace: the way, the contact, and what each distance proves free");
@@ -221,7 +219,7 @@ void add_motion(CLI::App& app, int& exit_code) {
       "--html", options->html,
       "page to write or replace: the same with a scrubber over time, in any browser, without network");
   command->add_option("--width", options->width, "of the picture, in pixels; 1600 without it")
-      ->transform(whole_number() & CLI::Range(200, 8000));
+      ->transform(whole_number(200, 8000));
   for (CLI::Option* of_paths : {any, clearance, epsilon, png, html}) waypoint->excludes(of_paths);
   command->add_flag("--schema", options->schema,
                     "print the JSON Schema of motion files, for editors, and nothing else");

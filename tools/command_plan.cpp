@@ -80,7 +80,7 @@ void print(const Scene& scene, const Plan& plan) {
 
 struct Options {
   std::string scene;
-  std::vector<std::string> set;
+  Overrides set;
   bool json = false;
 };
 
@@ -91,7 +91,7 @@ void add_plan(CLI::App& app, int&) {
   CLI::App* command =
       app.add_subcommand("plan", "Shows which stages a scene runs or skips, why, and what it will write");
   command->add_option("SCENE", options->scene, "scenario file")->required();
-  command->add_option("--set", options->set, "PATH=VALUE: another value for a field; may be repeated")
+  command->add_option("--set", options->set.fields, "PATH=VALUE: another value for a field; may be repeated")
       ->allow_extra_args(false);
   command->add_flag("--json", options->json, "one JSON object instead of text");
   command->footer("Example: throng plan scenarios/pile.toml");

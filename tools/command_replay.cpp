@@ -119,34 +119,29 @@ void add_replay(CLI::App& app, int& exit_code) {
   command->add_flag("--verify", options->verify,
                     "runs the scenario again and compares every frame, bit for bit");
   command->add_option("--threads", options->threads, "threads for --verify; 1 without it")
-      ->transform(whole_number() & CLI::Range(1, 256));
+      ->transform(whole_number(1, 256));
   command->add_option("--png", options->png,
                       "picture to write or replace, a PNG file, of the frame nearest to --at");
-  command->add_option("--at", options->at, "time of the picture (s); the last frame without it");
+  command->add_option("--at", options->at, "time of the picture (s); the last frame without it")
+      ->check(real_number());
   command
       ->add_option("--width", options->width,
                    "of the picture's or the film's longer side, in pixels; 1600 without it")
-      ->transform(whole_number() & CLI::Range(200, 8000));
+      ->transform(whole_number(200, 8000));
   command->add_option("--html", options->html,
                       "replay page to write or replace: one file that any browser opens, without network");
   command->add_option(
       "--video", options->video,
       "film to write or replace, .mp4, .mov, .mkv or .webm: made by ffmpeg, which must be installed");
   command->add_option("--fps", options->fps, "pictures of the film a second; 25 without it")
-      ->transform(whole_number() & CLI::Range(1, 240));
+      ->transform(whole_number(1, 240));
   command
       ->add_option(
           "--speed", options->speed,
           "plays it in the terminal, so many times as fast as it happened, until its end, q or Ctrl-C;\n"
           "space pauses, arrows seek, or step where it is paused, + and - change the speed;\n"
           "with --video, how fast the film goes, 1 without it")
-      ->check(CLI::Validator(
-          [](std::string& text) {
-            double speed = 0.0;
-            const bool is_one = CLI::detail::lexical_cast(text, speed) && speed >= 1e-9 && speed <= 1e9;
-            return is_one ? std::string() : "must be from 1e-9 to 1e9, not " + text;
-          },
-          ""));
+      ->check(real_number(1e-9, 1e9));
   command->footer(
       "Examples: throng replay pile.h5 --speed 0.5\n"
       "          throng replay pile.h5 --verify\n"

@@ -22,8 +22,8 @@ struct Options {
 
 /// The scenario that the recording holds, with its end where it is wanted now.
 Loaded load_recorded(const Kept& kept, const std::string& until) {
-  std::vector<std::string> overrides;
-  if (!until.empty()) overrides.push_back("time.until=" + until);
+  Overrides overrides;
+  if (!until.empty()) overrides.add("--until", until, "time.until", until);
   Loaded loaded =
       load_text_or_throw(kept.recording.origin().provenance.resolved, kept.source + ":scenario", overrides);
   if (loaded.scene.name.empty()) loaded.scene.name = kept.recording.geometry().name;
@@ -133,7 +133,9 @@ void add_resume(CLI::App& app, int& exit_code, const std::string& command_line) 
       "Example: throng resume pile.h5 --until 20\n"
       "Goes on from OUT.h5.ckpt, or from the checkpoint before where that is damaged, or from the start "
       "where\n"
-      "there is none (as Box2D always must): steps whose frames are recorded are then checked against them.\n"
+      "there is none (as box2d and event_driven always must): steps whose frames are recorded are then "
+      "checked\n"
+      "against them.\n"
       "Checkpoints are made as often as the run made them, or each --checkpoint SECONDS.\n"
       "The frames so far are copied first, so there must be room for them once more.");
   command->callback([options, &exit_code] { exit_code = resume(*options); });

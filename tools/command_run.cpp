@@ -21,7 +21,7 @@ namespace {
 
 struct Options {
   std::string scene, output, command_line;
-  std::vector<std::string> overrides;
+  Overrides overrides;
   DriveOptions drive;
   bool force = false, dry_run = false;
 };
@@ -40,7 +40,7 @@ std::string quoted(const std::string& text) {
 /// What to type to see the same failure again.
 std::string reproduction(const Options& options) {
   std::string text = "throng run " + quoted(options.scene);
-  for (const std::string& o : options.overrides) text += " --set " + quoted(o);
+  for (const std::string& o : options.overrides.fields) text += " --set " + quoted(o);
   return text + " --threads " + std::to_string(options.drive.threads);
 }
 
@@ -99,8 +99,8 @@ void add_field(CLI::App& command, Options& options, const char* name, const char
                const char* help) {
   command.add_option_function<std::string>(
       name,
-      [&options, field, text](const std::string& value) {
-        options.overrides.push_back(std::string(field) + "=" + (text ? "\"" + value + "\"" : value));
+      [&options, name, field, text](const std::string& value) {
+        options.overrides.add(name, value, field, text ? "\"" + value + "\"" : value);
       },
       std::string(help) + "; sets " + field);
 }
@@ -124,7 +124,7 @@ void add_run(CLI::App& app, int& exit_code, const std::string& command_line) {
       ->add_option_function<std::vector<std::string>>(
           "--set",
           [options](const std::vector<std::string>& given) {
-            options->overrides.insert(options->overrides.end(), given.begin(), given.end());
+            std::ranges::copy(given, std::back_inserter(options->overrides.fields));
           },
           "PATH=VALUE: another value for any field, as in time.dt=0.005 or bodies.0.spin=2; may be repeated")
       ->allow_extra_args(false);

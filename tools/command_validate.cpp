@@ -16,7 +16,7 @@ namespace {
 
 struct Options {
   std::string file;
-  std::vector<std::string> overrides;
+  Overrides overrides;
   bool schema = false, fields = false;
 };
 
@@ -50,7 +50,9 @@ void add_validate(CLI::App& app, int& exit_code) {
   command->footer("Example: throng validate scenarios/pile.toml --set time.dt=0.005");
   const auto options = std::make_shared<Options>();
   command->add_option("SCENE", options->file, "The scenario file");
-  command->add_option("--set", options->overrides, "PATH=VALUE: another value for a field; may be repeated")
+  command
+      ->add_option("--set", options->overrides.fields,
+                   "PATH=VALUE: another value for a field; may be repeated")
       ->allow_extra_args(false);
   command->add_flag("--schema", options->schema,
                     "Print the JSON Schema of scenario files, for editors, and nothing else");

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
+#include <string>
 
 namespace throng {
 class Recording;
@@ -29,11 +31,13 @@ void add_bench(CLI::App& app, int& exit_code);
 void say_where_incomplete(const Recording& recording, const std::string& file);
 
 /// Leaves a whole number in decimals as CLI11 reads it, which alone takes 010 for 8 and what is out of range
-/// for the largest there is.
+/// for the largest there is. With limits refuses what is beyond them, and says what is allowed.
 CLI::Validator whole_number();
+CLI::Validator whole_number(std::int64_t low, std::int64_t high);
 
 /// Refuses what isn't a number from end to end, in decimals; CLI11 alone takes 0x10 for 16, 1e400 for inf
-/// and nan for within any range.
+/// and nan for within any range. Limits as above.
 CLI::Validator real_number();
+CLI::Validator real_number(double low, double high);
 
 }  // namespace throng::tools

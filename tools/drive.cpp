@@ -117,15 +117,11 @@ void report_stop(const Recorder* recorder, const Scene& scene, const State& stat
 
 void add_drive_options(CLI::App& command, DriveOptions& options) {
   command.add_option("--threads", options.threads, "threads; the result doesn't depend on it")
-      ->transform(whole_number() & CLI::Range(1, 256));
-  command.add_option_function<double>(
-      "--checkpoint",
-      [&options](double seconds) {
-        if (!(seconds >= kShortestCheckpoint && seconds <= kLongestCheckpoint))
-          throw CLI::ValidationError("--checkpoint", "must be seconds from 0.001 to 1e9");
-        options.checkpoint = seconds;
-      },
-      "a checkpoint in OUT.h5.ckpt each so many seconds of wall time, and at the end");
+      ->transform(whole_number(1, 256));
+  command
+      .add_option("--checkpoint", options.checkpoint,
+                  "a checkpoint in OUT.h5.ckpt each so many seconds of wall time, and at the end")
+      ->check(real_number(kShortestCheckpoint, kLongestCheckpoint));
   command.add_option("--progress", options.progress, "auto, plain, json or none")
       ->check(CLI::IsMember({"auto", "plain", "json", "none"}));
 }

@@ -17,17 +17,35 @@ void expect_sound(std::span<const Diagnostic> diagnostics, const std::string& na
                      std::to_string(n) + (n == 1 ? " error" : " errors"));
 }
 
-Loaded load_or_throw(const std::string& file, const std::vector<std::string>& overrides) {
-  Loaded loaded = load_scenario(file, overrides);
+void Overrides::add(const std::string& option, const std::string& given, const std::string& field,
+                    const std::string& value) {
+  fields.push_back(field + "=" + value);
+  options["--set " + fields.back()] = option + " " + given;
+}
+
+namespace {
+
+/// In the words of who typed them.
+void name_options(std::vector<Diagnostic>& diagnostics, const Overrides& overrides) {
+  for (Diagnostic& one : diagnostics)
+    if (const auto typed = overrides.options.find(one.source); typed != overrides.options.end())
+      one.source = typed->second;
+}
+
+}  // namespace
+
+Loaded load_or_throw(const std::string& file, const Overrides& overrides) {
+  Loaded loaded = load_scenario(file, overrides.fields);
+  name_options(loaded.diagnostics, overrides);
   expect_sound(loaded.diagnostics, file);
   if (loaded.scene.name.empty())
     loaded.scene.name = recording::as_utf8(std::filesystem::path(file).stem().string());
   return loaded;
 }
 
-Loaded load_text_or_throw(const std::string& text, const std::string& name,
-                          const std::vector<std::string>& overrides) {
-  Loaded loaded = load_scenario_text(text, name, overrides);
+Loaded load_text_or_throw(const std::string& text, const std::string& name, const Overrides& overrides) {
+  Loaded loaded = load_scenario_text(text, name, overrides.fields);
+  name_options(loaded.diagnostics, overrides);
   expect_sound(loaded.diagnostics, name);
   return loaded;
 }

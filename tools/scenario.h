@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -11,12 +12,21 @@ namespace throng::tools {
 /// Prints what is wrong with the file `name` to stderr, and throws InputError where some of it are errors.
 void expect_sound(std::span<const Diagnostic> diagnostics, const std::string& name);
 
+/// Fields of a scenario that the command line sets.
+struct Overrides {
+  std::vector<std::string> fields = {};             ///< "PATH=VALUE"
+  std::map<std::string, std::string> options = {};  ///< what was typed for a field where that wasn't --set
+
+  /// Adds what was typed as `option`, which is short for a field.
+  void add(const std::string& option, const std::string& given, const std::string& field,
+           const std::string& value);
+};
+
 /// Reads a scenario, prints its warnings and errors to stderr, and throws InputError where there are errors.
 /// A scene without a name takes the file's.
-Loaded load_or_throw(const std::string& file, const std::vector<std::string>& overrides = {});
+Loaded load_or_throw(const std::string& file, const Overrides& overrides = {});
 
 /// The same for a scenario's text, which keeps the name that it has; `name` stands for it in messages.
-Loaded load_text_or_throw(const std::string& text, const std::string& name,
-                          const std::vector<std::string>& overrides = {});
+Loaded load_text_or_throw(const std::string& text, const std::string& name, const Overrides& overrides = {});
 
 }  // namespace throng::tools

@@ -43,13 +43,20 @@ std::string unexpected(const CLI::App& command, const std::vector<std::string>& 
   return "there is no option '" + name + "'" + throng::scenarios::suggestion(name, known);
 }
 
+/// CLI11 says of an option without its value what type that has.
+std::string plain_words(const CLI::ParseError& error) {
+  const std::string words = error.what();
+  const bool missing = dynamic_cast<const CLI::ArgumentMismatch*>(&error) && words.ends_with(" missing");
+  return missing ? words.substr(0, words.find(": ")) + ": a value is missing" : words;
+}
+
 /// What is wrong with the command line, and whose help says more.
 std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
   const auto given = app.get_subcommands();
   const CLI::App& command = given.empty() ? app : *given.front();
   const std::vector<std::string> words = app.remaining(true);
   const bool extra = dynamic_cast<const CLI::ExtrasError*>(&error) && !words.empty();
-  return (extra ? unexpected(command, words) : std::string(error.what())) + "; see throng " +
+  return (extra ? unexpected(command, words) : plain_words(error)) + "; see throng " +
          (given.empty() ? "" : command.get_name() + " ") + "--help";
 }
 

@@ -55,9 +55,12 @@ void expect_walls(const std::vector<Wall>& found, const std::vector<Wall>& walls
   expect(std::ranges::equal(found, walls, same), "wall");
 }
 
-/// Areas and queues as far as the file's layout has them.
+/// Areas, queues and the size of what is measured, as far as the file's layout has them.
 void expect_floor(const Crowd& found, const Crowd& crowd, int minor) {
   if (crowd.size() > 0) expect(found.walkable.rings == crowd.walkable.rings, "walkable floor");
+  const auto same_size = [](const Measure& a, const Measure& b) { return a.size == b.size; };
+  if (minor >= 5)
+    expect(std::ranges::equal(found.measures, crowd.measures, same_size), "size of what is measured");
   if (minor < 6) return;
   const auto same_area = [](const Area& a, const Area& b) {
     return a.name == b.name && a.region.rings == b.region.rings && a.use == b.use;
@@ -81,10 +84,21 @@ void expect_box(const h5::File& file, const Domain& found, const Domain& domain)
   expect(edges[0] == size.x() && edges[1] == size.y(), "box");
 }
 
+/// What the attributes of /parameters and /throng say of the run. A scene without a name was called after its
+/// file.
+void expect_run(const Scene& found, const Scene& scene) {
+  expect(scene.name.empty() || found.name == scene.name, "name");
+  expect(found.description == scene.description, "description");
+  expect(found.seed == scene.seed, "seed");
+  expect(found.engine == scene.engine, "engine");
+  expect(found.time.until == scene.time.until, "end");
+}
+
 }  // namespace
 
 void expect_tables(const h5::File& file, const Scene& found, std::span<const std::uint32_t> ids,
                    const Scene& scene, int minor) {
+  expect_run(found, scene);
   expect_materials(found.materials, scene.materials);
   expect_shapes(found.shapes, scene.shapes);
   expect_walls(found.walls, scene.walls);

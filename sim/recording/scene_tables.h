@@ -9,10 +9,10 @@
 
 namespace throng::recording {
 
-/// Does what a file of layout 1.`minor` says of materials, shapes, bodies, walls, floor and box fit the scene
-/// that its scenario makes? Reads masses and the box, which other programs read and throng doesn't need.
-/// `found` is the scene that the file's tables make, `ids` are its bodies, names in `scene`, which must have
-/// them. O(scene). Throws h5::Error where anything is unreadable or otherwise.
+/// Does what a file of layout 1.`minor` says of the run, materials, shapes, bodies, walls, floor and box fit
+/// the scene that its scenario makes? Reads masses and the box, which other programs read and throng doesn't
+/// need. `found` is the scene that the file's tables make, `ids` are its bodies, names in `scene`, which must
+/// have them. O(scene). Throws h5::Error where anything is unreadable or otherwise.
 void expect_tables(const h5::File& file, const Scene& found, std::span<const std::uint32_t> ids,
                    const Scene& scene, int minor);
 

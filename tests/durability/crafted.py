@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Copies a recording into ones that must be refused, each with one fault: crafted.py FILE FOLDER [crowd]."""
+"""Copies a recording into ones that must be refused, each with one fault: crafted.py FILE FOLDER [crowd | selected | region]."""
+import importlib
 import shutil
 import sys
 
@@ -217,114 +218,6 @@ def foreign(file):
     del file["throng"]
 
 
-def area_of_unknown_use(file):
-    file["throng/areas/use"][0] = 3
-
-
-def area_of_two_points(file):
-    areas = file["throng/areas"]
-    areas["offset"][1] = 2
-
-
-def area_beyond_its_rings(file):
-    file["throng/areas/area_offset"][1] = 10**9
-
-
-def area_nowhere(file):
-    file["throng/areas/points"][0] = (np.nan, 0.0)
-
-
-def fewer_uses_than_areas(file):
-    replace(file, "throng/areas/use", data=np.zeros(1, dtype="<u1"))
-
-
-def areas_elsewhere(file):
-    file.move("throng/areas", "throng/kept")
-    file["throng/areas"] = h5py.SoftLink("/throng/kept")
-
-
-def areas_of_a_bomb(file):
-    replace(file, "throng/areas/points", shape=(2**27, 2), chunks=(2**16, 2), dtype="<f8")
-
-
-def queue_of_one_point(file):
-    queues = file["throng/queues"]
-    replace(file, "throng/queues/points", data=queues["points"][:1])
-    queues["offset"][1] = 1
-
-
-def queue_without_spacing(file):
-    file["throng/queues/spacing"][0] = 0.0
-
-
-def floor_of_two_points(file):
-    replace(file, "throng/walkable/offset", data=np.array([0, 2, 4], dtype="<u8"))
-
-
-def measure_of_nothing(file):
-    replace(file, "throng/measures/line", data=np.zeros((1, 4)))
-
-
-def measure_without_columns(file):
-    del file["observables/measure"]
-
-
-def column_of_few_rows(file):
-    file["observables/agents/value"].resize((2,))
-
-
-def column_too_large(file):
-    file["observables/arrived/value"].resize((10**13,))
-
-
-def column_elsewhere(file):
-    del file["observables/arrived"]
-    file["observables/arrived"] = h5py.ExternalLink("other.h5", "/arrived")
-
-
-def altered_density(file):
-    (name,) = (name for name in file["observables/measure"] if "density" in file["observables/measure"][name])
-    file["observables/measure"][name]["density/value"][1] += 1e-12
-
-
-def sensor_without_a_rate(file):
-    file["throng/sensors/0"].attrs["every"] = np.int64(0)
-
-
-def sensor_of_no_width(file):
-    file["throng/sensors/0"].attrs["fov_degrees"] = 0.0
-
-
-def sensor_without_end(file):
-    file["throng/sensors/0/whom_offset"][1:] = 10**12
-
-
-def sensor_running_backwards(file):
-    file["throng/sensors/0/offset"][1] = 4
-    file["throng/sensors/0/offset"][2] = 3
-
-
-def altered_sensed(file):
-    file["throng/sensors/0/whom"][1] += 1
-
-
-def altered_count(file):
-    file["throng/sensors/0/count"][0] += 1
-
-
-def contacts_too_many(file):
-    file["throng/contacts/offset"][1:] = 10**12
-
-
-def presence_of_another(file):
-    file["particles/trajectory/id/value"][2, 0] = 9
-
-
-CROWD = (area_of_unknown_use, area_of_two_points, area_beyond_its_rings, area_nowhere, fewer_uses_than_areas, areas_elsewhere,
-         areas_of_a_bomb, queue_of_one_point, queue_without_spacing, floor_of_two_points, measure_of_nothing,
-         measure_without_columns, column_of_few_rows, column_too_large, column_elsewhere, altered_density,
-         sensor_without_a_rate, sensor_of_no_width, sensor_without_end, sensor_running_backwards, altered_sensed,
-         altered_count, contacts_too_many, presence_of_another)
 FAULTS = (external_storage, external_link, soft_link, virtual_dataset, huge_dimensions, bomb, wrong_type, wrong_rank,
           wrong_size, not_finite, not_finite_position, altered_position, altered_state_hash, altered_scenario,
           time_going_back, time_off_the_steps, frame_missing, value_missing, index_beyond, kind_unknown, offset_beyond,
@@ -332,8 +225,10 @@ FAULTS = (external_storage, external_link, soft_link, virtual_dataset, huge_dime
           cycle, deflated, foreign_filter, scale_offset, variable_text, no_utf8, dataset_for_a_group, group_missing,
           equal_measures, many_measures, observables_again_and_again, newer, foreign)
 
-for fault in CROWD if "crowd" in sys.argv[3:] else FAULTS:
-    path = f"{sys.argv[2]}/{fault.__name__}.h5"
-    shutil.copy(sys.argv[1], path)
-    with h5py.File(path, "r+", libver="latest") as opened:
-        fault(opened)
+if __name__ == "__main__":
+    kind = sys.argv[3] if len(sys.argv) > 3 else ""
+    for fault in importlib.import_module("crafted_" + kind).FAULTS if kind else FAULTS:
+        path = f"{sys.argv[2]}/{fault.__name__}.h5"
+        shutil.copy(sys.argv[1], path)
+        with h5py.File(path, "r+", libver="latest") as opened:
+            fault(opened)

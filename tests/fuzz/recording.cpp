@@ -66,19 +66,27 @@ Sample finished(bool single) {
   return sample_of(folder / "a.h5");
 }
 
-Sample full(bool region) {
+Sample full(const Record& record) {
   const testing_recordings::Folder folder;
   Scene all = testing_recordings::mixed_scene(6);
-  all.record = testing_recordings::full_record(region);
+  all.record = record;
   testing_recordings::add_sensor(all, 3);
   testing_recordings::record_run(folder / "a.h5", all, 6);
   return sample_of(folder / "a.h5");
 }
 
+Record packed_region() {
+  Record record = testing_recordings::full_record(true);
+  record.quantum = 1e-3;
+  return record;
+}
+
 /// Of agents, with measures.
-Sample crowd() {
+Sample crowd(double quantum) {
   const testing_recordings::Folder folder;
-  testing_recordings::record_simulation(folder / "a.h5", testing_recordings::measured_crowd());
+  Scene scene = testing_recordings::measured_crowd();
+  scene.record.quantum = quantum;
+  testing_recordings::record_simulation(folder / "a.h5", scene);
   return sample_of(folder / "a.h5");
 }
 
@@ -94,10 +102,13 @@ Sample unfinished() {
   return sample_of(folder / "killed.h5.part");
 }
 
+/// The last two have numbers of their own: what was kept before they came means the others.
 const Sample& sample(int which) {
-  static const Sample samples[] = {finished(false), finished(true), unfinished(),
-                                   full(false),     full(true),     crowd()};
-  return samples[which % 6];
+  using testing_recordings::full_record;
+  static const Sample samples[] = {
+      finished(false),         finished(true), unfinished(),          full(full_record(false)),
+      full(full_record(true)), crowd(0.0),     full(packed_region()), crowd(1e-3)};
+  return samples[which == 125 ? 6 : which == 126 ? 7 : which % 6];
 }
 
 /// Changes of four bytes each: where, as a place of the sample or as one of the file, and to what.

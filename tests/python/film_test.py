@@ -193,8 +193,8 @@ class Film(Program):
         for options, message in (("--video a.gif", "cannot write a.gif: a film's name ends in .mp4, .mov, .mkv or .webm"),
                                  ("--video a.mp4 --png ./a.mp4", "ends in .png"), ("--png a --html ./a", "name the same file"),
                                  ("--fps 25", "give both"),
-                                 ("--video a.mp4 --fps 0", "not in range"),
-                                 ("--video a.mp4 --speed 0", "must be from 1e-9 to 1e9, not 0"),
+                                 ("--video a.mp4 --fps 0", "must be a whole number from 1 to 240, not '0'"),
+                                 ("--video a.mp4 --speed 0", "must be a number from 1e-09 to 1000000000, not '0'"),
                                  ("--video a.mp4 --speed 1e-9", "at most 1e6 are drawn"),
                                  ("--video no/a.mp4", "cannot write no/a.mp4")):
             code, error = self.film(*options.split())

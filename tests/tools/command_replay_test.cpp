@@ -92,7 +92,8 @@ TEST_F(Replay, InfoTellsWhatTheFileHolds) {
   const Answer answer = throng("info a.h5");
   EXPECT_EQ(answer.code, 0);
   EXPECT_THAT(answer.text, HasSubstr("status        complete"));
-  EXPECT_THAT(answer.text, HasSubstr("frames        21"));
+  EXPECT_THAT(answer.text, HasSubstr("frames        21, of each step\n"));
+  EXPECT_THAT(answer.text, HasSubstr("every         1 step, of what has no rate of its own below\n"));
   EXPECT_THAT(answer.text, HasSubstr("bodies        3"));
   EXPECT_THAT(answer.text, HasSubstr("last_time     0.2"));
   EXPECT_THAT(answer.text,
@@ -100,6 +101,23 @@ TEST_F(Replay, InfoTellsWhatTheFileHolds) {
                         "velocity each step, in 21 frames\n"));
   EXPECT_THAT(answer.text, HasSubstr("domain        box 0 0 4 3\n"));
   EXPECT_THAT(throng("info a.h5 --json").text, HasSubstr("\"command_line\": \"throng run three.toml"));
+}
+
+/// "every 4, frames 91" puzzled who had asked for 301 steps.
+TEST_F(Replay, InfoTellsOfWhichStepsThereAreFrames) {
+  const auto frames = [&](const std::string& record) {
+    const Answer made =
+        throng("run three.toml -o b.h5 --force --progress none --set 'record=" + record + "'");
+    EXPECT_EQ(made.code, 0) << made.text;
+    const std::string text = throng("info b.h5").text;
+    const std::size_t at = text.find("frames        ") + 14;
+    return text.substr(at, text.find('\n', at) - at);
+  };
+  EXPECT_EQ(frames("{ every = 4, observables = 10 }"), "7, of each step that is a multiple of 4 or 10");
+  EXPECT_EQ(frames("{ every = 6, fields = [\"position\"], also = [{ every = 4, fields = [\"spin\"] }, "
+                   "{ every = 12, fields = [\"velocity\"] }], observables = 9 }"),
+            "9, of each step that is a multiple of 4, 6 or 9");
+  EXPECT_EQ(frames("{ every = 5 }"), "5, of each step that is a multiple of 5");
 }
 
 TEST_F(Replay, VerifiesWhatTheSameProgramWrote) {
@@ -158,6 +176,66 @@ TEST_F(Replay, VerifiesTheTablesThatOtherProgramsRead) {
   EXPECT_EQ(throng("replay a.h5 --verify").text, "verified: 21 frames\n");
 }
 
+constexpr const char* kHouse = R"(throng = 1
+name = "house"
+description = "with a court"
+time = { dt = 0.01, until = 0.05 }
+[shapes]
+ball = { disc = { radius = 0.3 } }
+court = { polygon = [[0, 0], [4, 0], [4, 4], [0, 4]], holes = [[[1, 1], [3, 1], [3, 3], [1, 3]]] }
+robot = { discs = [[0, 0, 0.3], [0.4, 0, 0.2]] }
+[[bodies]]
+shape = "court"
+at = [2, 2]
+kind = "static"
+[[bodies]]
+shape = "robot"
+at = [2, 2]
+[[walls]]
+polyline = [[0, -1], [4, -1], [4, 3]]
+)";
+
+/// Checksums are right: somebody wrote these numbers.
+TEST_F(Replay, VerifiesOutlinesWallsAndWhatTheFileSaysOfItsRun) {
+  std::ofstream(folder / "house.toml") << kHouse;
+  ASSERT_EQ(throng("run house.toml -o a.h5 --force --progress none").code, 0);
+  EXPECT_EQ(throng("replay a.h5 --verify").text, "verified: 6 frames\n");
+  const std::string kept = content("a.h5");
+  const auto expect_noticed = [&](const std::string& forgery, const std::string& what) {
+    alter(forgery);
+    const Answer answer = throng("replay a.h5 --verify");
+    EXPECT_EQ(answer.code, 2) << forgery;
+    EXPECT_EQ(answer.text, "throng: a.h5 is " + what + "\n") << forgery;
+    std::ofstream(folder / "a.h5", std::ios::binary) << kept;
+  };
+  const std::pair<const char*, const char*> tables[] = {{"throng/shapes/outline", "outline of a shape"},
+                                                        {"throng/shapes/rings", "outline of a shape"},
+                                                        {"throng/shapes/vertices", "part of a shape"},
+                                                        {"throng/shapes/part_radius", "part of a shape"},
+                                                        {"throng/shapes/centre", "shape"},
+                                                        {"throng/shapes/area", "shape"},
+                                                        {"throng/shapes/gyration2", "shape"},
+                                                        {"throng/shapes/radius", "shape"},
+                                                        {"throng/walls/points", "wall"},
+                                                        {"throng/walls/closed", "wall"},
+                                                        {"throng/materials/density", "material"}};
+  for (const auto& [table, what] : tables)
+    expect_noticed("d = f['" + std::string(table) + "']; v = d[()]; v.flat[0] += 1; d[...] = v",
+                   std::string("damaged: ") + what + " is not that of the scenario");
+  expect_noticed("d = f['throng/walls/points']; d[1, 1] *= 1 + 2.0**-52",
+                 "damaged: wall is not that of the scenario");
+  expect_noticed("d = f['throng/shapes/name']; v = d[()]; v[1] = b'cowrt'; d[...] = v",
+                 "damaged: shape is not that of the scenario");
+  for (const char* attribute : {"name", "description"})
+    expect_noticed(
+        "f['throng'].attrs['" + std::string(attribute) + "'] = __import__('numpy').bytes_('other')",
+        std::string("damaged: ") + attribute + " is not that of the scenario");
+  expect_noticed("f['parameters'].attrs.modify('seed', 5)", "damaged: seed is not that of the scenario");
+  expect_noticed("f['parameters'].attrs.modify('until', 0.06)", "damaged: end is not that of the scenario");
+  expect_noticed("f['parameters'].attrs['engine'] = __import__('numpy').bytes_('box2d')",
+                 "damaged: engine is not that of the scenario");
+}
+
 TEST_F(Replay, NamesTheFirstStepAndBodyThatDiverge) {
   const Answer other = throng("run three.toml -o other.h5 --progress none --set gravity=[0.0,-9.8]");
   ASSERT_EQ(other.code, 0) << other.text;
@@ -203,7 +281,7 @@ TEST_F(Replay, RefusesAScenarioWithOtherSteps) {
 }
 
 TEST_F(Replay, RefusesTimesOutsideTheRecording) {
-  for (const std::string at : {"1e9", "0.21", "-0.01", "nan", "inf"}) {
+  for (const std::string at : {"1e9", "0.21", "-0.01", "inf"}) {
     const Answer answer = throng("replay a.h5 --png a.png --at=" + at);
     EXPECT_EQ(answer.code, 2) << at;
     EXPECT_THAT(answer.text, HasSubstr("is outside the recording")) << at;
