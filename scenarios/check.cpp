@@ -133,10 +133,6 @@ bool Checker::check_text(const toml::node& node, const Type& type, const Path& p
 bool Checker::check_choice(const toml::node& node, const Type& type, const Path& path) {
   const std::string& word = node.as_string()->get();
   if (std::find(type.choices.begin(), type.choices.end(), word) != type.choices.end()) return true;
-  if (std::find(type.later.begin(), type.later.end(), word) != type.later.end())
-    return fail(
-        node, path,
-        "not supported yet: " + path.text() + " = " + in_quotes(word) + "; must be " + describe(type));
   return fail(node, path,
               "must be " + describe(type) + ", and is " + in_quotes(word) + suggestion(word, type.choices));
 }

@@ -32,7 +32,6 @@ struct Type {
   double low = 0.0, high = 0.0;
   std::string unit;  ///< of a number, for messages
   std::vector<std::string> choices;
-  std::vector<std::string> later;  ///< choices to come: refused as not supported yet
   std::string of;
   std::vector<Type> parts;
   std::size_t least = 0, most = 0;

@@ -65,6 +65,7 @@ void read_scene(const toml::table& root, Scene& scene, Report& report) {
   read_recorded_bodies(root, scene, report);
   if (report.errors() > 0) return;
   read_sensors(root, scene, report);
+  settle_soft_contacts(root, scene, report);
   if (report.errors() == 0) check_engine(root, scene, report);
 }
 

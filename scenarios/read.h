@@ -48,6 +48,13 @@ struct Entry {
 /// Name, description, seed, engine, gravity, sleep, time, domain, contact, record.
 void read_settings(const toml::table& root, Scene& scene, Report& report);
 
+/// How bodies push each other; part of read_settings.
+void read_contact(const toml::table& root, Scene& scene, Report& report);
+
+/// Of soft contacts: chooses the substeps where the file doesn't, so that the shortest impact takes 50; warns
+/// where it takes fewer than 20, and refuses steps that are unstable. Expects all bodies in the scene.
+void settle_soft_contacts(const toml::table& root, Scene& scene, Report& report);
+
 /// Rates, fields and form of the recording; part of read_settings.
 void read_record(const toml::table& root, Scene& scene, Report& report);
 

@@ -56,13 +56,6 @@ void read_domain(const toml::table& root, Scene& scene, Report& report) {
                           : "must have its least x and y first, [[min x, min y], [max x, max y]]");
 }
 
-void read_contact(const toml::table& root, Scene& scene, const Report& report) {
-  const toml::node* node = good(root, "contact", report);
-  if (!node) return;
-  scene.contact =
-      text(*node->as_table(), "model", "impulse") == "none" ? ContactModel::none : ContactModel::impulse;
-}
-
 }  // namespace
 
 void read_settings(const toml::table& root, Scene& scene, Report& report) {

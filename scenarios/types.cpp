@@ -44,9 +44,9 @@ Type text(std::size_t most, std::string called) {
   return type;
 }
 
-Type choice(std::vector<std::string> choices, std::vector<std::string> later) {
+Type choice(std::vector<std::string> choices) {
   Type type = of_kind(Kind::choice);
-  type.choices = std::move(choices), type.later = std::move(later);
+  type.choices = std::move(choices);
   return type;
 }
 

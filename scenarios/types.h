@@ -12,7 +12,7 @@ Type boolean();
 Type number(double low, double high, std::string unit = "");
 Type integer(double low, double high);
 Type text(std::size_t most = 65536, std::string called = "");
-Type choice(std::vector<std::string> choices, std::vector<std::string> later = {});
+Type choice(std::vector<std::string> choices);
 Type name_in(std::string of);  ///< an entry of the file's table `of`
 Type tuple(std::vector<Type> parts, std::string called);
 Type list(Type part, std::size_t least, std::string called, std::size_t most = kMostItems);

@@ -29,6 +29,11 @@ struct Colliders {
 
 Colliders colliders(const Scene& scene, const Plan& plan);
 
+/// Whether the row is a disc about its body's centre.
+inline bool is_disc(const Colliders& colliders, std::uint32_t row) {
+  return colliders.shape.empty() || !colliders.shape[row];
+}
+
 /// What never moves. Rows: first the sides of the domain's box, then walls and static bodies as convex parts
 /// in the world's frame. In a periodic domain each part stands in all its images that the domain can touch.
 struct Obstacles {

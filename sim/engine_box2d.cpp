@@ -250,6 +250,8 @@ std::string box2d_refusal(const Scene& scene) {
   if (scene.crowd.size() > 0) return "agents: Box2D moves bodies alone";
   if (scene.domain.kind == DomainKind::periodic) return "domain.periodic: Box2D has no periodic domains";
   if (scene.contact == ContactModel::none) return "contact.model = \"none\": Box2D always handles contacts";
+  if (is_soft(scene.contact))
+    return "contact.model: Box2D's contacts are rigid; \"spring\" and \"hertz\" need native";
   for (const Material& material : scene.materials)
     if (material.rolling_resistance > 0.0)
       return "materials." + material.name + ".rolling_resistance: Box2D 2.4.1 knows none";

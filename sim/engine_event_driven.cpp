@@ -82,6 +82,8 @@ std::string refusal_of(const Scene& scene, std::size_t row) {
 std::string event_driven_refusal(const Scene& scene) {
   if (scene.contact == ContactModel::none)
     return "contact.model = \"none\": collisions are all that this engine knows";
+  if (is_soft(scene.contact))
+    return "contact.model: discs are hard here; \"spring\" and \"hertz\" need native";
   double largest = 0.0;
   for (std::size_t row = 0; row < scene.bodies.size(); ++row) {
     if (std::string refusal = refusal_of(scene, row); !refusal.empty()) return refusal;

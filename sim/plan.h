@@ -36,6 +36,7 @@ struct Plan {
   bool rolling = false;           ///< some surface resists the rolling of discs
   bool restitution = false;       ///< some surface bounces
   bool elastic = false;           ///< some surface keeps all energy
+  bool soft = false;              ///< discs that give way where they touch: springs and dashpots
   bool flights = false;           ///< discs alone, all surfaces keep all energy, and nothing pulls
   bool sleep = false;             ///< bodies at rest leave the loop
   bool crowd = false;             ///< there are agents

@@ -15,7 +15,7 @@
 namespace throng {
 
 enum class Engine { native, box2d, event_driven };
-enum class ContactModel { none, impulse };
+enum class ContactModel { none, impulse, spring, hertz };
 enum class DomainKind { unbounded, box, periodic };
 enum class BodyKind : std::uint8_t { dynamic, fixed, kinematic, agent };  // `fixed` is the file's "static"
 enum class ShapeKind { disc, polygon, composite };
@@ -76,6 +76,15 @@ struct Time {
   static constexpr double kMostSteps = 1e12;  ///< no run has more
 };
 
+/// Contact models spring and hertz: discs that give way. What materials say holds beside it.
+struct SoftContact {
+  double stiffness = 0.0;                   ///< N/m, > 0, of spring
+  double tangential_stiffness = 2.0 / 7.0;  ///< of the normal one, of spring; of hertz by Poisson's ratio
+  double youngs_modulus = 0.0;              ///< Pa, > 0, of hertz
+  double poisson_ratio = 0.3;               ///< of hertz
+  double tangential_damping = 0.5;          ///< of the normal one
+};
+
 struct Scene {
   std::string name;
   std::string description;
@@ -86,6 +95,7 @@ struct Scene {
   Time time;
   Domain domain;
   ContactModel contact = ContactModel::impulse;
+  SoftContact soft;
   Record record;
   std::vector<Material> materials;
   std::vector<Shape> shapes;
@@ -94,6 +104,11 @@ struct Scene {
   Crowd crowd;  ///< whose agents are the last of the bodies
   std::vector<Sensor> sensors;
 };
+
+/// Whether bodies that touch give way, as springs do.
+inline bool is_soft(ContactModel model) {
+  return model == ContactModel::spring || model == ContactModel::hertz;
+}
 
 /// As files and command lines have it.
 const char* engine_name(Engine engine);

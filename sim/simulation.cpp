@@ -1,14 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include "sim/simulation.h"
 
+#include <algorithm>
+
 #include "sim/contact/list_contacts.h"
 #include "sim/engine_box2d.h"
 #include "sim/engine_event_driven.h"
+#include "sim/input_error.h"
+#include "sim/soft_timing.h"
 #include "sim/step.h"
 
 namespace throng {
 
 namespace {
+
+/// Of soft contacts those that don't just hold back two that part.
+std::size_t pressing(const std::vector<ContactImpulse>& contacts) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(contacts, [](const ContactImpulse& contact) { return contact.normal > 0.0; }));
+}
 
 class Native : public Simulation {
  public:
@@ -26,10 +36,12 @@ class Native : public Simulation {
     return true;
   }
   std::size_t contacts() const override {
+    if (plan_.soft) return pressing(state_.disc_contacts) + pressing(state_.point_contacts);
     return state_.disc_contacts.size() + state_.point_contacts.size() + state_.sleep.disc_contacts.size() +
            state_.sleep.point_contacts.size();
   }
   void list_contacts(std::vector<ContactRow>& rows) const override {
+    if (plan_.soft) return work_.soft.list(state_, work_.bodies, rows);
     throng::list_contacts(scene_, work_.contacts, state_, work_.bodies, rows);
     if (plan_.sleep) with_sleeping(state_, rows);
   }
@@ -45,6 +57,7 @@ class Native : public Simulation {
 
  private:
   std::vector<std::pair<std::string, double>> body_times(const StageTimes& times) const {
+    if (plan_.soft) return {{"find_pairs", times.find_pairs}, {"solve", times.solve}, {"store", times.store}};
     if (!plan_.contacts()) return {{"integrate", times.solve}, {"store", times.store}};
     std::vector<std::pair<std::string, double>> all{{"find_pairs", times.find_pairs},
                                                     {"find_contacts", times.find_contacts},
@@ -73,6 +86,8 @@ class Native : public Simulation {
 std::unique_ptr<Simulation> simulation(const Scene& scene, int threads) {
   if (scene.engine == Engine::box2d) return box2d_simulation(scene);
   if (scene.engine == Engine::event_driven) return event_driven_simulation(scene);
+  if (const std::string refusal = is_soft(scene.contact) ? soft_refusal(scene) : ""; !refusal.empty())
+    throw InputError("contact.model: " + refusal);
   return std::make_unique<Native>(scene, threads);
 }
 

@@ -48,8 +48,8 @@ class Simulation {
   virtual std::vector<std::pair<std::string, double>> stage_times() const = 0;
 };
 
-/// `scene` must outlive the simulation. Throws InputError where the engine can't run the scene, with the
-/// reason.
+/// `scene` must outlive the simulation. Throws InputError where the engine can't run the scene, or soft
+/// contacts can't, with the reason.
 std::unique_ptr<Simulation> simulation(const Scene& scene, int threads = 1);
 
 }  // namespace throng

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The step is the story. Of bodies: wake, find pairs, then fly from collision to collision, or find contacts
-// and solve in substeps; store, fall asleep. Of agents: look, steer, walk (kinematic bodies
-// among them, which push them), leave, appear. Of both: sense.
+// and solve in substeps, or be pushed by soft contacts in substeps; store, fall asleep. Of agents: look,
+// steer, walk (kinematic bodies among them, which push them), leave, appear. Of both: sense.
 #include "sim/step.h"
 
 #include <algorithm>
@@ -133,6 +133,7 @@ Workspace::Workspace(const Scene& scene, const Plan& plan, int threads)
       candidates(scene, plan),
       sleepers(scene, plan),
       flights(scene, plan),
+      soft(scene, plan),
       finder(scene, plan),
       bodies(scene.bodies.size() + 1),
       crowd(scene),
@@ -220,9 +221,31 @@ void step_bodies(const Scene& scene, const Plan& plan, State& state, Workspace& 
   clock.lap(work.times.sleep);
 }
 
+/// Discs that give way where they touch.
+void step_soft(const Scene& scene, const Plan& plan, State& state, Workspace& work) {
+  StageClock clock;
+  const Rows all = work.sleepers.bodies();
+  for (int attempt = 1;; ++attempt) {
+    work.candidates.find(state, scene.time.dt);
+    clock.lap(work.times.find_pairs);
+    load(state, all, work.bodies);
+    work.soft.run(work.candidates, state, work.bodies);
+    clock.lap(work.times.solve);
+    if (!work.candidates.widen(work.bodies, work.soft.farthest(), attempt >= kLocalAttempts)) break;
+    if (attempt == kAttempts) fail_at_chain(state);
+  }
+  work.soft.check_depth(state);
+  ++state.step;
+  store(scene, plan, work.bodies, all, state);
+  work.soft.save(state);
+  clock.lap(work.times.store);
+}
+
 void step(const Scene& scene, const Plan& plan, State& state, Workspace& work) {
   if (plan.crowd)
     step_crowd(plan, state, work);
+  else if (plan.soft)
+    step_soft(scene, plan, state, work);
   else
     step_bodies(scene, plan, state, work);
   if (!plan.sensors) return;

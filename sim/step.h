@@ -8,6 +8,7 @@
 #include "sim/contact/candidates.h"
 #include "sim/contact/find_contacts.h"
 #include "sim/contact/flights.h"
+#include "sim/contact/soft_contacts.h"
 #include "sim/contact/solve.h"
 #include "sim/crowd/walk.h"
 #include "sim/plan.h"
@@ -35,6 +36,7 @@ struct Workspace {
   Candidates candidates;
   Sleepers sleepers;  ///< to be told where `state` isn't what the last step left
   Flights flights;
+  SoftContacts soft;
   ContactFinder finder;
   Contacts contacts;
   std::vector<SolverBody> bodies;  ///< a row per body, and one for all obstacles
@@ -46,9 +48,10 @@ struct Workspace {
 
 /// Advances `state` by dt. Allocates nothing once its buffers have grown. Semi-implicit Euler in substeps:
 /// free fall is late by g h t / 2, h = dt / substeps; discs that keep all energy and that nothing pulls fly
-/// and collide exactly; agents walk dt at once. Throws SimulationError where a
-/// body is no longer at a finite place, where so much happens within dt that contacts might be missed, and as
-/// `Candidates::find`; `state` is then that of the step's beginning, but where a place isn't finite.
+/// and collide exactly; discs whose contacts are soft go by Verlet's method, of second order; agents walk dt
+/// at once. Throws SimulationError where a body is no longer at a finite place, where so much happens within
+/// dt that contacts might be missed, and as `Candidates::find`; `state` is then that of the step's beginning,
+/// but where a place isn't finite.
 void step(const Scene& scene, const Plan& plan, State& state, Workspace& workspace);
 
 }  // namespace throng

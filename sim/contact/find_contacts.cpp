@@ -86,10 +86,6 @@ const Rim& rim(const Colliders& colliders, std::uint32_t row) {
   return colliders.rim.empty() ? alone : colliders.rims[colliders.rim[row]];
 }
 
-bool is_disc(const Colliders& colliders, std::uint32_t row) {
-  return colliders.shape.empty() || !colliders.shape[row];
-}
-
 /// The contact of two discs about their bodies' centres; its normal is found in each substep.
 DiscContact disc_contact(const Colliders& colliders, Pair pair, std::span<const SolverBody> bodies,
                          const Surface& surface) {

@@ -2,24 +2,19 @@
 #include "sim/contact/find_rolls.h"
 
 #include "sim/contact/contact_key.h"
+#include "sim/contact/roll.h"
 
 namespace throng {
 
 namespace {
 
-/// Of a disc; 0 for what is none.
-double rolling_radius(const narrowphase::Convex& shape) {
-  return shape.vertices.size() == 1 ? shape.radius : 0.0;
-}
-
 double rolling_radius(const Colliders& colliders, std::uint32_t row) {
-  const bool disc = colliders.shape.empty() || !colliders.shape[row];
-  return disc ? colliders.radius[row] : rolling_radius(*colliders.shape[row]);
+  return is_disc(colliders, row) ? colliders.radius[row] : throng::rolling_radius(*colliders.shape[row]);
 }
 
 double rolling_radius(const Obstacles& obstacles, std::uint32_t row) {
   const std::size_t sides = obstacles.side.size();
-  return row < sides ? 0.0 : rolling_radius(obstacles.part[row - sides]);
+  return row < sides ? 0.0 : throng::rolling_radius(obstacles.part[row - sides]);
 }
 
 /// The impulses that the last step kept of one kind of contact. They and the questions ascend by key.

@@ -22,6 +22,10 @@ double effective_radius(double a, double b) {
   return a > 0.0 && b > 0.0 ? a * b / (a + b) : std::max(a, b);
 }
 
+double rolling_radius(const narrowphase::Convex& shape) {
+  return shape.vertices.size() == 1 ? shape.radius : 0.0;
+}
+
 void warm_start(std::span<const RollContact> rolls, std::span<SolverBody> bodies) {
   for (const RollContact& roll : rolls) apply(roll, roll.impulse, bodies);
 }

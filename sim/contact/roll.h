@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "narrowphase/convex.h"
 #include "sim/contact/contact.h"
 
 /// Rolling resistance: at a contact of a disc a torque holds the two bodies' spins together, up to the
@@ -23,6 +24,9 @@ struct RollContact {
 /// The radius that counts between two (m), of which 0 stands for what is no disc: that of the only disc, and
 /// half the harmonic mean of two.
 double effective_radius(double a, double b);
+
+/// Of a disc (m); 0 for what is none.
+double rolling_radius(const narrowphase::Convex& shape);
 
 /// Applies the impulses that the last sweep left.
 void warm_start(std::span<const RollContact> rolls, std::span<SolverBody> bodies);

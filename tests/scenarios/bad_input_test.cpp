@@ -52,8 +52,37 @@ const Case kCases[] = {
      "s.toml:5:9: error: sensors[0].sight: must be true or false, or one of"},
     {"[[measure]]\nname = 'x'\nline = [[0, 0], [1, 0]]",
      "error: measure: counts agents, and there are none: it needs [[agents]]"},
-    {"contact = { model = 'spring' }", "s.toml:2:21: error: contact.model: not supported yet: contact.model"},
-    {"contact = { model = 'hertz' }", "s.toml:2:21: error: contact.model: not supported yet: contact.model"},
+    // soft contacts
+    {"contact = { model = 'spring' }",
+     "s.toml:2:11: error: contact.stiffness: is missing: contact.model \"spring\" needs it"},
+    {"contact = { model = 'hertz' }",
+     "s.toml:2:11: error: contact.youngs_modulus: is missing: contact.model \"hertz\" needs it"},
+    {"contact = { stiffness = 1e5 }",
+     "s.toml:2:25: error: contact.stiffness: belongs to contact.model \"spring\", and it is \"impulse\""},
+    {"contact = { model = 'hertz', youngs_modulus = 1e6, tangential_stiffness = 0.5 }",
+     "s.toml:2:75: error: contact.tangential_stiffness: belongs to contact.model \"spring\", and it is "
+     "\"hertz\""},
+    {"contact = { model = 'none', tangential_damping = 0.5 }",
+     "contact.tangential_damping: belongs to contact.model \"spring\" or \"hertz\", and it is \"none\""},
+    {"contact = { model = 'spring', stiffness = 0 }",
+     "s.toml:2:43: error: contact.stiffness: must be a number from 1e-09 to 1e+15 N/m"},
+    {"contact = { model = 'hertz', youngs_modulus = 1e6, poisson_ratio = 0.6 }",
+     "contact.poisson_ratio: must be a number from 0 to 0.5"},
+    {"contact = { model = 'spring', stiffness = 1e5 }\nshapes.b.polygon = [[0, 0], [1, 0], [1, 1], [0, 1]]\n"
+     "[[bodies]]\nshape = 'b'\nat = [1, 1]",
+     "s.toml:2:21: error: contact.model: \"spring\" is of discs, and body 1 is a dynamic \"b\", which is "
+     "none"},
+    {"engine = 'box2d'\ncontact = { model = 'spring', stiffness = 1e5 }\n" BALL "at = [0, 0]",
+     "s.toml:2:10: error: engine: box2d: contact.model: "},
+    {"engine = 'event_driven'\ncontact = { model = 'hertz', youngs_modulus = 1e5 }\n" BALL "at = [0, 0]",
+     "s.toml:2:10: error: engine: event_driven: contact.model: "},
+    {"time = { dt = 0.01, substeps = 4 }\ncontact = { model = 'spring', stiffness = 1e6 }\n" BALL
+     "at = [0, 0]",
+     "s.toml:2:32: error: time.substeps: an impact lasts 0.00557 s, 2.23 substeps of 0.0025 s: unstable; "
+     "time.substeps must be at least 34"},
+    {"time = { dt = 0.1, substeps = 4 }\ncontact = { model = 'spring', stiffness = 1e10 }\n" BALL
+     "at = [0, 0]",
+     "unstable; time.dt must be at most "},
     {"record = { quantize = 0 }",
      "s.toml:2:23: error: record.quantize: must be a number from 1e-09 to 1000 m"},
     {"record = { fields = ['angle'], quantize = 1e-3 }",
@@ -76,7 +105,8 @@ const Case kCases[] = {
      "s.toml:2:10: error: engine: must be one of \"native\", \"box2d\", \"event_driven\", and is \"navite\", "
      "did you mean"},
     {"contact.model = 'impulses'",
-     "s.toml:2:17: error: contact.model: must be one of \"impulse\", \"none\", and is"},
+     "s.toml:2:17: error: contact.model: must be one of \"impulse\", \"spring\", \"hertz\", \"none\", and "
+     "is"},
     {"record.fields = ['positon']", "s.toml:2:18: error: record.fields[0]: must be one of"},
     {"record.precision = 'half'",
      "s.toml:2:20: error: record.precision: must be one of \"double\", \"single\""},

@@ -218,4 +218,44 @@ TEST(Load, GivesAStepSoManySubstepsThatTheyAreShort) {
   EXPECT_EQ(substeps("dt = 0.1, substeps = 3"), 3) << "as the file says";
 }
 
+const std::string kSoft =
+    "throng = 1\ncontact = { model = 'spring', stiffness = 1e6 }\nmaterials.default.restitution = 0.5\n"
+    "shapes.b.disc.radius = 1\nbodies = [{ shape = 'b', at = [0, 0] }, { shape = 'b', at = [5, 0] }]\n";
+
+TEST(Load, GivesSoftContactsFiftySubstepsInAnImpact) {
+  // pi sqrt(m / 2 / k) with m = pi kg: 3.94 ms.
+  EXPECT_EQ(load_text(kSoft).scene.time.substeps, 127);
+  EXPECT_EQ(load_text(kSoft, {"time.dt = 1e-5"}).scene.time.substeps, 1);
+  EXPECT_EQ(load_text(kSoft, {"time.dt = 0.1"}).scene.time.substeps, 1000);
+  const Loaded hertz = load_text(kSoft, {"contact = { model = 'hertz', youngs_modulus = 1e8 }"});
+  EXPECT_EQ(faults(hertz), "");
+  EXPECT_EQ(hertz.scene.time.substeps, 1) << "nothing moves";
+  // v = 4 m/s: 2.868 (m*^2 / (R* E*^2 v))^(1/5) = 6.02 ms.
+  const std::vector<std::string> moving{"contact = { model = 'hertz', youngs_modulus = 1e7 }",
+                                        "bodies[1].velocity = [-2, 0]"};
+  EXPECT_EQ(load_text(kSoft, moving).scene.time.substeps, 84);
+}
+
+TEST(Load, ReadsWhatSoftContactsAre) {
+  const Scene spring =
+      load_text(kSoft, {"contact.tangential_stiffness = 0.5", "contact.tangential_damping = 0"}).scene;
+  EXPECT_EQ(spring.contact, ContactModel::spring);
+  EXPECT_EQ(spring.soft.stiffness, 1e6);
+  EXPECT_EQ(spring.soft.tangential_stiffness, 0.5);
+  EXPECT_EQ(spring.soft.tangential_damping, 0.0);
+  const Scene hertz =
+      load_text(kSoft, {"contact = { model = 'hertz', youngs_modulus = 1e7, poisson_ratio = 0.2 }"}).scene;
+  EXPECT_EQ(hertz.contact, ContactModel::hertz);
+  EXPECT_EQ(hertz.soft.youngs_modulus, 1e7);
+  EXPECT_EQ(hertz.soft.poisson_ratio, 0.2);
+}
+
+TEST(Load, WarnsOfFewSubstepsInAnImpact) {
+  EXPECT_EQ(faults(load_text(kSoft, {"time.substeps = 51"})), "");
+  EXPECT_EQ(faults(load_text(kSoft, {"time.substeps = 50"})),
+            "--set time.substeps = 50: warning: time.substeps: an impact lasts 0.00394 s, 19.7 substeps of "
+            "0.0002 s: "
+            "fewer than 20 are not accurate; time.substeps must be at least 51\n");
+}
+
 }  // namespace throng

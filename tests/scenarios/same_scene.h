@@ -22,6 +22,11 @@ inline void expect_same(const Scene& a, const Scene& b) {
   EXPECT_EQ(a.domain.min, b.domain.min);
   EXPECT_EQ(a.domain.max, b.domain.max);
   EXPECT_EQ(a.contact, b.contact);
+  EXPECT_EQ(a.soft.stiffness, b.soft.stiffness);
+  EXPECT_EQ(a.soft.tangential_stiffness, b.soft.tangential_stiffness);
+  EXPECT_EQ(a.soft.youngs_modulus, b.soft.youngs_modulus);
+  EXPECT_EQ(a.soft.poisson_ratio, b.soft.poisson_ratio);
+  EXPECT_EQ(a.soft.tangential_damping, b.soft.tangential_damping);
   EXPECT_EQ(a.record.every, b.record.every);
   EXPECT_EQ(a.record.spin, b.record.spin);
   EXPECT_EQ(a.record.single, b.record.single);

@@ -53,10 +53,7 @@ void operator delete(void* p, std::size_t, std::align_val_t) noexcept {
 namespace throng {
 namespace {
 
-class SettledScene : public ::testing::TestWithParam<const char*> {};
-
-TEST_P(SettledScene, StepsWithoutAllocating) {
-  const Scene scene = gallery_scene(GetParam());
+void expect_no_allocation(const Scene& scene) {
   const auto run = simulation(scene);
   ASSERT_GT(allocations, 0) << "nothing is counted";
   // Buffers grow with the number of contacts, which rises as bodies gather: wait until a hundred steps pass
@@ -67,6 +64,22 @@ TEST_P(SettledScene, StepsWithoutAllocating) {
     for (int j = 0; j < 100; ++j) run->step();
   }
   EXPECT_EQ(allocations, before);
+}
+
+class SettledScene : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(SettledScene, StepsWithoutAllocating) {
+  expect_no_allocation(gallery_scene(GetParam()));
+}
+
+TEST(SoftDiscs, StepWithoutAllocating) {
+  expect_no_allocation(scene_from(
+      "gravity = [0, -9.81]\ntime.dt = 2e-3\ndomain.box = [[0, 0], [9, 20]]\n"
+      "contact = { model = 'spring', stiffness = 1e4 }\nmaterials.default.rolling_resistance = 0.1\n"
+      "shapes.ball.disc.radius = 0.4\nshapes.bar.polygon = [[0, 0], [3, 0], [3, 0.2], [0, 0.2]]\n"
+      "[[bodies]]\nshape = 'ball'\ncount = 60\nplace.random = { within = [[0, 2], [9, 20]], gap = 0.01 }\n"
+      "[[bodies]]\nshape = 'bar'\nat = [4, 1]\nspin = 1\nkind = 'kinematic'\n"
+      "[[walls]]\npolyline = [[0, 0.5], [4, 0], [9, 0.5]]\n"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Gallery, SettledScene,

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// How bodies push each other, and whether the steps are short enough for it.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "scenarios/read.h"
+#include "sim/soft_timing.h"
+
+namespace throng::scenarios {
+
+namespace {
+
+constexpr double kPerContact = 50.0;     // substeps in the shortest impact, where the scenario doesn't say
+constexpr double kFewPerContact = 20.0;  // fewer deserve a word
+constexpr double kMostSubsteps = 1000.0;
+
+struct ContactKey {
+  const char* key;
+  bool spring, hertz;  // to which models it belongs
+};
+constexpr std::array kKeys = {
+    ContactKey{"stiffness", true, false}, ContactKey{"tangential_stiffness", true, false},
+    ContactKey{"youngs_modulus", false, true}, ContactKey{"poisson_ratio", false, true},
+    ContactKey{"tangential_damping", true, true}};
+
+ContactModel model_of(const std::string& name) {
+  if (name == "none") return ContactModel::none;
+  if (name == "spring") return ContactModel::spring;
+  return name == "hertz" ? ContactModel::hertz : ContactModel::impulse;
+}
+
+std::string models_of(const ContactKey& key) {
+  if (key.spring && key.hertz) return "\"spring\" or \"hertz\"";
+  return key.spring ? "\"spring\"" : "\"hertz\"";
+}
+
+std::string three_digits(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", x);
+  return text;
+}
+
+/// The fewest substeps none of which is longer than that (s).
+double fewest_substeps(const Scene& scene, double longest) {
+  return std::max(1.0, std::ceil(scene.time.dt / longest * (1.0 - 1e-9)));
+}
+
+/// "time.substeps = 20 is so many", or what dt is where no number of substeps is.
+std::string remedy(const Scene& scene, double longest) {
+  const double fewest = fewest_substeps(scene, longest);
+  if (fewest <= kMostSubsteps) return "time.substeps must be at least " + to_text(fewest);
+  return "time.dt must be at most " + three_digits(0.99 * kMostSubsteps * longest) +
+         " s, with time.substeps = " + to_text(kMostSubsteps);
+}
+
+/// Where the length of a substep stands, or what asks for it.
+std::pair<const toml::node*, const char*> place_of_step(const toml::table& root) {
+  for (const auto& [key, path] : {std::pair{"substeps", "time.substeps"}, {"dt", "time.dt"}})
+    if (const toml::node* node = root["time"][key].node()) return {node, path};
+  return {root.get("contact"), "contact"};
+}
+
+void check_step(const toml::table& root, const Scene& scene, const SoftTiming& timing, Report& report) {
+  const double h = scene.time.dt / scene.time.substeps, per_contact = timing.contact / h;
+  const auto [node, path] = place_of_step(root);
+  const std::string impact = "an impact lasts " + three_digits(timing.contact) + " s, " +
+                             three_digits(per_contact) + " substeps of " + three_digits(h) + " s";
+  if (h > timing.longest)
+    report.error(*node, path, impact + ": unstable; " + remedy(scene, timing.longest));
+  else if (per_contact < kFewPerContact * (1.0 - 1e-9))
+    report.warning(
+        node->source(), path,
+        impact + ": fewer than 20 are not accurate; " + remedy(scene, timing.contact / kFewPerContact));
+}
+
+}  // namespace
+
+void read_contact(const toml::table& root, Scene& scene, Report& report) {
+  const toml::node* node = good(root, "contact", report);
+  if (!node) return;
+  const toml::table& table = *node->as_table();
+  const std::string name = text(table, "model", "impulse");
+  scene.contact = model_of(name);
+  const bool spring = scene.contact == ContactModel::spring, hertz = scene.contact == ContactModel::hertz;
+  for (const ContactKey& key : kKeys)
+    if (const toml::node* value = table.get(key.key);
+        value && !(spring && key.spring) && !(hertz && key.hertz))
+      report.error(*value, std::string("contact.") + key.key,
+                   "belongs to contact.model " + models_of(key) + ", and it is " + in_quotes(name));
+  const char* needed = spring ? "stiffness" : "youngs_modulus";
+  if ((spring || hertz) && !table.contains(needed))
+    report.error(*node, std::string("contact.") + needed,
+                 "is missing: contact.model " + in_quotes(name) + " needs it");
+  SoftContact& soft = scene.soft;
+  soft.stiffness = number(table, "stiffness", soft.stiffness);
+  soft.tangential_stiffness = number(table, "tangential_stiffness", soft.tangential_stiffness);
+  soft.youngs_modulus = number(table, "youngs_modulus", soft.youngs_modulus);
+  soft.poisson_ratio = number(table, "poisson_ratio", soft.poisson_ratio);
+  soft.tangential_damping = number(table, "tangential_damping", soft.tangential_damping);
+}
+
+void settle_soft_contacts(const toml::table& root, Scene& scene, Report& report) {
+  if (!is_soft(scene.contact) || scene.engine != Engine::native) return;
+  if (const std::string refusal = soft_refusal(scene); !refusal.empty())
+    return report.error(*root["contact"]["model"].node(), "contact.model", refusal);
+  const SoftTiming timing = soft_timing(scene);
+  if (!root["time"]["substeps"])
+    scene.time.substeps =
+        static_cast<int>(std::min(kMostSubsteps, fewest_substeps(scene, timing.contact / kPerContact)));
+  check_step(root, scene, timing, report);
+}
+
+}  // namespace throng::scenarios

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+
+#include "sim/contact/contact.h"
+#include "sim/contact/soft_law.h"
+
+/// What soft contacts read of bodies and add to them, a row per body and one for all obstacles.
+namespace throng {
+
+/// What pushes a body in a substep.
+struct alignas(32) SoftPush {
+  Vec force{0.0, 0.0};  ///< N
+  double torque = 0.0;  ///< N m
+};
+
+/// How a body moves in the middle of a substep: dashpots feel that.
+struct alignas(32) SoftSpeed {
+  Vec velocity{0.0, 0.0};  ///< m/s
+  double spin = 0.0;       ///< rad/s
+};
+
+/// One substep, as contacts see it.
+struct SoftSubstep {
+  bool first;                          ///< of its step
+  double h;                            ///< s
+  double past;                         ///< s, how long ago a contact that is new may have begun
+  double fringe;                       ///< m, how much nearer two may come before it ends
+  std::span<const SolverBody> bodies;  ///< in its middle, with the velocities of its beginning
+  std::span<const SoftSpeed> speeds;   ///< of its middle
+  std::span<SoftPush> pushes;          ///< added to
+};
+
+/// Two rows of bodies that are deeper in each other than springs can tell of; none: both 0.
+struct SoftSqueeze {
+  std::uint32_t a = 0, b = 0;
+  double depth = 0.0;  ///< m
+
+  static constexpr double kMost = 0.5;  ///< of the smaller radius
+
+  void note(std::uint32_t row_a, std::uint32_t row_b, double how_deep) {
+    if (how_deep > depth) a = row_a, b = row_b, depth = how_deep;
+  }
+};
+
+}  // namespace throng

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "sim/contact/soft_contacts.h"
+
+#include <string>
+
+#include "sim/simulation_error.h"
+
+namespace throng {
+
+SoftContacts::SoftContacts(const Scene& scene, const Plan& plan)
+    : scene_(scene),
+      h_(plan.substep),
+      gravity_(plan.gravity),
+      discs_(scene, plan),
+      solids_(scene, plan),
+      pushes_(plan.soft ? scene.bodies.size() + 1 : 0),
+      speeds_(pushes_.size()),
+      farthest_(pushes_.size()) {}
+
+void SoftContacts::run(const Candidates& candidates, const State& state, std::span<SolverBody> bodies) {
+  discs_.find(candidates, state, bodies);
+  solids_.find(candidates, state, bodies);
+  start(bodies);
+  for (int i = 0; i < scene_.time.substeps; ++i) {
+    drift(bodies, i == 0 ? 0.5 * h_ : h_);
+    look_how_far(state, bodies);
+    const double past = i == 0 && state.step == 0 ? 0.5 * h_ : h_;
+    const SoftSubstep now{i == 0, h_, past, h_ * fastest_, bodies, speeds_, pushes_};
+    discs_.press(now);
+    solids_.press(now);
+    foretell(bodies);
+    discs_.press_again(now);
+    solids_.press_again(now);
+    kick(bodies);
+    if (i + 1 < scene_.time.substeps) continue;
+    discs_.finish(now);
+    solids_.finish(now);
+  }
+  drift(bodies, 0.5 * h_);
+  look_how_far(state, bodies);
+}
+
+void SoftContacts::start(std::span<const SolverBody> bodies) {
+  double fastest2 = 0.0;
+  for (const SolverBody& body : bodies) fastest2 = std::max(fastest2, body.velocity.squaredNorm());
+  fastest_ = std::sqrt(fastest2);
+  std::ranges::fill(pushes_, SoftPush{});
+  std::ranges::fill(farthest_, 0.0);
+}
+
+void SoftContacts::drift(std::span<SolverBody> bodies, double time) const {
+  for (SolverBody& body : bodies) {
+    body.position += time * body.velocity;
+    body.turn += time * body.spin;
+  }
+}
+
+void SoftContacts::look_how_far(const State& state, std::span<const SolverBody> bodies) {
+  for (std::size_t i = 0; i < state.position.size(); ++i)
+    farthest_[i] = std::max(farthest_[i], (bodies[i].position - state.position[i]).norm());
+}
+
+/// The velocities of the substep's middle.
+void SoftContacts::foretell(std::span<const SolverBody> bodies) {
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const SolverBody& body = bodies[i];
+    speeds_[i] = {body.velocity + 0.5 * h_ * body.inverse_mass * pushes_[i].force,
+                  body.spin + 0.5 * h_ * body.inverse_inertia * pushes_[i].torque};
+    if (gravity_ && body.inverse_mass > 0.0) speeds_[i].velocity += 0.5 * h_ * scene_.gravity;
+    pushes_[i] = {};
+  }
+}
+
+void SoftContacts::kick(std::span<SolverBody> bodies) {
+  double fastest2 = 0.0;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    SolverBody& body = bodies[i];
+    body.velocity += h_ * body.inverse_mass * pushes_[i].force;
+    body.spin += h_ * body.inverse_inertia * pushes_[i].torque;
+    if (gravity_ && body.inverse_mass > 0.0) body.velocity += h_ * scene_.gravity;
+    pushes_[i] = {};
+    fastest2 = std::max(fastest2, body.velocity.squaredNorm());
+  }
+  fastest_ = std::sqrt(fastest2);
+}
+
+void SoftContacts::check_depth(const State& state) const {
+  const SoftSqueeze& worst =
+      discs_.squeeze().depth > solids_.squeeze().depth ? discs_.squeeze() : solids_.squeeze();
+  if (!(worst.depth > 0.0)) return;
+  const auto name = [&](std::uint32_t row) {
+    return row < state.id.size() ? "body " + std::to_string(state.id[row]) : std::string("a wall");
+  };
+  char depth[32];
+  std::snprintf(depth, sizeof depth, "%.3g", worst.depth);
+  throw SimulationError("step " + std::to_string(state.step + 1) + ": " + name(worst.a) + " and " +
+                        name(worst.b) + " are pressed " + depth +
+                        " m into each other, more than half a radius: take stiffer contacts");
+}
+
+void SoftContacts::save(State& state) const {
+  discs_.save(h_, state);
+  solids_.save(h_, state);
+}
+
+void SoftContacts::list(const State& state, std::span<const SolverBody> bodies,
+                        std::vector<ContactRow>& rows) const {
+  rows.clear();
+  discs_.list(state, h_, bodies, rows);
+  solids_.list(state, h_, bodies, rows);
+}
+
+}  // namespace throng

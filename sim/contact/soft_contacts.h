@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "sim/contact/soft_discs.h"
+#include "sim/contact/soft_solids.h"
+#include "sim/rows.h"
+
+namespace throng {
+
+/// A step of discs that give way where they touch, as granular physics has it: springs, dashpots and
+/// Coulomb's law (LAMMPS calls it gran/hooke/history and gran/hertz/history).
+///
+/// Verlet's method (Phys. Rev. 159, 98, 1967) with positions in the lead: half a substep's way, a substep's
+/// forces, half a way. Dashpots need the velocity of the middle, which the forces by that of the beginning
+/// foretell. Second order, also in what dashpots take, and complete in State.
+class SoftContacts {
+ public:
+  SoftContacts(const Scene& scene, const Plan& plan);
+
+  /// Takes `bodies`, a row each and one for all obstacles, through the step that begins with `state`. One
+  /// thread. O(substeps (bodies + candidates)); allocates only to grow.
+  void run(const Candidates& candidates, const State& state, std::span<SolverBody> bodies);
+
+  /// m, how far each body was at most from where the step began.
+  std::span<const double> farthest() const { return farthest_; }
+
+  /// Throws SimulationError where two were so deep in each other that no spring tells the inside from the
+  /// outside. `state`: that of the step's beginning.
+  void check_depth(const State& state) const;
+
+  void save(State& state) const;  ///< impulses and springs, for the next step
+
+  /// Replaces `rows` by the contacts that press, as list_contacts().
+  void list(const State& state, std::span<const SolverBody> bodies, std::vector<ContactRow>& rows) const;
+
+ private:
+  void start(std::span<const SolverBody> bodies);
+  void drift(std::span<SolverBody> bodies, double time) const;
+  void foretell(std::span<const SolverBody> bodies);
+  void kick(std::span<SolverBody> bodies);
+  void look_how_far(const State& state, std::span<const SolverBody> bodies);
+
+  const Scene& scene_;
+  const double h_;  // s
+  const bool gravity_;
+  SoftDiscs discs_;
+  SoftSolids solids_;
+  std::vector<SoftPush> pushes_;
+  std::vector<SoftSpeed> speeds_;
+  std::vector<double> farthest_;
+  double fastest_ = 0.0;  // m/s
+};
+
+}  // namespace throng

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+#include "sim/contact/soft_solids.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "sim/contact/contact_key.h"
+#include "sim/contact/roll.h"
+#include "sim/contact/soft_touch.h"
+#include "sim/periodic.h"
+
+namespace throng {
+
+using narrowphase::Pose;
+
+SoftSolids::SoftSolids(const Scene& scene, const Plan& plan)
+    : scene_(scene), plan_(plan), ratios_(damping_ratios(plan)) {}
+
+void SoftSolids::find(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies) {
+  pairs_.clear(), turning_.clear();
+  find_kinematic(candidates, state, bodies);
+  find_obstacles(candidates, bodies);
+  by_disc_.resize(pairs_.size());
+  std::iota(by_disc_.begin(), by_disc_.end(), 0u);
+  std::ranges::sort(by_disc_, [&](std::uint32_t i, std::uint32_t j) {
+    return pairs_[i].disc < pairs_[j].disc || (pairs_[i].disc == pairs_[j].disc && i < j);
+  });
+  recall(state);
+  squeeze_ = {};
+}
+
+void SoftSolids::find_kinematic(const Candidates& candidates, const State& state,
+                                std::span<const SolverBody> bodies) {
+  if (!plan_.polygons) return;
+  const Colliders& colliders = candidates.colliders();
+  for (const broadphase::Pair& pair : candidates.pairs()) {
+    const bool first = is_disc(colliders, pair.a);
+    if (first && is_disc(colliders, pair.b)) continue;
+    const std::uint32_t disc = colliders.body[first ? pair.a : pair.b], row = first ? pair.b : pair.a;
+    const std::uint32_t solid = colliders.body[row];
+    const Vec shift = first ? candidates.shift(pair) : Vec(-candidates.shift(pair));
+    add({key_of(pair, false), disc, solid, nullptr, colliders.shape[row], shift, {}},
+        scene_.bodies.material[solid], bodies);
+    turning_.push_back({solid, state.angle[solid]});
+  }
+  std::ranges::sort(turning_, {}, &Turning::body);
+  const auto again = std::ranges::unique(turning_, {}, &Turning::body);
+  turning_.erase(again.begin(), again.end());
+  poses_.resize(bodies.size());
+}
+
+void SoftSolids::find_obstacles(const Candidates& candidates, std::span<const SolverBody> bodies) {
+  const Obstacles& obstacles = candidates.obstacles();
+  const std::size_t sides = obstacles.side.size();
+  const auto row = static_cast<std::uint32_t>(bodies.size() - 1);
+  for (const broadphase::Pair& pair : candidates.obstacle_pairs()) {
+    const auto* side = pair.b < sides ? &obstacles.side[pair.b] : nullptr;
+    const auto* part = side ? nullptr : &obstacles.part[pair.b - sides];
+    add({key_of(pair, true),
+         candidates.colliders().body[pair.a],
+         row,
+         side,
+         part,
+         candidates.obstacle_shift(pair.a),
+         {}},
+        obstacles.material[pair.b], bodies);
+  }
+}
+
+void SoftSolids::add(Pair pair, std::uint32_t material, std::span<const SolverBody> bodies) {
+  const std::size_t row = scene_.bodies.material[pair.disc] * scene_.materials.size() + material;
+  const double radius =
+      effective_radius(scene_.bodies.radius[pair.disc], pair.part ? rolling_radius(*pair.part) : 0.0);
+  pair.law = soft_pair(scene_, 1.0 / bodies[pair.disc].inverse_mass, radius, ratios_[row]);
+  pair.law.friction = plan_.surfaces[row].friction;
+  pair.law.rolling = plan_.surfaces[row].rolling, pair.law.roll_radius = radius;
+  pairs_.push_back(pair);
+}
+
+/// Both ascend by key.
+void SoftSolids::recall(const State& state) {
+  touches_.clear();
+  std::uint32_t next = 0;
+  for (const ContactImpulse& kept : state.point_contacts) {
+    while (next < pairs_.size() && pairs_[next].key < kept.key) ++next;
+    if (next == pairs_.size()) return;
+    if (pairs_[next].key == kept.key)
+      touches_.push_back({next, next, 0.0, Vec(1.0, 0.0), Vec(0.0, 0.0), {kept.tangent, kept.rolling}, 0.0});
+  }
+}
+
+void SoftSolids::press(const SoftSubstep& now) {
+  std::swap(touches_, last_);
+  touches_.clear();
+  for (const auto& [body, angle] : turning_)
+    poses_[body] = narrowphase::pose(now.bodies[body].position, angle + now.bodies[body].turn);
+  with_law(scene_, [&](const auto& law) {
+    for (auto own = by_disc_.begin(); own != by_disc_.end();) {
+      const auto end = std::find_if(own, by_disc_.end(),
+                                    [&](std::uint32_t i) { return pairs_[i].disc != pairs_[*own].disc; });
+      press_disc(law, {own, end}, now);
+      own = end;
+    }
+  });
+  std::ranges::sort(touches_, {}, &Touch::pair);
+}
+
+template <class Law>
+void SoftSolids::press_disc(const Law& law, std::span<const std::uint32_t> pairs, const SoftSubstep& now) {
+  find_near(pairs, now);
+  if (near_.size() > 1) drop_shared(now);
+  for (Touch& touch : near_) {
+    const Pair& pair = pairs_[touch.pair];
+    const SolverBody& disc = now.bodies[pair.disc];
+    const SoftMotion moves = motion(touch, now, disc.velocity, disc.spin);
+    if (!(touch.depth + std::abs(0.5 * now.h * moves.closing) > 0.0)) continue;
+    if (touch.depth > SoftSqueeze::kMost * scene_.bodies.radius[pair.disc])
+      squeeze_.note(pair.disc, pair.solid, touch.depth);
+    touch.springs = springs_of(touch, moves, now);
+    SoftSprings trial = touch.springs;
+    push(touch, soft_force(law, pair.law, moves, now.h, plan_.rolling, trial), now.pushes);
+    touches_.push_back(touch);
+  }
+}
+
+/// What the disc may touch in this substep.
+void SoftSolids::find_near(std::span<const std::uint32_t> pairs, const SoftSubstep& now) {
+  near_.clear();
+  for (const std::uint32_t i : pairs) {
+    const Pair& pair = pairs_[i];
+    const NearestSurface surface = nearest(pair, now.bodies[pair.disc].position);
+    const double depth = scene_.bodies.radius[pair.disc] - surface.distance;
+    if (!(depth + now.fringe > 0.0)) continue;
+    const double arm = scene_.bodies.radius[pair.disc] - std::max(depth, 0.0);
+    const Vec place = now.bodies[pair.disc].position + arm * surface.normal;
+    const Vec lever = place - (now.bodies[pair.solid].position + pair.shift);
+    near_.push_back({i, i, depth, surface.normal, lever, {}, 0.0});
+  }
+}
+
+/// Of the places where a disc touches, those that lie on a solid that it is deeper in belong to that one, and
+/// so do their springs as the disc gets from the one to the other.
+void SoftSolids::drop_shared(const SoftSubstep& now) {
+  std::ranges::sort(near_, [](const Touch& one, const Touch& other) {
+    return one.depth > other.depth || (one.depth == other.depth && one.pair < other.pair);
+  });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < near_.size(); ++i) {
+    const Pair& pair = pairs_[near_[i].pair];
+    const double radius = scene_.bodies.radius[pair.disc];
+    const Vec place = now.bodies[pair.disc].position + (radius - near_[i].depth) * near_[i].normal;
+    const auto end = near_.begin() + static_cast<std::ptrdiff_t>(kept);
+    const auto owner = std::find_if(near_.begin(), end, [&](const Touch& touch) {
+      return std::abs(nearest(pairs_[touch.pair], place).distance) <= kSame * radius;
+    });
+    if (owner == end)
+      near_[kept++] = near_[i];
+    else if (!before(owner->heir_of))
+      owner->heir_of = near_[i].pair;
+  }
+  near_.resize(kept);
+}
+
+NearestSurface SoftSolids::nearest(const Pair& pair, const Vec& point) const {
+  if (pair.side) return nearest_surface(point, *pair.side);
+  if (poses_.empty()) return nearest_surface(point, *pair.part, Pose{pair.shift});
+  Pose pose = poses_[pair.solid];
+  pose.position += pair.shift;
+  return nearest_surface(point, *pair.part, pose);
+}
+
+/// From the disc's centre to the solid, m.
+double SoftSolids::arm(const Touch& touch) const {
+  return scene_.bodies.radius[pairs_[touch.pair].disc] - std::max(touch.depth, 0.0);
+}
+
+/// The solid keeps its velocity; `velocity` and `spin` are the disc's.
+SoftMotion SoftSolids::motion(const Touch& touch, const SoftSubstep& now, const Vec& velocity,
+                              double spin) const {
+  const SolverBody& solid = now.bodies[pairs_[touch.pair].solid];
+  const Vec apart = solid.velocity + solid.spin * tangent(touch.lever) - velocity;
+  return {touch.depth, -apart.dot(touch.normal), apart.dot(tangent(touch.normal)) - arm(touch) * spin,
+          solid.spin - spin};
+}
+
+/// As those of SoftDiscs.
+SoftSprings SoftSolids::springs_after(const Touch& touch, const SoftSubstep& now) const {
+  const SolverBody& disc = now.bodies[pairs_[touch.pair].disc];
+  const SoftMotion moves = motion(touch, now, disc.velocity, disc.spin);
+  SoftSprings springs = touch.springs;
+  stretch(springs, moves, contact_time_after(moves, 0.5 * now.h), plan_.rolling);
+  return springs;
+}
+
+SoftSprings SoftSolids::springs_of(const Touch& touch, const SoftMotion& moves,
+                                   const SoftSubstep& now) const {
+  const Touch* known = before(touch.heir_of);
+  SoftSprings springs;
+  if (known) springs = now.first ? known->springs : springs_after(*known, now);
+  stretch(springs, moves, contact_time_before(moves, known ? 0.5 * now.h : now.past), plan_.rolling);
+  return springs;
+}
+
+void SoftSolids::finish(const SoftSubstep& now) {
+  for (Touch& touch : touches_) touch.springs = springs_after(touch, now);
+}
+
+void SoftSolids::push(const Touch& touch, const SoftForce& force, std::span<SoftPush> pushes) const {
+  SoftPush& disc = pushes[pairs_[touch.pair].disc];
+  disc.force -= force.normal * touch.normal + force.tangent * tangent(touch.normal);
+  disc.torque -= arm(touch) * force.tangent + force.torque;
+}
+
+/// In the substep before; null where they were apart.
+const SoftSolids::Touch* SoftSolids::before(std::uint32_t pair) const {
+  const auto found = std::ranges::lower_bound(last_, pair, {}, &Touch::pair);
+  return found != last_.end() && found->pair == pair ? &*found : nullptr;
+}
+
+void SoftSolids::press_again(const SoftSubstep& now) {
+  with_law(scene_, [&](const auto& law) {
+    for (Touch& touch : touches_) {
+      const Pair& pair = pairs_[touch.pair];
+      const SoftSpeed& disc = now.speeds[pair.disc];
+      const SoftMotion moves = motion(touch, now, disc.velocity, disc.spin);
+      const SoftForce force = soft_force(law, pair.law, moves, now.h, plan_.rolling, touch.springs);
+      touch.force = force.normal;
+      push(touch, force, now.pushes);
+    }
+  });
+}
+
+void SoftSolids::save(double h, State& state) const {
+  state.point_contacts.clear();
+  for (const Touch& touch : touches_)
+    state.point_contacts.push_back(
+        {pairs_[touch.pair].key, 0, h * touch.force, touch.springs.slip, touch.springs.roll});
+}
+
+void SoftSolids::list(const State& state, double h, std::span<const SolverBody> bodies,
+                      std::vector<ContactRow>& rows) const {
+  for (const Touch& touch : touches_) {
+    if (!(touch.force > 0.0)) continue;
+    const Pair& pair = pairs_[touch.pair];
+    const Vec point = bodies[pair.disc].position + arm(touch) * touch.normal;
+    rows.push_back({state.id[pair.disc], pair.solid < state.id.size() ? state.id[pair.solid] : 0,
+                    h * touch.force, plan_.periodic ? wrapped(point, scene_.domain) : point});
+  }
+}
+
+}  // namespace throng

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "sim/scene.h"
+
+/// Whether a scene's steps are short enough for contacts that give way.
+namespace throng {
+
+/// How long soft contacts of a scene last, and how long a substep may be.
+struct SoftTiming {
+  double speed = 0.0;    ///< m/s, at which bodies may meet
+  double contact = 0.0;  ///< s, the shortest impact; infinite where none is to be expected
+  double longest = 0.0;  ///< s, the longest substep that is stable, in the densest packing; may be infinite
+};
+
+/// Of all discs that are dynamic, as if each met its like, or an obstacle where it is alone. `speed` is twice
+/// that of the fastest body and what a fall from the top of the scene to its bottom adds. Impacts of `spring`
+/// last as long at any speed; those of `hertz` are the shorter the faster. O(bodies).
+///
+/// Stable are w h < 2 and z h < 2, w the highest frequency and z the highest damping rate of a packing in
+/// which each disc has six contacts.
+SoftTiming soft_timing(const Scene& scene);
+
+/// What soft contacts can't do of the scene: "PATH: why", "" where they can do all of it. O(bodies).
+std::string soft_refusal(const Scene& scene);
+
+}  // namespace throng
