@@ -84,9 +84,9 @@ void expect_sound(const State& state) {
            "bodies are numbered, their motion is finite");
 }
 
-/// Bodies, agents with all that is remembered of them, and bodies that sleep.
-const std::array<Scene, 3>& scenes() {
-  static const std::array<Scene, 3> all{
+/// Bodies, agents with all that is remembered of them, bodies that sleep, and soft ones.
+const std::array<Scene, 4>& scenes() {
+  static const std::array<Scene, 4> all{
       testing_recordings::mixed_scene(5),
       load_scenario_text(
           "throng = 1\ndomain.box = [[-50, -50], [50, 50]]\n"
@@ -108,14 +108,24 @@ const std::array<Scene, 3>& scenes() {
           "[[bodies]]\nshape = 'box'\nat = [2, 0.5]\n[[bodies]]\nshape = 'ball'\nat = [2.99, 0.5]\n"
           "[[bodies]]\nshape = 'ball'\nat = [2.49, 1.37]\n[[bodies]]\nshape = 'ball'\nat = [6, 8]\n",
           "sleep.toml")
+          .scene,
+      load_scenario_text(
+          "throng = 1\ntime.until = 6000\ngravity = [0, -9.81]\ndomain.box = [[0, 0], [9, 9]]\n"
+          "contact = { model = 'spring', stiffness = 1e4 }\nmaterials.default.rolling_resistance = 0.1\n"
+          "shapes.ball.disc.radius = 0.5\nshapes.bar.polygon = [[0, 0], [3, 0], [3, 0.2], [0, 0.2]]\n"
+          "[[bodies]]\nshape = 'ball'\nat = [2, 0.5]\n[[bodies]]\nshape = 'ball'\nat = [2.99, 0.5]\n"
+          "[[bodies]]\nshape = 'ball'\nat = [2.49, 1.37]\n"
+          "[[bodies]]\nshape = 'bar'\nat = [6, 0.5]\nspin = 1\nkind = 'kinematic'\n"
+          "[[walls]]\npolyline = [[0, 0.1], [4, 0], [9, 0.1]]\n",
+          "soft.toml")
           .scene};
   return all;
 }
 
 /// A run of each, made once: the way to the agents' goals takes seconds to find where all is watched.
 Simulation& run_of(const Scene& scene) {
-  static const std::array<std::unique_ptr<Simulation>, 3> runs{
-      simulation(scenes()[0]), simulation(scenes()[1]), simulation(scenes()[2])};
+  static const std::array<std::unique_ptr<Simulation>, 4> runs{
+      simulation(scenes()[0]), simulation(scenes()[1]), simulation(scenes()[2]), simulation(scenes()[3])};
   return *runs[static_cast<std::size_t>(&scene - scenes().data())];
 }
 

@@ -12,10 +12,10 @@ namespace throng {
 namespace {
 
 const std::map<std::string, std::size_t> kBodies = {
-    {"billiard", 16},     {"bottleneck", 100},  {"circle_swap", 16}, {"corridor", 60},     {"cradle", 5},
-    {"crossing", 160},    {"counterflow", 180}, {"evacuation", 500}, {"gas", 1'000},       {"gears", 1'203},
-    {"hopper", 2'500},    {"mixed", 632},       {"pile", 10'000},    {"polygons", 10'000}, {"pyramid", 5'050},
-    {"stadium", 100'000}, {"station", 10'000}};
+    {"billiard", 16},   {"bottleneck", 100},  {"circle_swap", 16}, {"corridor", 60},    {"cradle", 5},
+    {"crossing", 160},  {"counterflow", 180}, {"drum", 781},       {"evacuation", 500}, {"gas", 1'000},
+    {"gears", 1'203},   {"hopper", 2'500},    {"mixed", 632},      {"pile", 10'000},    {"polygons", 10'000},
+    {"pyramid", 5'050}, {"stadium", 100'000}, {"station", 10'000}};
 
 std::string file(const std::string& name) {
   return THRONG_SOURCE_DIR "/scenarios/" + name + ".toml";

@@ -40,7 +40,7 @@ constexpr Golden kGallery[] = {
     {"bottleneck", 1200, 0xbdf3e5ef623827ca},  {"circle_swap", 300, 0x3098722b25df02fc},
     {"counterflow", 1200, 0x83930b1ca7987e0e}, {"evacuation", 1500, 0x86386bd794f1d43a},
     {"station", 200, 0x7d02b7eb906cc254},      {"stadium", 6, 0xea197326c117286a},
-    {"crossing", 500, 0x902c3fcf30907623},
+    {"crossing", 500, 0x902c3fcf30907623},     {"drum", 100, 0x8eb7324841b1bc4e},
 };
 
 class EveryScene : public ::testing::TestWithParam<Golden> {};
