@@ -3,6 +3,7 @@
 
 #include <chipmunk/chipmunk.h>
 
+#include <cmath>
 #include <numeric>
 
 namespace throng::bench {
@@ -21,10 +22,11 @@ Vec from_cp(const cpVect& v) {
 
 class ChipmunkSimulation : public Simulation {
  public:
-  explicit ChipmunkSimulation(const Scene& scene)
+  ChipmunkSimulation(const Scene& scene, int iterations)
       : scene_(scene), state_(initial_state(scene)), space_(cpSpaceNew()) {
     cpSpaceSetGravity(space_, to_cp(scene.gravity));
     cpSpaceSetCollisionSlop(space_, kSlop);
+    cpSpaceSetIterations(space_, iterations);
     use_hash();
     for (std::size_t row = 0; row < scene.bodies.size(); ++row) bodies_.push_back(add_body(row));
     add_walls();
@@ -57,12 +59,37 @@ class ChipmunkSimulation : public Simulation {
 
   const State& state() const override { return state_; }
   bool restore(const State&) override { return false; }
-  std::size_t contacts() const override { return 0; }
-  void list_contacts(std::vector<ContactRow>& rows) const override { rows.clear(); }
+  std::size_t contacts() const override {
+    std::vector<ContactRow> rows;
+    list_contacts(rows);
+    return rows.size();
+  }
+  void list_contacts(std::vector<ContactRow>& rows) const override {
+    rows.clear();
+    for (std::size_t row = 0; row < bodies_.size(); ++row)
+      if (scene_.bodies.kind[row] != BodyKind::fixed) cpBodyEachArbiter(bodies_[row], add_row, &rows);
+  }
   std::span<const Sensed> sensed() const override { return {}; }
   std::vector<std::pair<std::string, double>> stage_times() const override { return {}; }
 
  private:
+  /// Of all points of two shapes together; of two bodies that move from the first one alone.
+  static void add_row(cpBody* body, cpArbiter* arbiter, void* rows) {
+    cpBody *a, *b;
+    cpArbiterGetBodies(arbiter, &a, &b);
+    const std::uint32_t id = id_of(body), other = id_of(a == body ? b : a);
+    if (other != 0 && other < id) return;
+    const double impulse = cpvdot(cpArbiterTotalImpulse(arbiter), cpArbiterGetNormal(arbiter));
+    static_cast<std::vector<ContactRow>*>(rows)->push_back(
+        {id, other, std::abs(impulse), from_cp(cpArbiterGetPointA(arbiter, 0))});
+  }
+
+  /// 0 of what never moves.
+  static std::uint32_t id_of(const cpBody* body) {
+    if (cpBodyGetType(const_cast<cpBody*>(body)) == CP_BODY_TYPE_STATIC) return 0;
+    return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(cpBodyGetUserData(body)));
+  }
+
   void use_hash() {
     const std::vector<double>& radius = scene_.bodies.radius;
     const double sum = std::accumulate(radius.begin(), radius.end(), 0.0);
@@ -87,6 +114,7 @@ class ChipmunkSimulation : public Simulation {
     cpBody* body = cpSpaceAddBody(space_, new_body(row));
     cpBodySetPosition(body, to_cp(bodies.position[row]));
     cpBodySetAngle(body, bodies.angle[row]);
+    cpBodySetUserData(body, reinterpret_cast<cpDataPointer>(row + 1));
     if (bodies.kind[row] != BodyKind::fixed) {
       cpBodySetVelocity(body, to_cp(bodies.velocity[row]));
       cpBodySetAngularVelocity(body, bodies.spin[row]);
@@ -123,9 +151,10 @@ class ChipmunkSimulation : public Simulation {
     add(cpSegmentShapeNew(cpSpaceGetStaticBody(space_), to_cp(from), to_cp(to), 0.0), material);
   }
 
+  /// Chipmunk multiplies the two shapes' coefficients: two of one material get that material's.
   void add(cpShape* shape, const Material& material) {
-    cpShapeSetFriction(shape, material.friction);
-    cpShapeSetElasticity(shape, material.restitution);
+    cpShapeSetFriction(shape, std::sqrt(material.friction));
+    cpShapeSetElasticity(shape, std::sqrt(material.restitution));
     shapes_.push_back(cpSpaceAddShape(space_, shape));
   }
 
@@ -138,9 +167,9 @@ class ChipmunkSimulation : public Simulation {
 
 }  // namespace
 
-std::unique_ptr<Simulation> chipmunk_simulation(const Scene& scene) {
+std::unique_ptr<Simulation> chipmunk_simulation(const Scene& scene, int iterations) {
   if (scene.domain.kind == DomainKind::periodic) return nullptr;
-  return std::make_unique<ChipmunkSimulation>(scene);
+  return std::make_unique<ChipmunkSimulation>(scene, iterations);
 }
 
 }  // namespace throng::bench

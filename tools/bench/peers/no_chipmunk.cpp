@@ -3,7 +3,7 @@
 
 namespace throng::bench {
 
-std::unique_ptr<Simulation> chipmunk_simulation(const Scene&) {
+std::unique_ptr<Simulation> chipmunk_simulation(const Scene&, int) {
   return nullptr;
 }
 
