@@ -48,6 +48,12 @@ std::vector<Row> bench_validation(const Options& options);
 /// Their table, on stdout: a paragraph per case.
 void print_verdicts(const std::vector<Row>& rows);
 
+/// Scenes with exact solutions, each engine at several settings: time per simulated second against error.
+std::vector<Row> bench_accuracy(const Options& options);
+
+/// Their table, on stdout: a paragraph per scene, then the observed orders.
+void print_accuracy(const std::vector<Row>& rows);
+
 /// Steps of crowds of each model, beside two threads and their plain twins: scalar, neighbours from
 /// nanoflann.
 std::vector<Row> bench_crowd(const Options& options);

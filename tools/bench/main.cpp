@@ -15,6 +15,9 @@ constexpr const char* kColumns = R"(
 Columns: case and engine; ms and ms_min, the median and the least of --blocks figures, each for all the work of the
 case; ratio, that median over the one of the case's first engine; then the errors, each as its name and number.
 Of lean: price_ms, the difference of the medians to the row above; contacts, that press at the end.
+Of accuracy: ms and the least of them per simulated second; the error, mostly the root mean square distance to the exact
+solution at equal times in units of the body's radius; how many times as fast native is at its cheapest setting with at
+most that error. In JSON also error_end, of the last of these times, native_ms, and the observed order.
 Of motion, where a query is a pair in motion, a figure is for one query, and the errors are
   evaluations      distances computed, or bounds of them, a query (mean)
   missed           queries that hit and were called free
@@ -30,8 +33,9 @@ Of motion, where a query is a pair in motion, a figure is for one query, and the
 
 void refuse_what_does_nothing(const std::string& name, const throng::bench::Options& options) {
   if (name != "broadphase" && options.large) throw throng::InputError(name + ": --large is for broadphase");
-  if (name != "broadphase" && name != "validation" && !options.engines.empty())
-    throw throng::InputError(name + ": --engine is for broadphase and validation");
+  const bool has_engines = name == "broadphase" || name == "validation" || name == "accuracy";
+  if (!has_engines && !options.engines.empty())
+    throw throng::InputError(name + ": --engine is for broadphase, validation and accuracy");
   if (name != "validation" && !options.set.empty())
     throw throng::InputError(name + ": --set is for validation");
 }
@@ -42,6 +46,12 @@ std::map<std::string, std::int64_t> targets() {
   for (const std::int64_t target : hwy::SupportedAndGeneratedTargets())
     result[hwy::TargetName(target)] = target;
   return result;
+}
+
+void print(const std::string& name, const std::vector<throng::bench::Row>& rows) {
+  if (name == "validation") return throng::bench::print_verdicts(rows);
+  if (name == "accuracy") return throng::bench::print_accuracy(rows);
+  throng::bench::print_table(rows);
 }
 
 }  // namespace
@@ -57,13 +67,14 @@ int main(int argc, char** argv) {
       {"bvh", bench_bvh},
       {"motion", bench_motion},
       {"crowd", bench_crowd},
-      {"validation", bench_validation}};
+      {"validation", bench_validation},
+      {"accuracy", bench_accuracy}};
   Options options;
   std::string name, json, target;
   CLI::App app{"The benchmarks of throng: time and error beside each other, engines in turn in one run."};
   app.name("throng bench");
   app.add_option("NAME", name,
-                 "step, lean, recording, broadphase, narrowphase, bvh, motion, crowd or validation")
+                 "step, lean, recording, broadphase, narrowphase, bvh, motion, crowd, validation or accuracy")
       ->required()
       ->check(CLI::IsMember(benchmarks));
   app.add_option("--scenarios", options.scenarios, "folder of the gallery")->default_val(THRONG_SCENARIOS);
@@ -71,7 +82,7 @@ int main(int argc, char** argv) {
                  "cases whose names hold a match of this regular expression; may be repeated")
       ->allow_extra_args(false);
   app.add_option("--engine", options.engines,
-                 "broadphase, validation: this engine or model alone; may be repeated")
+                 "broadphase, validation, accuracy: this engine or model alone; may be repeated")
       ->allow_extra_args(false);
   app.add_option("--set", options.set,
                  "validation: a field of all agents, such as social_force.mass=70; may be repeated")
@@ -96,7 +107,7 @@ int main(int argc, char** argv) {
     const std::vector<Row> rows = benchmarks.at(name)(options);
     if (rows.empty()) throw throng::InputError(name + ": --only holds for no case's name");
     expect_agreement(rows);
-    name == "validation" ? print_verdicts(rows) : print_table(rows);
+    print(name, rows);
     if (!json.empty()) write_json(rows, json);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;

@@ -9,7 +9,7 @@ namespace throng::bench {
 struct Options {
   std::string scenarios;             ///< folder of the gallery
   std::vector<std::string> only;     ///< regular expressions, one of which a case's name holds; empty: all
-  std::vector<std::string> engines;  ///< broadphase, validation: these alone; empty: all
+  std::vector<std::string> engines;  ///< broadphase, validation, accuracy: these alone; empty: all
   std::vector<std::string> set;      ///< validation: "KEY=VALUE" for all agents
   int blocks = 7;                    ///< figures a row, engines in turn
   bool quick = false;                ///< a tenth of the work, to see that it runs

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// throng bench accuracy: errors and orders are pinned, times are for people.
+#include <gmock/gmock.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "tests/tools/program.h"
+
+namespace throng {
+namespace {
+
+using Rows = std::vector<nlohmann::json>;  // their `error`
+
+class BenchAccuracy : public Program {
+ protected:
+  /// The rows of each case and engine, in the order of the file.
+  std::map<std::string, std::map<std::string, Rows>> rows_of(const std::string& arguments) {
+    const Result result = throng("bench accuracy --blocks 1 " + arguments + " --json " + path("rows.json"));
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    std::map<std::string, std::map<std::string, Rows>> rows;
+    for (const auto& row : nlohmann::json::parse(read(path("rows.json")))) {
+      rows[row["case"]][row["engine"]].push_back(row["error"]);
+      EXPECT_TRUE(row["error"]["error"].is_null() || row["ms"] > 0.0) << row;
+    }
+    return rows;
+  }
+
+  static double worst(const Rows& rows) {
+    double worst = 0.0;
+    for (const auto& row : rows) worst = std::max(worst, row["error"].get<double>());
+    return worst;
+  }
+
+  static double order(const Rows& rows) {
+    EXPECT_TRUE(!rows.empty() && rows[0]["order"].is_number());
+    return rows.empty() || !rows[0]["order"].is_number() ? 0.0 : rows[0]["order"].get<double>();
+  }
+};
+
+TEST_F(BenchAccuracy, PlaysEverySceneAndSaysWhyWhereAnEngineCant) {
+  auto rows = rows_of("--quick");
+  EXPECT_GE(rows.size(), 12u);
+  for (const auto& [name, engines] : rows) {
+    EXPECT_TRUE(engines.contains("native") && engines.contains("box2d")) << name;
+    for (const auto& row : engines.at("native")) EXPECT_TRUE(row["error"].is_number()) << name << ": " << row;
+    for (const auto& row : engines.at("box2d")) EXPECT_TRUE(row.contains("peer")) << name;
+  }
+  const auto& refused = rows["slide to rest"]["event_driven"];
+  ASSERT_EQ(refused.size(), 1u);
+  EXPECT_TRUE(refused[0]["error"].is_null());
+  EXPECT_THAT(refused[0]["note"].get<std::string>(), ::testing::HasSubstr("isn't a disc"));
+}
+
+TEST_F(BenchAccuracy, FindsNoErrorWhereCollisionsAreSolvedInClosedForm) {
+  auto rows = rows_of(
+      "--quick --engine native --engine event_driven --only flight --only throw --only impact "
+      "--only cradle --only illiard --only '1 mean free time'");
+  for (const char* name :
+       {"throw", "impact", "cradle", "billiard", "Sinai billiard", "gas, 1 mean free time"})
+    EXPECT_LT(worst(rows[name]["event_driven"]), 1e-9) << name;
+  for (const char* name : {"flight", "cradle", "billiard", "Sinai billiard", "gas, 1 mean free time"})
+    EXPECT_LT(worst(rows[name]["native"]), 1e-9) << name << ": elastic discs fly and collide exactly";
+  EXPECT_GT(worst(rows["throw"]["native"]), 0.1) << "radii: semi-implicit Euler falls too late";
+}
+
+TEST_F(BenchAccuracy, ConvergesAtTheOrderOfTheIntegrator) {
+  auto rows = rows_of("--only throw --only rolling --only slipping --only slide");
+  EXPECT_NEAR(order(rows["throw"]["native"]), 1.0, 0.01);
+  EXPECT_NEAR(order(rows["throw"]["box2d"]), 1.0, 0.01);
+  EXPECT_TRUE(rows["throw"]["event_driven"][0].contains("exact"));
+}
+
+}  // namespace
+}  // namespace throng

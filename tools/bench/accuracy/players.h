@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "sim/simulation.h"
+
+/// Who plays the scenes of the laboratory. A further engine is one more row of `players()`.
+namespace throng::bench {
+
+struct Player {
+  const char* engine;
+  bool peer;                   ///< somebody else's engine
+  const char* knob;            ///< what buys accuracy beside dt; "" where nothing does
+  std::span<const int> knobs;  ///< its settings
+  Scene (*prepared)(Scene scene, int knob);
+  std::unique_ptr<Simulation> (*start)(const Scene& prepared, int knob);  ///< null where it can't play it
+};
+
+std::span<const Player> players();
+
+}  // namespace throng::bench
