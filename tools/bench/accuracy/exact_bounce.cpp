@@ -10,7 +10,7 @@ Height exact_bounce(double height, double gravity, double restitution, double t)
   if (t < fall) return {height - 0.5 * gravity * t * t, -gravity * t};
   if (t >= exact_rest(height, gravity, restitution)) return {0.0, 0.0};
   double up = restitution * gravity * fall;
-  for (t -= fall; t >= 2.0 * up / gravity; up *= restitution) t -= 2.0 * up / gravity;
+  for (t -= fall; up > 0.0 && t >= 2.0 * up / gravity; up *= restitution) t -= 2.0 * up / gravity;
   return {up * t - 0.5 * gravity * t * t, up - gravity * t};
 }
 
