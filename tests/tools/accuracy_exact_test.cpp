@@ -157,8 +157,9 @@ TEST(ExactImpact, TurnsTheSpeedAlongTheNormalByTheRestitutionAndStopsTheSlipWher
 }
 
 TEST(ExactRow, HandsTheSpeedThroughTheRow) {
-  const BodyState row[] = {
-      {{0.0, 0.0}, 0.0, {2.0, 0.0}, 0.0}, {{2.03, 0.0}, 0.0, {}, 0.0}, {{3.08, 0.0}, 0.0, {}, 0.0}};
+  const BodyState row[] = {{{0.0, 0.0}, 0.0, {2.0, 0.0}, 0.0},
+                           {{2.03, 0.0}, 0.0, {0.0, 0.0}, 0.0},
+                           {{3.08, 0.0}, 0.0, {0.0, 0.0}, 0.0}};
   const auto later = exact_row(row, 1.0, 1.0);
   EXPECT_NEAR(later[0].position.x(), 1.03, 1e-15) << "m: where it touched the second";
   EXPECT_NEAR(later[1].position.x(), 2.08, 1e-15) << "m: where that touched the third";
