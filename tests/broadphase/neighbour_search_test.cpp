@@ -138,9 +138,7 @@ class EveryTarget : public testing::TestWithParam<std::int64_t> {
 };
 
 std::vector<std::int64_t> targets() {
-  std::vector<std::int64_t> list;
-  for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) list.push_back(left & -left);
-  return list;
+  return hwy::SupportedAndGeneratedTargets();
 }
 
 INSTANTIATE_TEST_SUITE_P(Neighbours, EveryTarget, testing::ValuesIn(targets()),

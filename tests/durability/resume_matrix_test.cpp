@@ -105,7 +105,8 @@ INSTANTIATE_TEST_SUITE_P(Gallery, ResumeMatrix,
                          ::testing::Values(Case{"gas", false}, Case{"pile", true}, Case{"polygons", true},
                                            Case{"pyramid", true}, Case{"hopper", false}, Case{"gears", false},
                                            Case{"billiard", false}, Case{"cradle", false},
-                                           Case{"mixed", false}, Case{"drum", true}, Case{"counterflow", true}),
+                                           Case{"mixed", false}, Case{"drum", true},
+                                           Case{"counterflow", true}),
                          [](const auto& one) { return std::string(one.param.scene); });
 
 }  // namespace

@@ -234,9 +234,7 @@ TEST_P(FaceBlocksOnEachTarget, GiveThemWithoutFriction) {
 }
 
 std::vector<std::int64_t> targets() {
-  std::vector<std::int64_t> list;
-  for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) list.push_back(left & -left);
-  return list;
+  return hwy::SupportedAndGeneratedTargets();
 }
 
 const auto name_of = [](const auto& target) { return std::string(hwy::TargetName(target.param)); };

@@ -34,9 +34,7 @@ HWY_EXPORT(Exponentials);
 namespace {
 
 std::vector<std::int64_t> targets() {
-  std::vector<std::int64_t> list;
-  for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) list.push_back(left & -left);
-  return list;
+  return hwy::SupportedAndGeneratedTargets();
 }
 
 class OnEachTarget : public testing::Test {
