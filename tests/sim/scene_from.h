@@ -18,7 +18,7 @@ inline Scene scene_from(const std::string& text) {
 
 /// A scene of the gallery.
 inline Scene gallery_scene(const std::string& name) {
-  const std::string file = std::string(THRONG_SOURCE_DIR) + "/scenarios/" + name + ".toml";
+  const std::string file = THRONG_SOURCE_DIR "/scenarios/" + name + ".toml";
   Loaded loaded = load_scenario(file);
   EXPECT_EQ(loaded.errors(), 0) << to_string(loaded.diagnostics, file);
   return std::move(loaded.scene);
