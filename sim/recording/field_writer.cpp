@@ -2,13 +2,24 @@
 #include "sim/recording/field_writer.h"
 
 #include <stdexcept>
-#include <utility>
+#include <string>
 
 #include "sim/recording/packed.h"
 
 namespace throng::recording {
 
 namespace {
+
+/// No branch for each number: 0 x is 0 unless x is not finite.
+template <class T>
+bool all_finite(std::span<const T> values) {
+  T sums[4] = {0, 0, 0, 0};
+  const std::size_t whole = values.size() / 4 * 4;
+  for (std::size_t i = 0; i < whole; i += 4)
+    for (std::size_t k = 0; k < 4; ++k) sums[k] += T{0} * values[i + k];
+  for (std::size_t i = whole; i < values.size(); ++i) sums[0] += T{0} * values[i];
+  return sums[0] + sums[1] + sums[2] + sums[3] == T{0};
+}
 
 FrameBlocks make_blocks(hid_t element, RecordField field, const Record& record, const Selection& selection) {
   FrameBlocks::Form form{selection.rows(), components(field), 0};
@@ -35,16 +46,33 @@ FieldWriter::FieldWriter(hid_t element, RecordField field, const Record& record,
   stored_.resize(numbers_);
 }
 
-std::size_t FieldWriter::append(std::span<const double> numbers, FrameHash& hash) {
-  return quantum_ > 0.0 ? append_quantized(numbers, hash) : append_numbers(numbers, hash);
+std::size_t FieldWriter::append(std::int64_t step, std::span<const double> numbers, FrameHash& hash) {
+  bool finite = true;
+  std::size_t bytes = numbers.size() * (single_ ? sizeof(float) : sizeof(double));
+  if (quantum_ > 0.0) {
+    finite = all_finite(numbers);
+    if (finite) bytes = append_quantized(numbers, hash);
+  } else if (single_) {
+    singles_.assign(numbers.begin(), numbers.end());
+    finite = append_numbers<float>(singles_, hash);
+  } else {
+    finite = append_numbers(numbers, hash);
+  }
+  if (!finite) throw std::runtime_error("the state of step " + std::to_string(step) + " is not finite");
+  return bytes;
 }
 
-std::size_t FieldWriter::append_numbers(std::span<const double> numbers, FrameHash& hash) {
-  if (single_) singles_.assign(numbers.begin(), numbers.end());
-  const auto bytes = single_ ? std::as_bytes(std::span(std::as_const(singles_))) : std::as_bytes(numbers);
-  hash.add(bytes);
-  blocks_.write(bytes);
-  return bytes.size();
+/// Returns whether all are finite.
+template <class T>
+bool FieldWriter::append_numbers(std::span<const T> numbers, FrameHash& hash) {
+  BytesHash field;
+  bool finite = true;
+  blocks_.write(std::as_bytes(numbers), [&](std::span<const std::byte> piece) {
+    field.add(piece);
+    finite &= all_finite(std::span(reinterpret_cast<const T*>(piece.data()), piece.size() / sizeof(T)));
+  });
+  hash.add(field);
+  return finite;
 }
 
 std::size_t FieldWriter::append_quantized(std::span<const double> numbers, FrameHash& hash) {

@@ -25,9 +25,10 @@ class FieldWriter {
     return values_;
   }
 
-  /// Adds a frame of these numbers, its own or others. Returns the bytes that it took. Throws
-  /// std::runtime_error where a position is beyond what can be quantized.
-  std::size_t append(std::span<const double> numbers, FrameHash& hash);
+  /// Adds the frame of a step: these numbers, its own or others. Returns the bytes that it took. Throws
+  /// std::runtime_error where one is not finite, or a position beyond what can be quantized: what was written
+  /// then is no frame.
+  std::size_t append(std::int64_t step, std::span<const double> numbers, FrameHash& hash);
 
   void flush() { blocks_.flush(); }
   void close() { blocks_.close(); }
@@ -35,7 +36,8 @@ class FieldWriter {
   explicit operator bool() const { return static_cast<bool>(blocks_); }
 
  private:
-  std::size_t append_numbers(std::span<const double> numbers, FrameHash& hash);
+  template <class T>
+  bool append_numbers(std::span<const T> numbers, FrameHash& hash);
   std::size_t append_quantized(std::span<const double> numbers, FrameHash& hash);
 
   FrameBlocks blocks_;

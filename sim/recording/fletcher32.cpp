@@ -63,12 +63,10 @@ std::uint32_t folded(std::uint64_t sum) {
 
 }  // namespace
 
-/// Sums little-endian words: to swap the bytes of a word is to multiply it by 256, modulo 65535.
-std::uint32_t fletcher32(std::span<const std::byte> bytes) {
-  Sums sums;
+void Fletcher32::add(std::span<const std::byte> bytes) {
   const auto add = [&](const Sums& next, std::size_t words) {
-    sums.second = folded(sums.second + words * sums.first + next.second);
-    sums.first = folded(sums.first + next.first);
+    second_ = folded(second_ + words * first_ + next.second);
+    first_ = folded(first_ + next.first);
   };
   std::size_t at = 0;
   while (bytes.size() - at >= kRowBytes) {
@@ -81,7 +79,17 @@ std::uint32_t fletcher32(std::span<const std::byte> bytes) {
     std::memcpy(&word, bytes.data() + at, std::min<std::size_t>(2, bytes.size() - at));
     add({word, word}, 1);
   }
-  return folded(256 * sums.second) << 16 | folded(256 * sums.first);
+}
+
+/// To swap the bytes of a word is to multiply it by 256, modulo 65535.
+std::uint32_t Fletcher32::value() const {
+  return folded(256 * second_) << 16 | folded(256 * first_);
+}
+
+std::uint32_t fletcher32(std::span<const std::byte> bytes) {
+  Fletcher32 sum;
+  sum.add(bytes);
+  return sum.value();
 }
 
 }  // namespace throng::recording

@@ -12,4 +12,14 @@ namespace throng::recording {
 /// byte is the high half of a word.
 std::uint32_t fletcher32(std::span<const std::byte> bytes);
 
+/// The same of what comes in pieces, each but the last of whole words; fastest where multiples of 32 bytes.
+class Fletcher32 {
+ public:
+  void add(std::span<const std::byte> piece);
+  std::uint32_t value() const;
+
+ private:
+  std::uint64_t first_ = 0, second_ = 0;  // of little-endian words
+};
+
 }  // namespace throng::recording

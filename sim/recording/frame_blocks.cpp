@@ -10,6 +10,12 @@
 
 namespace throng::recording {
 
+namespace {
+
+constexpr std::size_t kPiece = 8192;  // bytes
+
+}  // namespace
+
 FrameBlocks::FrameBlocks(hid_t at, const char* name, hid_t type, const Form& form)
     : form_(form), body_bytes_(H5Tget_size(type) * form.columns) {
   per_chunk_ = std::clamp<hsize_t>(form.bodies, 1, form.most_per_chunk);
@@ -30,15 +36,28 @@ void FrameBlocks::write_chunk(hsize_t first_body) {
             "cannot write a frame");
 }
 
-void FrameBlocks::write(std::span<const std::byte> numbers) {
+/// Numbers, zeros behind them, and the checksum of all that.
+void FrameBlocks::fill_chunk(std::span<const std::byte> part, const See& see) {
+  Fletcher32 sum;
+  for (std::size_t at = 0; at < part.size(); at += kPiece) {
+    const auto piece = part.subspan(at, std::min(kPiece, part.size() - at));
+    see(piece);
+    sum.add(piece);
+    std::memcpy(chunk_.data() + at, piece.data(), piece.size());
+  }
+  const auto rest = std::span(chunk_).first(chunk_.size() - sizeof(std::uint32_t)).subspan(part.size());
+  std::ranges::fill(rest, std::byte{0});
+  sum.add(rest);
+  const std::uint32_t value = sum.value();
+  std::memcpy(chunk_.data() + chunk_.size() - sizeof value, &value, sizeof value);
+}
+
+void FrameBlocks::write(std::span<const std::byte> numbers, const See& see) {
   grow();
   const std::size_t size = per_chunk_ * body_bytes_;
+  chunk_.resize(size + sizeof(std::uint32_t));
   for (std::size_t at = 0; at < numbers.size(); at += size) {
-    const auto part = numbers.subspan(at, std::min(size, numbers.size() - at));
-    chunk_.resize(size + sizeof(std::uint32_t));
-    std::fill(std::copy(part.begin(), part.end(), chunk_.begin()), chunk_.end(), std::byte{0});
-    const std::uint32_t sum = fletcher32(std::span(chunk_).first(size));
-    std::memcpy(chunk_.data() + size, &sum, sizeof sum);
+    fill_chunk(numbers.subspan(at, std::min(size, numbers.size() - at)), see);
     write_chunk(at / body_bytes_);
   }
 }

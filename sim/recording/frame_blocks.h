@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -24,9 +25,13 @@ class FrameBlocks {
   FrameBlocks() = default;
   FrameBlocks(hid_t at, const char* name, hid_t type, const Form& form);
 
+  /// Sees numbers piece by piece on their way, while they are in the nearest cache: pieces of whole numbers,
+  /// each but the last a multiple of 32 bytes long.
+  using See = std::function<void(std::span<const std::byte> piece)>;
+
   /// Writes the next frame: the numbers of the first bodies. Chunks that hold none of these stay unallocated.
   /// Expects a form that isn't packed.
-  void write(std::span<const std::byte> numbers);
+  void write(std::span<const std::byte> numbers, const See& see);
 
   /// Writes the next frame of a packed form: the numbers of all bodies. Returns the bytes that it took.
   std::size_t write_packed(std::span<const std::uint32_t> numbers);
@@ -41,6 +46,7 @@ class FrameBlocks {
 
  private:
   void grow();
+  void fill_chunk(std::span<const std::byte> part, const See& see);
   void write_chunk(hsize_t first_body);
 
   h5::Handle set_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -12,6 +13,20 @@ namespace throng::recording {
 /// lanes, each stepped as in XXH64 (Collet 2012), so that any change of one word changes the result. About 8
 /// bytes a ns.
 std::uint64_t hash_bytes(std::span<const std::byte> bytes);
+
+/// hash_bytes of what comes in pieces, each but the last a multiple of 32 bytes long.
+class BytesHash {
+ public:
+  void add(std::span<const std::byte> piece);
+  std::uint64_t value() const;
+
+ private:
+  std::array<std::uint64_t, 4> lane_ = start();
+  std::uint64_t size_ = 0;  // bytes
+
+  static std::array<std::uint64_t, 4> start();
+};
+
 inline std::uint64_t text_hash(std::string_view text) {
   return hash_bytes(std::as_bytes(std::span(text)));
 }
@@ -26,6 +41,7 @@ class FrameHash {
  public:
   FrameHash(std::int64_t step, double time, std::uint64_t state_hash);
   void add(std::span<const std::byte> field);
+  void add(const BytesHash& field);
   std::uint64_t value() const;  ///< never 0
 
  private:

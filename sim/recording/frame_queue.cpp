@@ -11,8 +11,16 @@ namespace {
 constexpr std::size_t kBytes = 64'000'000, kBytesPerBody = 52;
 constexpr auto kPatience = std::chrono::milliseconds(50);
 
-std::size_t depth(const State& first) {
-  return std::clamp<std::size_t>(kBytes / (kBytesPerBody * first.id.size() + 1), 2, 16);
+std::size_t depth(std::size_t bodies) {
+  return std::clamp<std::size_t>(kBytes / (kBytesPerBody * bodies + 1), 2, 16);
+}
+
+void reserve(std::size_t bodies, State& state) {
+  state.id.reserve(bodies);
+  state.position.reserve(bodies);
+  state.angle.reserve(bodies);
+  state.velocity.reserve(bodies);
+  state.spin.reserve(bodies);
 }
 
 void copy_frame(const State& from, State& to) {
@@ -39,18 +47,25 @@ std::size_t rows_bytes(const QueueEntry& entry) {
 
 }  // namespace
 
-FrameQueue::FrameQueue(const State& first) : slots_(depth(first)) {
-  for (QueueEntry& slot : slots_) copy_frame(first, slot.state);
+FrameQueue::FrameQueue(std::size_t bodies) : slots_(depth(bodies)) {
+  for (QueueEntry& slot : slots_) reserve(bodies, slot.state);
 }
 
 void FrameQueue::push(const State& state, std::span<const ContactRow> contacts,
                       std::span<const Sensed> sensed, bool checkpoint) {
   std::unique_lock lock(mutex_);
+  std::optional<std::uint64_t> hash;
+  if (is_full() && !checkpoint) {
+    lock.unlock();
+    hash = throng::hash(state);
+    lock.lock();
+  }
   changed_.wait(lock, [&] { return !is_full() || error_; });
   if (error_) std::rethrow_exception(error_);
   QueueEntry& slot = slots_[(head_ + count_) % slots_.size()];
   lock.unlock();  // the slot is the producer's until it is counted
   slot.checkpoint = checkpoint;
+  slot.hash = hash;
   slot.contacts.assign(contacts.begin(), contacts.end());
   copy_sensed(sensed, slot.sensed);
   slot.bytes = rows_bytes(slot);

@@ -6,6 +6,7 @@
 #include <exception>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,9 +20,10 @@ struct QueueEntry {
   State state;
   bool checkpoint = false;  ///< all of the state, to go on from; else a frame: step, ids and motion, and what
                             ///< of a crowd is observed
-  std::vector<ContactRow> contacts = {};  ///< of a frame, where it is to hold any
-  std::vector<Sensed> sensed = {};        ///< of each recorded sensor, where a frame is to hold any
-  std::size_t bytes = 0;                  ///< of contacts and sensed
+  std::optional<std::uint64_t> hash = {};  ///< of a frame's state, where the producer had the time for it
+  std::vector<ContactRow> contacts = {};   ///< of a frame, where it is to hold any
+  std::vector<Sensed> sensed = {};         ///< of each recorded sensor, where a frame is to hold any
+  std::size_t bytes = 0;                   ///< of contacts and sensed
 };
 
 /// Frames and checkpoints on their way from the loop to the writer: a ring of buffers made in advance, one
@@ -29,13 +31,13 @@ struct QueueEntry {
 /// the consumer is woken only when the ring is half full and at the end, and looks by itself each 50 ms.
 class FrameQueue {
  public:
-  /// As many frames as fit into 64 MB, at least 2 and at most 16, all as large as `first`. Contacts and what
+  /// As many frames as fit into 64 MB, at least 2 and at most 16, all of so many bodies. Contacts and what
   /// was sensed come on top: of these, too, 64 MB and those of one frame at most, and room for as many again.
-  explicit FrameQueue(const State& first);
+  explicit FrameQueue(std::size_t bodies);
 
-  /// Copies a frame in; waits while the queue is full. Allocates nothing while the number of bodies is that
-  /// of `first`, and the slot has held as many contacts and sensed before, unless these are so many that few
-  /// such frames fit. Throws what the consumer failed with.
+  /// Copies a frame in; waits while the queue is full, and hashes the state meanwhile. Allocates nothing
+  /// while there are no more bodies, and the slot has held as many contacts and sensed before,
+  /// unless these are so many that few such frames fit. Throws what the consumer failed with.
   void push(const State& state, std::span<const ContactRow> contacts = {},
             std::span<const Sensed> sensed = {}) {
     push(state, contacts, sensed, false);

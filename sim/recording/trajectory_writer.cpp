@@ -10,16 +10,6 @@ namespace throng::recording {
 
 namespace {
 
-/// No branch for each number: 0 x is 0 unless x is not finite.
-bool all_finite(std::span<const double> values) {
-  double sums[4] = {0, 0, 0, 0};
-  const std::size_t whole = values.size() / 4 * 4;
-  for (std::size_t i = 0; i < whole; i += 4)
-    for (std::size_t k = 0; k < 4; ++k) sums[k] += 0.0 * values[i + k];
-  for (std::size_t i = whole; i < values.size(); ++i) sums[0] += 0.0 * values[i];
-  return sums[0] + sums[1] + sums[2] + sums[3] == 0.0;
-}
-
 std::span<const double> flat(const std::vector<Vec>& vectors) {
   return {vectors.empty() ? nullptr : vectors.front().data(), 2 * vectors.size()};
 }
@@ -49,10 +39,11 @@ bool TrajectoryWriter::holds(RecordField field, std::int64_t step) const {
   return is_due(every(record_, field), step);
 }
 
-void TrajectoryWriter::append(const State& state, std::span<const ContactRow> contacts,
+void TrajectoryWriter::append(const State& state, std::uint64_t state_hash,
+                              std::span<const ContactRow> contacts,
                               const std::optional<Observables>& observables, std::span<const Sensed> sensed) {
   gather(state);
-  append_gathered(state.step, hash(state), contacts, observables, sensed);
+  append_gathered(state.step, state_hash, contacts, observables, sensed);
 }
 
 void TrajectoryWriter::append(Frame&& frame) {
@@ -91,9 +82,9 @@ std::uint64_t TrajectoryWriter::append_gathered(std::int64_t step, std::uint64_t
 }
 
 /// A field's numbers in the order of the file: those of the state itself, where they stand so.
-std::span<const double> TrajectoryWriter::in_rows(RecordField field, const State& state) {
+std::span<const double> TrajectoryWriter::in_rows(RecordField field, const State& state, bool stand_so) {
   const auto from = with_field(state, field, [](const auto& numbers) { return flat(numbers); });
-  if (selection_.is_order(state.id)) return from;
+  if (stand_so) return from;
   std::vector<double>& values = fields_[index(field)].values();
   if (selection_.changes()) std::ranges::fill(values, 0.0);  // of agents who are gone, nothing else
   components(field) == 2 ? selection_.bring<2>(state.id, from.data(), values)
@@ -102,12 +93,9 @@ std::span<const double> TrajectoryWriter::in_rows(RecordField field, const State
 }
 
 void TrajectoryWriter::gather(const State& state) {
-  for (RecordField field : kBodyFields) {
-    if (!holds(field, state.step)) continue;
-    due_[index(field)] = in_rows(field, state);
-    if (!all_finite(due_[index(field)]))
-      throw std::runtime_error("the state of step " + std::to_string(state.step) + " is not finite");
-  }
+  const bool stand_so = selection_.is_order(state.id);
+  for (RecordField field : kBodyFields)
+    if (holds(field, state.step)) due_[index(field)] = in_rows(field, state, stand_so);
   if (!selection_.changes() || !has_bodies(record_, state.step)) return;
   is_present_.assign(selection_.rows(), 0);
   for (std::size_t body = 0; body < state.id.size(); ++body)
@@ -147,13 +135,14 @@ std::size_t TrajectoryWriter::write_fields(std::int64_t step, FrameHash& hash) {
   std::size_t bytes = 0;
   if (ids_ && has_bodies(record_, step)) {
     const auto ids = std::as_bytes(std::span(present_));
-    hash.add(ids);
-    ids_.write(ids);
+    BytesHash column;
+    ids_.write(ids, [&](std::span<const std::byte> piece) { column.add(piece); });
+    hash.add(column);
     id_times_.append(step, static_cast<double>(step) * dt_);
     bytes += ids.size();
   }
   for (RecordField field : kBodyFields)
-    if (holds(field, step)) bytes += fields_[index(field)].append(due_[index(field)], hash);
+    if (holds(field, step)) bytes += fields_[index(field)].append(step, due_[index(field)], hash);
   return bytes;
 }
 

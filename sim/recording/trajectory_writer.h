@@ -26,9 +26,9 @@ class TrajectoryWriter {
 
   /// Adds what is due of a state, its bodies in order of id. It is there for readers after the next `commit`.
   /// `contacts`: of the state; `observables`: likewise, where they are due; `sensed`: of each recorded
-  /// sensor, where any is due. Throws std::runtime_error for a number that is not finite; the frame is then
-  /// not written and the file stays sound.
-  void append(const State& state, std::span<const ContactRow> contacts = {},
+  /// sensor, where any is due. Throws std::runtime_error for a number that is not finite; the frame then
+  /// never counts, nothing may be added any more, and the file stays sound.
+  void append(const State& state, std::uint64_t state_hash, std::span<const ContactRow> contacts = {},
               const std::optional<Observables>& observables = std::nullopt,
               std::span<const Sensed> sensed = {});
 
@@ -73,7 +73,7 @@ class TrajectoryWriter {
   void link_times(hid_t element, int every);
   bool holds(RecordField field, std::int64_t step) const;
   void gather(const State& state);
-  std::span<const double> in_rows(RecordField field, const State& state);
+  std::span<const double> in_rows(RecordField field, const State& state, bool stand_so);
   void gather(const Frame& frame);
   void keep_present(std::int64_t step);
   std::uint64_t append_gathered(std::int64_t step, std::uint64_t state_hash,

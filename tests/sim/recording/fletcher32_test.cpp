@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 #include <vector>
 
@@ -37,6 +38,18 @@ TEST(Fletcher32, IsWhatItsDefinitionSaysForAnySize) {
         if (kind >= 2 && (kind == 2 || random() % 50 == 0)) b = static_cast<std::byte>(random());
       ASSERT_EQ(fletcher32(bytes), by_definition(bytes)) << size << " bytes of kind " << kind;
     }
+}
+
+TEST(Fletcher32, IsTheSameOfPieces) {
+  std::mt19937 random(6);
+  std::vector<std::byte> bytes(40002);
+  for (std::byte& b : bytes) b = static_cast<std::byte>(random());
+  for (const std::size_t piece : {2u, 30u, 32u, 8192u, 11520u, 20000u}) {
+    Fletcher32 sum;
+    for (std::size_t at = 0; at < bytes.size(); at += piece)
+      sum.add(std::span(bytes).subspan(at, std::min(piece, bytes.size() - at)));
+    EXPECT_EQ(sum.value(), by_definition(bytes)) << "in pieces of " << piece;
+  }
 }
 
 }  // namespace

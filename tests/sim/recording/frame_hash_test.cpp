@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 #include <vector>
 
@@ -36,6 +37,18 @@ TEST(HashBytes, StaysWhatItWas) {
   EXPECT_EQ(hash_bytes({}), 0x37c50b2174dbff26ULL);
   EXPECT_EQ(hash_bytes(pattern(3)), 0xb4c1f89fbfb1c293ULL);
   EXPECT_EQ(hash_bytes(pattern(100)), 0xb1ff4f1dd861aacaULL);
+}
+
+/// Pieces of 32 bytes, of 64, 96 and so on, and what is left.
+TEST(HashBytes, IsTheSameOfPieces) {
+  for (std::size_t size = 0; size < 300; size += size < 70 ? 1 : 13)
+    for (std::size_t piece = 32; piece <= 320; piece += 32) {
+      const auto all = pattern(size);
+      BytesHash hash;
+      for (std::size_t at = 0; at < size; at += piece)
+        hash.add(std::span(all).subspan(at, std::min(piece, size - at)));
+      ASSERT_EQ(hash.value(), hash_bytes(all)) << size << " bytes in pieces of " << piece;
+    }
 }
 
 TEST(FrameHash, DependsOnEveryNumberOfTheRowAndOnTheOrderOfFields) {
