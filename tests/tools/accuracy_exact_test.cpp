@@ -6,6 +6,7 @@
 
 #include "tools/bench/accuracy/exact_billiard.h"
 #include "tools/bench/accuracy/exact_bounce.h"
+#include "tools/bench/accuracy/exact_gas.h"
 #include "tools/bench/accuracy/exact_impact.h"
 #include "tools/bench/accuracy/exact_incline.h"
 #include "tools/bench/accuracy/exact_row.h"
@@ -201,6 +202,24 @@ TEST(ExactBilliard, NeverEntersThePostKeepsItsSpeedAndRetracesItsWay) {
   EXPECT_NEAR(back.velocity.norm(), start.velocity.norm(), 1e-14);
   back.velocity = -back.velocity;
   EXPECT_LT((exact_billiard(back, table, 5.0).position - start.position).norm(), 1e-11) << "m";
+}
+
+TEST(ExactGas, HasTheVirialSeriesOfHardDiscsAndWhatSimulationsFound) {
+  constexpr double kVirial[] = {1.0, 2.0, 3.12802, 4.25785, 5.33690, 6.36303, 7.35208};  // Clisby, McCoy 2006
+  for (const double fraction : {0.01, 0.05, 0.1, 0.15}) {
+    double series = 0.0;
+    for (int n = 6; n >= 0; --n) series = series * fraction + kVirial[n];
+    EXPECT_NEAR(exact_compressibility(fraction) / series, 1.0, 2e-4) << fraction;
+  }
+  EXPECT_NEAR(exact_compressibility(0.3), 2.063, 0.001 * 2.063) << "10^7 collisions of 1,024 discs";
+  EXPECT_NEAR(exact_compressibility(0.5), 4.106, 0.001 * 4.106);
+}
+
+TEST(ExactGas, CollidesAtTheRateOfBoltzmannWhereItIsThin) {
+  const double fraction = 1e-6, diameter = 0.2, square = 3.0;            // m, m²/s²
+  const double number = fraction / (0.25 * M_PI * diameter * diameter);  // 1/m²
+  EXPECT_NEAR(exact_collision_rate(fraction, diameter, square),
+              2.0 * number * diameter * std::sqrt(M_PI * square / 2.0), 1e-9);
 }
 
 }  // namespace

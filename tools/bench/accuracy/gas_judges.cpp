@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "sim/observe.h"
+#include "tools/bench/accuracy/exact_gas.h"
 
 namespace throng::bench {
 
@@ -63,6 +65,42 @@ class RateJudge : public Judge {
   int looks_ = 0;
 };
 
+class TheoryJudge : public Judge {
+ public:
+  TheoryJudge(const Scene& scene, std::function<double(double)> seen)
+      : scene_(scene), seen_(std::move(seen)), energy_(kinetic_energy(scene, initial_state(scene))) {
+    const double n = static_cast<double>(scene.bodies.size()), radius = scene.bodies.radius[0];
+    const Vec size = scene.domain.max - scene.domain.min;
+    fraction_ = n * std::numbers::pi * radius * radius / (size.x() * size.y());
+    const double mean_square_speed = 2.0 * energy_ / (mass(scene, 0) * (n - 1.0));  // n - 1: momentum is 0
+    expected_ = exact_collision_rate(fraction_, 2.0 * radius, mean_square_speed);
+  }
+
+  void look(double time, const Simulation& simulation) override {
+    rate_.look(time, simulation.state());
+    if (simulation.collisions()) counted_ = counted_rate(scene_, simulation);
+    last_energy_ = kinetic_energy(scene_, simulation.state());
+  }
+
+  Figures figures() const override {
+    const double off = (counted_ > 0.0 ? counted_ : rate_.rate() / seen_(scene_.time.dt)) / expected_ - 1.0;
+    const double theory = exact_compressibility(fraction_);
+    return {{"error", std::abs(off)},
+            {"statistical", rate_.relative_error()},
+            {"temperature", last_energy_ / energy_ - 1.0},
+            {"compressibility", 1.0 + (theory - 1.0) * (1.0 + off)},
+            {"theory", theory}};
+  }
+
+ private:
+  const Scene& scene_;
+  std::function<double(double)> seen_;
+  double energy_, last_energy_ = 0.0;       // J
+  double fraction_ = 0.0, expected_ = 0.0;  // of the area; 1/s
+  CollisionRate rate_;
+  double counted_ = 0.0;  // 1/s
+};
+
 class EnergyJudge : public Judge {
  public:
   explicit EnergyJudge(const Scene& scene)
@@ -83,6 +121,16 @@ class EnergyJudge : public Judge {
 
 std::unique_ptr<Judge> rate_judge(const Scene& scene, std::function<double(double)> expected) {
   return std::make_unique<RateJudge>(scene, std::move(expected));
+}
+
+std::unique_ptr<Judge> theory_judge(const Scene& scene, std::function<double(double)> seen) {
+  return std::make_unique<TheoryJudge>(scene, std::move(seen));
+}
+
+double counted_rate(const Scene& scene, const Simulation& simulation) {
+  const double time = static_cast<double>(simulation.state().step) * scene.time.dt;
+  return 2.0 * static_cast<double>(simulation.collisions()->pairs) /
+         (static_cast<double>(scene.bodies.size()) * time);
 }
 
 std::unique_ptr<Judge> energy_judge(const Scene& scene) {

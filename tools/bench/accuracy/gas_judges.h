@@ -26,6 +26,14 @@ class CollisionRate {
 /// square, as Maxwell has it.
 std::unique_ptr<Judge> rate_judge(const Scene& scene, std::function<double(double dt)> expected);
 
+/// The same, held against Enskog's rate of the scene's discs, which are equal and fly where the domain
+/// repeats. `seen(dt)` says what share of all collisions CollisionRate sees at that dt; where an engine
+/// counts its collisions, they count. Also `compressibility`, by the rate, and `theory`, what it should be.
+std::unique_ptr<Judge> theory_judge(const Scene& scene, std::function<double(double dt)> seen);
+
+/// 1/s, of each disc, as an engine that counts its collisions has had them so far.
+double counted_rate(const Scene& scene, const Simulation& simulation);
+
 /// The largest relative change of the kinetic energy at any step.
 std::unique_ptr<Judge> energy_judge(const Scene& scene);
 
