@@ -44,8 +44,8 @@ void SoftSolids::find_kinematic(const Candidates& candidates, const State& state
     turning_.push_back({solid, state.angle[solid]});
   }
   std::ranges::sort(turning_, {}, &Turning::body);
-  const auto again = std::ranges::unique(turning_, {}, &Turning::body);
-  turning_.erase(again.begin(), again.end());
+  const auto same = [](const Turning& one, const Turning& other) { return one.body == other.body; };
+  turning_.erase(std::unique(turning_.begin(), turning_.end(), same), turning_.end());
   poses_.resize(bodies.size());
 }
 
