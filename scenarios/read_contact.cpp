@@ -69,7 +69,7 @@ void check_step(const toml::table& root, const Scene& scene, const SoftTiming& t
   const std::string impact = "an impact lasts " + three_digits(timing.contact) + " s, " +
                              three_digits(per_contact) + " substeps of " + three_digits(h) + " s";
   if (h > timing.longest)
-    report.error(*node, path, impact + ": unstable; " + remedy(scene, timing.longest));
+    report.error(*node, path, impact + ": unstable in a dense packing; " + remedy(scene, timing.longest));
   else if (per_contact < kFewPerContact * (1.0 - 1e-9))
     report.warning(
         node->source(), path,

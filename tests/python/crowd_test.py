@@ -308,8 +308,8 @@ class Measures(Program):
             self.assertEqual([list(later[k]) for k in (2, 3)], [[3], []])
             self.assertEqual(list(recording.sensed_frames("eyes")), list(range(0, 301, 50)))
             for said, ask in {
-                "frame 49 has no what 'eyes' sensed; the nearest that has is 50": lambda: recording.sensed("eyes", 49),
-                "frame 100, what 'eyes' sensed: body 1 was not there": lambda: later[1],
+                "frame 49 has no rows of sensor 'eyes'; the nearest that has is 50": lambda: recording.sensed("eyes", 49),
+                "frame 100, rows of sensor 'eyes': body 1 was not there": lambda: later[1],
                 "no sensor 'ears': there are eyes": lambda: recording.sensed("ears", 0),
                 "no sensor 'nose'": lambda: recording.sensed_frames("nose"),
                 "no frame 301: they go from 0 to 300": lambda: recording.sensed("eyes", 301),
@@ -336,7 +336,7 @@ class Measures(Program):
 
         with self.assertRaisesRegex(throng_read.NotARecording, "no hard link"):
             crafted("soft", soft)
-        with crafted("other", other) as recording, self.assertRaisesRegex(OSError, "other.h5 is damaged: frame 0, what 'eyes' sensed: .*another form"):
+        with crafted("other", other) as recording, self.assertRaisesRegex(OSError, "other.h5 is damaged: frame 0, rows of sensor 'eyes': .*another form"):
             recording.sensed("eyes", 0)
         with crafted("unsorted", unsorted) as recording, self.assertRaisesRegex(OSError, "damaged"):
             recording.sensed("eyes", 0)

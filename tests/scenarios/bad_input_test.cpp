@@ -78,11 +78,11 @@ const Case kCases[] = {
      "s.toml:2:10: error: engine: event_driven: contact.model: "},
     {"time = { dt = 0.01, substeps = 4 }\ncontact = { model = 'spring', stiffness = 1e6 }\n" BALL
      "at = [0, 0]",
-     "s.toml:2:32: error: time.substeps: an impact lasts 0.00557 s, 2.23 substeps of 0.0025 s: unstable; "
-     "time.substeps must be at least 34"},
+     "s.toml:2:32: error: time.substeps: an impact lasts 0.00557 s, 2.23 substeps of 0.0025 s: unstable in a "
+     "dense packing; time.substeps must be at least 34"},
     {"time = { dt = 0.1, substeps = 4 }\ncontact = { model = 'spring', stiffness = 1e10 }\n" BALL
      "at = [0, 0]",
-     "unstable; time.dt must be at most "},
+     "unstable in a dense packing; time.dt must be at most "},
     {"record = { quantize = 0 }",
      "s.toml:2:23: error: record.quantize: must be a number from 1e-09 to 1000 m"},
     {"record = { fields = ['angle'], quantize = 1e-3 }",

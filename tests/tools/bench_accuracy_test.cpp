@@ -52,6 +52,12 @@ TEST_F(BenchAccuracy, PlaysEverySceneAndSaysWhyWhereAnEngineCant) {
   EXPECT_THAT(refused[0]["note"].get<std::string>(), ::testing::HasSubstr("isn't a disc"));
 }
 
+TEST_F(BenchAccuracy, NamesTheEnginesWhereItIsAskedForNone) {
+  const Result result = throng("bench accuracy --quick --engine nope");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, ::testing::HasSubstr("--engine nope: is none; engines are native, "));
+}
+
 TEST_F(BenchAccuracy, FindsNoErrorWhereCollisionsAreSolvedInClosedForm) {
   auto rows = rows_of(
       "--quick --engine native --engine event_driven --only flight --only throw --only impact "

@@ -449,7 +449,7 @@ class Recording:
 
     def sensed(self, name, i):
         """Whom the sensor of that name found in frame i, as a Sensed."""
-        group, what = self._sensor(name), f"what {name!r} sensed"
+        group, what = self._sensor(name), f"rows of sensor {name!r}"
         i, sample = self._sample(group, i, what)
         with _damage_named(self._path, f"frame {i}, {what}"):
             return Sensed(f"{self._path}: frame {i}, {what}", *self._ids(group, "offset", ("who", "count"), sample),

@@ -2,9 +2,12 @@
 // throng bench accuracy: run time against error, each scene on each engine at several settings.
 #include <algorithm>
 #include <cstdio>
+#include <string>
 
+#include "sim/input_error.h"
 #include "tools/bench/accuracy/convergence.h"
 #include "tools/bench/accuracy/equal_error.h"
+#include "tools/bench/accuracy/players.h"
 #include "tools/bench/accuracy/race.h"
 #include "tools/bench/benchmarks.h"
 
@@ -63,9 +66,21 @@ void for_each_case(const std::vector<Row>& rows, Visit visit) {
   }
 }
 
+void refuse_unknown_engines(const Options& options) {
+  std::string known;
+  for (const Player& player : players()) known += (known.empty() ? "" : ", ") + std::string(player.engine);
+  const auto is_known = [](const std::string& engine) {
+    return std::ranges::any_of(players(), [&](const Player& player) { return engine == player.engine; });
+  };
+  for (const std::string& engine : options.engines)
+    if (!is_known(engine))
+      throw InputError("accuracy: --engine " + engine + ": is none; engines are " + known);
+}
+
 }  // namespace
 
 std::vector<Row> bench_accuracy(const Options& options) {
+  refuse_unknown_engines(options);
   std::vector<Row> rows;
   for (const AccuracyCase& one : all_cases()) {
     if (!chosen(one.name, options)) continue;
