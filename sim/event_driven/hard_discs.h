@@ -94,8 +94,17 @@ class HardDiscs {
   Vec velocity(const Flying& disc, double time) const {
     return plan_.gravity ? Vec(disc.velocity + (time - disc.since) * pull_) : disc.velocity;
   }
+  /// Calls visit(other, shift) for each other disc in the range of cells round the disc's: its image there is
+  /// moved by `shift` (m).
   template <class Visit>
-  void for_each_near(std::uint32_t disc, const Range& range, Visit visit) const;
+  void for_each_near(std::uint32_t disc, const Range& range, Visit visit) const {
+    cells_.for_each_near(next_[disc].cell, range.first, range.last, [&](std::size_t slot, int x, int y) {
+      const Vec shift(x * period_.x(), y * period_.y());
+      cells_.for_each_in(slot, [&](std::uint32_t other) {
+        if (other != disc) visit(other, shift);
+      });
+    });
+  }
 
   void foresee(std::uint32_t disc, double now, std::uint32_t collided);
   void foresee_crossing(std::uint32_t disc, double now, const std::array<int, 2>& entered);

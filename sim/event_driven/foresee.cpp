@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// What comes next to a disc: the border of its cell, an obstacle, another disc.
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "narrowphase/disc_fall.h"
+#include "narrowphase/disc_flight.h"
+#include "sim/event_driven/hard_discs.h"
+
+namespace throng {
+
+namespace {
+
+constexpr double kNever = Soonest::kNever;
+
+/// When something comes to a border that it is `gap` (m) before, at `nearing` (m/s) and `pull` (m/s²): the
+/// time at which it goes beyond it, even if it was beyond before.
+double time_to_border(double gap, double nearing, double pull) {
+  if (pull == 0.0) return nearing > 0.0 ? gap / nearing : kNever;
+  const double squared = nearing * nearing + 2.0 * pull * gap;
+  if (pull < 0.0 && (nearing <= 0.0 || squared < 0.0)) return kNever;
+  const double root = std::sqrt(std::max(0.0, squared));
+  return nearing > 0.0 ? 2.0 * gap / (nearing + root) : (root - nearing) / pull;
+}
+
+}  // namespace
+
+/// All of what may come next to the disc, which has just collided with `collided`: two discs don't meet again
+/// at once.
+void HardDiscs::foresee(std::uint32_t disc, double now, std::uint32_t collided) {
+  next_[disc].collision = kNever, next_[disc].other = kNobody;
+  foresee_crossing(disc, now, {0, 0});
+  foresee_obstacles(disc, now, collided);
+  foresee_discs(disc, now, {}, collided);
+  set(disc);
+}
+
+void HardDiscs::set(std::uint32_t disc) {
+  soonest_.set(disc, std::min(next_[disc].crossing, next_[disc].collision));
+}
+
+/// When it leaves its cell: of the four borders the first that it comes to. `entered`: -1 or 1 along each
+/// axis where it has just come in that way. Who came in as the pull goes doesn't go back before he is turned
+/// aside.
+void HardDiscs::foresee_crossing(std::uint32_t disc, double now, const std::array<int, 2>& entered) {
+  const Flying& one = discs_[disc];
+  Next& next = next_[disc];
+  next.crossing = kNever;
+  for (int axis : {0, 1})
+    for (int step : {-1, 1}) {
+      const double pull = step * pull_[axis];
+      if (pull < 0.0 && entered[axis] == -step) continue;
+      const double way = cells_.border(axis, next.cell.at[axis] + (step > 0 ? 1 : 0)) - one.position[axis];
+      const double time = one.since + time_to_border(step * way, step * one.velocity[axis], pull);
+      const bool turned = pull < 0.0 && time <= now && step * velocity(one, now)[axis] <= 0.0;
+      if (turned || !(std::max(now, time) < next.crossing)) continue;
+      next.crossing = std::max(now, time);
+      next.axis = static_cast<std::int8_t>(axis), next.step = static_cast<std::int8_t>(step);
+    }
+}
+
+/// Those that it meets in its cell: beyond lie others, and where the domain repeats other images of them.
+void HardDiscs::foresee_obstacles(std::uint32_t disc, double now, std::uint32_t collided) {
+  const Flying& one = discs_[disc];
+  Next& next = next_[disc];
+  const std::size_t sides = obstacles_.side.size();
+  const auto rows = cells_.obstacles(cells_.slot(next_[disc].cell));
+  if (rows.empty()) return;
+  const narrowphase::Fall fall{place(one, now), velocity(one, now), pull_};
+  for (const std::uint32_t row : rows) {
+    const auto other = static_cast<std::uint32_t>(discs_.size()) + row;
+    double time;
+    if (row < sides)
+      time = narrowphase::fall_time(fall, one.radius, obstacles_.side[row]);
+    else if (plan_.gravity)
+      time = narrowphase::fall_time(fall, one.radius, obstacles_.part[row - sides], next.crossing - now);
+    else if (other == collided)
+      continue;
+    else
+      time = narrowphase::disc_flight(fall.position, one.radius, fall.velocity, obstacles_.part[row - sides])
+                 .time;
+    if (now + time < std::min(next.collision, next.crossing)) next.collision = now + time, next.other = other;
+  }
+}
+
+void HardDiscs::foresee_discs(std::uint32_t disc, double now, const Range& range, std::uint32_t collided) {
+  find_approaching(disc, now, range);
+  Next& next = next_[disc];
+  for (const Approach& pair : std::span(approaching_).first(approached_)) {
+    if (pair.other == collided) continue;
+    const double root = pair.nearing * pair.nearing - pair.speed2 * pair.excess;
+    if (root < 0.0) continue;
+    const double time = now + std::max(0.0, pair.excess) / (pair.nearing + std::sqrt(root));
+    if (time < next.collision)
+      next.collision = time, next.other = pair.other, next.had = discs_[pair.other].had;
+  }
+}
+
+/// Who comes nearer and might touch before what comes next to the disc: few of those who are near. Without
+/// branches that nobody can foresee.
+void HardDiscs::find_approaching(std::uint32_t disc, double now, const Range& range) {
+  const Flying& one = discs_[disc];
+  const Vec from = place(one, now), speed = velocity(one, now);
+  const double until = next_[disc].collision - now;
+  std::size_t count = 0;
+  for_each_near(disc, range, [&](std::uint32_t other, const Vec& shift) {
+    if (count == approaching_.size()) approaching_.resize(2 * count + 16);
+    const Flying& two = discs_[other];
+    const Vec between = place(two, now) + shift - from, way = velocity(two, now) - speed;
+    const double reach = one.radius + two.radius;
+    const double excess = narrowphase::dot(between, between) - reach * reach,
+                 nearing = -narrowphase::dot(between, way);
+    approaching_[count] = {excess, nearing, narrowphase::dot(way, way), other};
+    count += static_cast<std::size_t>((nearing > 0.0) & (excess <= 2.0 * nearing * until));
+  });
+  approached_ = count;
+}
+
+}  // namespace throng
