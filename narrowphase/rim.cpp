@@ -170,8 +170,8 @@ bool is_face(const Convex& part, const Rim& rim, const Vec& d) {
 }
 
 /// The body against all that lies behind a face of the part.
-Manifold face_contact(const Placed& part, const Vec& vertex, const Vec& normal, const Placed& body,
-                      double reach) {
+Manifold face_contact(const PlacedConvex& part, const Vec& vertex, const Vec& normal,
+                      const PlacedConvex& body, double reach) {
   const Vec out = part.pose.rotate(normal);
   const HalfPlane free{part.pose * vertex + part.shape.radius * out, out};
   Manifold m = manifold(body.shape, body.pose, free, reach);
@@ -220,7 +220,8 @@ std::vector<Rim> rims(std::span<const Convex> parts) {
   return result;
 }
 
-Manifold on_outline(const Manifold& m, const Placed& part, const Rim& rim, const Placed& body, double reach) {
+Manifold on_outline(const Manifold& m, const PlacedConvex& part, const Rim& rim, const PlacedConvex& body,
+                    double reach) {
   if (m.count == 0) return m;
   const Vec d = part.pose.unrotate(m.normal);
   if (is_face(part.shape, rim, d)) return m;

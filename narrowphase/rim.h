@@ -30,7 +30,7 @@ using Rim = std::vector<RimEdge>;
 std::vector<Rim> rims(std::span<const Convex> parts);
 
 /// One of the two shapes of a manifold, and where it stands.
-struct Placed {
+struct PlacedConvex {
   const Convex& shape;
   const Pose& pose;
 };
@@ -42,6 +42,7 @@ struct Placed {
 /// hollow the part's face presses instead. Anywhere else the nearest normal that the outline has there takes
 /// its place, if the body's deepest vertex is over this part; if it is beyond, the part beyond holds it, and
 /// this contact is dropped, as by the smooth chains of Box2D (Catto, 2020). O(n).
-Manifold on_outline(const Manifold& m, const Placed& part, const Rim& rim, const Placed& body, double reach);
+Manifold on_outline(const Manifold& m, const PlacedConvex& part, const Rim& rim, const PlacedConvex& body,
+                    double reach);
 
 }  // namespace throng::narrowphase

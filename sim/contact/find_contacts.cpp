@@ -65,15 +65,17 @@ double effective_mass(const SolverBody& a, const SolverBody& b, const Vec& arm_a
                 b.inverse_inertia * turn_b * turn_b);
 }
 
-using narrowphase::Placed;
+using narrowphase::PlacedConvex;
 using narrowphase::Rim;
 
 /// What is left of the contact of a and b once one of them is a piece of its whole: a seam matters to what is
 /// smaller than the part beside it.
-Manifold on_outline_of_a(const Manifold& m, const Placed& a, const Rim& rim, const Placed& b, double reach) {
+Manifold on_outline_of_a(const Manifold& m, const PlacedConvex& a, const Rim& rim, const PlacedConvex& b,
+                         double reach) {
   return rim.empty() ? m : on_outline(m, a, rim, b, reach);
 }
-Manifold on_outline_of_b(Manifold m, const Placed& a, const Placed& b, const Rim& rim, double reach) {
+Manifold on_outline_of_b(Manifold m, const PlacedConvex& a, const PlacedConvex& b, const Rim& rim,
+                         double reach) {
   if (rim.empty()) return m;
   m.normal = -m.normal;
   m = on_outline(m, b, rim, a, reach);
