@@ -93,7 +93,7 @@ TEST(DiscFall, AgreesWithLookingAgainAndAgain) {
   const Convex shapes[] = {segment({-0.5, -0.2}, {0.6, 0.3}), disc(0.4, {0.1, 0}),
                            convex({{-0.5, -0.5}, {0.6, -0.4}, {0, 0.5}})};
   int hits = 0, tried = 0;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < 900; ++i) {
     const Convex& shape = shapes[i % 3];
     const Fall fall{{2 * number(random), 2 * number(random)},
                     {3 * number(random), 3 * number(random)},
