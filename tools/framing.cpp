@@ -61,11 +61,15 @@ Extent with_margin(Extent extent) {
   return extent;
 }
 
-Extent of_walls(const Scene& scene) {
-  if (scene.walls.empty()) return {};
-  Extent extent{scene.walls[0].points[0], scene.walls[0].points[0]};
-  for (const Wall& wall : scene.walls)
-    for (const Vec& point : wall.points) include(extent, point);
+/// The floor that agents walk on, and all walls.
+Extent of_floor(const Scene& scene) {
+  std::vector<Vec> points;
+  for (const std::vector<Vec>& ring : scene.crowd.walkable.rings)
+    points.insert(points.end(), ring.begin(), ring.end());
+  for (const Wall& wall : scene.walls) points.insert(points.end(), wall.points.begin(), wall.points.end());
+  if (points.empty()) return {};
+  Extent extent{points[0], points[0]};
+  for (const Vec& point : points) include(extent, point);
   return extent;
 }
 
@@ -75,9 +79,9 @@ Extent framing(const Scene& scene, std::span<const Vec> positions) {
   const bool bounded = scene.domain.kind != DomainKind::unbounded;
   const Extent domain{scene.domain.min, scene.domain.max};
   if (std::ranges::all_of(positions, [](const Vec& p) { return p.hasNaN(); }))
-    return with_margin(bounded ? domain : of_walls(scene));
+    return with_margin(bounded ? domain : of_floor(scene));
   const bool walked = std::ranges::find(scene.bodies.kind, BodyKind::agent) != scene.bodies.kind.end();
-  if (walked) return with_margin(of_walls(scene));
+  if (walked) return with_margin(of_floor(scene));
   Extent extent = tight(scene, positions);
   if (!bounded) return with_margin(extent);
   const bool spread = (extent.size().array() >= kSpread * domain.size().array()).all();

@@ -44,6 +44,16 @@ void draw_queue(cairo_t* cairo, const Queue& queue, double pixel) {
   cairo_fill(cairo);
 }
 
+/// Of its corners the one that is farthest to the upper left: on the region, even where that is of many
+/// pieces, or round.
+Vec upper_left(const Region& region) {
+  Vec corner = region.rings[0][0];
+  for (const std::vector<Vec>& ring : region.rings)
+    for (const Vec& point : ring)
+      if (point.y() - point.x() > corner.y() - corner.x()) corner = point;
+  return corner;
+}
+
 /// A text in pixels whose upper left corner is `corner` (m), or more to the left, so that all of it is seen.
 void put_name(cairo_t* cairo, const std::string& name, Vec corner, const Colour& colour, double size,
               int width) {
@@ -79,7 +89,7 @@ void name_floor(cairo_t* cairo, const Crowd& crowd, double size, int width) {
     double across = box.sizes().x(), up = 0.0;
     cairo_user_to_device_distance(cairo, &across, &up);
     if (across >= kSeen)
-      put_name(cairo, area.name, {box.min().x(), box.max().y()}, colour_of(area.use), size, width);
+      put_name(cairo, area.name, upper_left(area.region), colour_of(area.use), size, width);
   }
   for (std::size_t i = 0; i < std::min(kMostNames, crowd.queues.size()); ++i)
     put_name(cairo, crowd.queues[i].name, crowd.queues[i].line[0], kStay, size, width);

@@ -56,6 +56,7 @@ Json crowd_summary(const Scene& scene, const State& state) {
   const CrowdState& crowd = state.crowd;
   const double last = static_cast<double>(crowd.last_arrival) * scene.time.dt;
   Json result = {{"arrived", crowd.arrived},
+                 {"inside", crowd.stand.size()},
                  {"waiting", waiting(crowd)},
                  {"last_arrival", crowd.arrived > 0 ? Json(last) : Json(nullptr)},
                  {"wall_corrections", crowd.wall_corrections},

@@ -123,7 +123,10 @@ void Queues::advance(State& state, std::vector<std::uint8_t>& served) {
 
 void Queues::line_up(State& state, Row row) {
   const std::uint32_t its = queue(state, row), number = length(its) + 1;
-  if (number > lines_[its].places()) return;
+  if (number > lines_[its].places()) {
+    state.crowd.since[row] = state.step;
+    return;
+  }
   const Vec end = lines_[its].place(number);
   if ((position(state, row) - end).norm() > spacing(its) || !reaches(state, row, end)) return;
   state.crowd.place[row] = number;

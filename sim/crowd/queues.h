@@ -34,7 +34,8 @@ class Queues {
   /// get to their place and stand, and serves: `served` becomes 1 for who has been.
   void advance(State& state, std::vector<std::uint8_t>& served);
 
-  /// Takes the next free place for him, where he is near it.
+  /// Takes the next free place for him, where he is near it. Where the line is full he waits: his leg begins
+  /// anew, as only from when there is room does he get nowhere.
   void line_up(State& state, Row row);
 
  private:

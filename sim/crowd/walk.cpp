@@ -290,31 +290,11 @@ void Walk::appear(State& state) {
   }
 }
 
-namespace {
-
-/// Of each queue whether somebody stands at its last place.
-std::vector<bool> full_queues(const Scene& scene, const State& state) {
-  std::vector<bool> full(scene.crowd.queues.size(), false);
-  for (std::size_t i = 0; i < state.crowd.place.size() && !full.empty(); ++i) {
-    const Leg& leg = scene.crowd.leg(agent_of(scene, state, scene.crowd.first + i), state.crowd.stage[i]);
-    if (leg.kind != Leg::Kind::queue || state.crowd.place[i] == 0) continue;
-    const std::uint32_t queue = leg.options[state.crowd.option[i]];
-    if (QueueLine(scene.crowd.queues[queue]).places() == state.crowd.place[i]) full[queue] = true;
-  }
-  return full;
-}
-
-}  // namespace
-
 std::vector<StuckAgent> stuck_agents(const Scene& scene, const State& state) {
   std::vector<StuckAgent> stuck;
-  const std::vector<bool> full = full_queues(scene, state);
   for (std::size_t i = 0; i < state.crowd.stand.size(); ++i) {
-    const std::uint32_t option = state.crowd.option[i];
-    if (state.crowd.place[i] > 0 || option == kUndecided) continue;
+    if (state.crowd.place[i] > 0 || state.crowd.option[i] == kUndecided) continue;
     const std::size_t row = scene.crowd.first + i, agent = agent_of(scene, state, row);
-    const Leg& leg = scene.crowd.leg(agent, state.crowd.stage[i]);
-    if (leg.kind == Leg::Kind::queue && full[leg.options[option]]) continue;
     if (time_stood(scene, state, i) >= kStuckTime && scene.crowd.desired_speed[agent] > 0.0)
       stuck.push_back({state.id[row], state.position[row]});
   }

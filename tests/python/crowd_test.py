@@ -264,6 +264,8 @@ class Measures(Program):
         with throng_read.open(self.path("b.h5")) as recording:
             found = recording.observables
             self.assertEqual(found["arrived"][0][-1], summary["arrived"])
+            self.assertEqual(found["agents"][0][-1], summary["inside"])
+            self.assertEqual(summary["inside"] + summary["arrived"] + summary["waiting"], summary["agents"])
             for column in ("count", "forward", "back", "speed"):
                 self.assertEqual(found[f"measure/door/{column}"][0][-1], summary["measure"]["door"][column])
             self.assertEqual(found["measure/hall/count"][0][-1], summary["measure"]["hall"]["count"])

@@ -60,6 +60,18 @@ TEST(Framing, ShowsAllOfTheFloorThatAgentsWalkOn) {
   EXPECT_LT(shown.size().maxCoeff(), 100);
 }
 
+// The floor of circle_swap, a domain's box without walls, was once shown a metre wide.
+TEST(Framing, ShowsTheFloorThatIsABox) {
+  Scene scene = discs(400);
+  scene.bodies.kind.assign(400, BodyKind::agent);
+  scene.domain = {DomainKind::box, {-10, -10}, {30, 30}};
+  scene.crowd.walkable = {{{{-10, -10}, {30, -10}, {30, 30}, {-10, 30}}}};
+  const Extent shown = framing(scene, square(20));
+  EXPECT_LE(shown.min.x(), -10);
+  EXPECT_GE(shown.max.y(), 30);
+  EXPECT_LT(shown.size().maxCoeff(), 45);
+}
+
 TEST(Framing, ShowsTheWallsWhereTheCrowdIsAndNotThoseFarAway) {
   Scene scene = discs(400);
   scene.walls = {{{{-5, 0}, {-5, 30}}, false, 0}, {{{1000, 0}, {1000, 30}}, false, 0}};

@@ -189,5 +189,25 @@ TEST(Queue, ThatIsFullKeepsNobodyStuck) {
   EXPECT_EQ(slow.state.crowd.arrived, 0) << "a service of 1e9 s, counted in steps";
 }
 
+// They turned this way and that after 10 s, as if an arch held them.
+TEST(Queue, ThatIsFullLetsThoseBehindItStandStill) {
+  for (const char* model : {"collision_free_speed", "social_force", "orca"}) {
+    SCOPED_TRACE(model);
+    Trial run(hall("count = 20\nradius = 0.2\ngoal = [{ queue = 'fast' }, 'low']\n", model));
+    run.scene.crowd.queues[0].service = 1e9;
+    Trial slow(run.scene);
+    slow.steps(3000);
+    const std::vector<Vec> before = slow.state.position;
+    std::vector<double> way(before.size(), 0.0);
+    for (int i = 0; i < 500; ++i) {
+      slow.steps(1);
+      for (std::size_t row = 0; row < way.size(); ++row) way[row] += 0.02 * slow.state.velocity[row].norm();
+    }
+    for (std::size_t row = 0; row < way.size(); ++row)
+      EXPECT_LT(way[row], 0.1) << "m in 10 s, agent " << slow.state.id[row] << ", place "
+                               << slow.state.crowd.place[row];
+  }
+}
+
 }  // namespace
 }  // namespace throng
