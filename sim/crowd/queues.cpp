@@ -2,6 +2,7 @@
 #include "sim/crowd/queues.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace throng {
 
@@ -14,7 +15,11 @@ constexpr double kMargin = 0.5;    // of the spacing: who is so much nearer to a
 }  // namespace
 
 Queues::Queues(const Scene& scene, const Barriers& barriers, const Ways& ways)
-    : scene_(scene), barriers_(barriers), ways_(ways), line_(scene.crowd.queues.size()) {
+    : scene_(scene),
+      barriers_(barriers),
+      ways_(ways),
+      line_(scene.crowd.queues.size()),
+      behind_(scene.crowd.queues.size()) {
   for (const Queue& queue : scene.crowd.queues) {
     lines_.emplace_back(queue);
     service_.push_back(Time{scene.time.dt, queue.service, 1}.steps());
@@ -41,6 +46,21 @@ void Queues::look(const State& state) {
     line.resize(std::max<std::size_t>(line.size(), place));
     line[place - 1] = row;
   }
+  look_behind(state);
+}
+
+void Queues::look_behind(const State& state) {
+  for (std::vector<double>& behind : behind_) behind.clear();
+  for (Row row = 0; row < state.crowd.place.size(); ++row) {
+    const std::size_t agent = agent_of(scene_, state, scene_.crowd.first + row);
+    const Leg& leg = scene_.crowd.leg(agent, state.crowd.stage[row]);
+    if (leg.kind != Leg::Kind::queue || state.crowd.place[row] > 0 || state.crowd.option[row] == kUndecided)
+      continue;
+    const std::uint32_t its = leg.options[state.crowd.option[row]];
+    if (is_full(its))
+      behind_[its].push_back((lines_[its].place(length(its) + 1) - position(state, row)).norm());
+  }
+  for (std::vector<double>& behind : behind_) std::ranges::sort(behind);
 }
 
 /// Whether he gets straight there: who isn't on the line yet only where all of him has room on the way.
@@ -69,8 +89,11 @@ Heading Queues::heading(const State& state, Row row) const {
   const std::optional<Vec> to = straight(state, row, number);
   if (!to) return {ways_.to(scene_.crowd.queues[its].goal).direction(p), kFree};
   const double distance = (lines_[its].place(number) - p).norm();
-  const bool full = number > lines_[its].places();
-  return straight_to(p, *to, place > 0 ? distance : full ? std::max(0.0, distance - spacing(its)) : kFree);
+  if (place > 0) return straight_to(p, *to, distance);
+  if (!is_full(its)) return straight_to(p, *to, kFree);
+  const auto nearer = std::ranges::lower_bound(behind_[its], distance) - behind_[its].begin();
+  const double off = spacing(its) * (1.0 + std::sqrt(static_cast<double>(nearer)));
+  return straight_to(p, *to, std::max(0.0, distance - off));
 }
 
 /// Whether the one behind the k-th of the line, from 0, is to take his place: nobody's who is being served,
@@ -123,7 +146,7 @@ void Queues::advance(State& state, std::vector<std::uint8_t>& served) {
 
 void Queues::line_up(State& state, Row row) {
   const std::uint32_t its = queue(state, row), number = length(its) + 1;
-  if (number > lines_[its].places()) {
+  if (is_full(its)) {
     state.crowd.since[row] = state.step;
     return;
   }

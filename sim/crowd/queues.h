@@ -26,8 +26,8 @@ class Queues {
   void look(const State& state);
 
   /// Where who is in a queue or on the way there wants to walk: straight to his place where he gets there,
-  /// along the line where it bends, else by the ways to the line. Behind a full one he stops. O(1) but for
-  /// barriers near his way.
+  /// along the line where it bends, else by the ways to the line. Behind a full one he stops, the farther off
+  /// the more wait there already. O(1) but for barriers near his way, and O(log agents) who wait.
   Heading heading(const State& state, Row row) const;
 
   /// Lets each who is nearer to a place than the one before him take it, takes those out of line who can't
@@ -43,6 +43,8 @@ class Queues {
   std::uint32_t length(std::uint32_t queue) const { return static_cast<std::uint32_t>(line_[queue].size()); }
   double spacing(std::uint32_t queue) const { return scene_.crowd.queues[queue].spacing; }
   const Vec& position(const State& state, Row row) const { return state.position[scene_.crowd.first + row]; }
+  bool is_full(std::uint32_t queue) const { return length(queue) >= lines_[queue].places(); }
+  void look_behind(const State& state);
   double away(const State& state, std::uint32_t queue, std::uint32_t number) const;
   bool reaches(const State& state, Row row, const Vec& place) const;
   std::optional<Vec> straight(const State& state, Row row, std::uint32_t number) const;
@@ -54,9 +56,10 @@ class Queues {
   const Scene& scene_;
   const Barriers& barriers_;
   const Ways& ways_;
-  std::vector<QueueLine> lines_;        // as Crowd::queues
-  std::vector<std::int64_t> service_;   // steps, as Crowd::queues
-  std::vector<std::vector<Row>> line_;  // of the queues: who stands in them, from the head
+  std::vector<QueueLine> lines_;             // as Crowd::queues
+  std::vector<std::int64_t> service_;        // steps, as Crowd::queues
+  std::vector<std::vector<Row>> line_;       // of the queues: who stands in them, from the head
+  std::vector<std::vector<double>> behind_;  // of full ones: m, from their ends to all who want in, ascending
 };
 
 }  // namespace throng
