@@ -220,6 +220,11 @@ Type goal() {
                  table(leg_table())});
 }
 
+Type open_table() {
+  return table({{{"from", number(0, 1e12, "s"), "Closed until then, s.", "0.0"},
+                 {"until", number(0, 1e12, "s"), "Closed from then on, s; absent: never."}}});
+}
+
 Type queue() {
   return table({{required({"line", points(2, "a list of at least 2 points [x, y]"),
                            "Where they stand, m: the first at the first point, the others behind along it."}),
@@ -318,6 +323,7 @@ Table root_table() {
            {"walkable", area(),
             "Where agents may be, m: POLYGON with holes or MULTIPOLYGON, or one ring; its edges are walls."},
            {"areas", named(area()), "Named areas, m: POLYGON or MULTIPOLYGON, or a list of points [x, y]."},
+           {"open", named(open_table()), "When areas that are goals let agents in; absent: always."},
            {"queues", named(queue()), "Queues by name, in which agents line up."},
            {"agents", tables(agent_table()),
             "Agents, who walk to a goal and leave there; they need walkable or domain.box."},

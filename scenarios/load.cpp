@@ -51,9 +51,11 @@ void read_scene(const toml::table& root, Scene& scene, Report& report) {
   const std::vector<ShapeDraw> draws = read_shapes(root, scene, report);
   read_walls(root, scene, report);
   read_areas(root, scene, report);
+  read_opening(root, scene, report);
   read_queues(root, scene, report);
   const std::vector<Entry> entries = read_entries(root, scene, report);
   const std::vector<AgentEntry> agents = read_agents(root, scene, report);
+  settle_opening(root, scene, report);
   read_measures(root, scene, report);
   if (report.errors() > 0) return;
   warn_of_idle_borders(root, scene, report);

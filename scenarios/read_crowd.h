@@ -43,6 +43,13 @@ struct AgentEntry {
 /// walkable and areas; the edges of the walkable area become walls. Call it after `read_walls`.
 void read_areas(const toml::table& root, Scene& scene, Report& report);
 
+/// When areas open and close. Call it after `read_areas`.
+void read_opening(const toml::table& root, Scene& scene, Report& report);
+
+/// Gives the goals their phases, and reports areas that open or close and are no goals, or to wait in. Call
+/// it after `read_agents`.
+void settle_opening(const toml::table& root, Scene& scene, Report& report);
+
 /// Queues by name, and the goals that they are. Call it after `read_areas`.
 void read_queues(const toml::table& root, Scene& scene, Report& report);
 

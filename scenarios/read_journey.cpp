@@ -175,7 +175,7 @@ void read_queue(const toml::table& table, const Path& path, Queue& queue, Scene&
     return fail("has places for " + to_text(length / queue.spacing) + " agents, must have at most " +
                 to_text(QueueLine::kMostPlaces));
   queue.goal = static_cast<std::uint32_t>(scene.crowd.goals.size());
-  scene.crowd.goals.push_back({in_quotes(queue.name), {}, band(queue.line, 0.25 * queue.spacing)});
+  scene.crowd.goals.push_back({in_quotes(queue.name), {}, band(queue.line, 0.25 * queue.spacing), {}});
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,15 @@ struct Area {
   std::string name;
   Region region;
   AreaUse use = AreaUse::none;  ///< by any of their journeys; `wait` also where others only pass
+  double opens = 0.0;           ///< s
+  double closes = std::numeric_limits<double>::infinity();  ///< s
+};
+
+/// What of a goal is open from some time on.
+struct GoalPhase {
+  double from = 0.0;    ///< s
+  bool is_open = true;  ///< any of it; else who goes there waits
+  Region region;        ///< what of it is open; all of it where nothing is
 };
 
 /// Where agents go: to the nearest of some areas, or to a queue's line.
@@ -28,6 +38,7 @@ struct Goal {
   std::string name;                  ///< for messages
   std::vector<std::uint32_t> areas;  ///< rows of Crowd::areas, ascending; none: a queue's
   Region region;                     ///< what is in any of them
+  std::vector<GoalPhase> phases;     ///< in their order, the first from 0 s; none: always open
 };
 
 inline constexpr std::uint32_t kUndecided = 0xFFFFFFFF;  ///< no option of a leg yet

@@ -38,17 +38,42 @@ bool Journeys::stands_yet(const State& state, Row row) const {
 
 std::uint32_t Journeys::choice(const State& state, Row row) {
   const Leg& its = leg(state, row);
-  if (its.weights.empty())
-    return least_crowded_.choose(its, position(state, row), scene_.crowd.desired_speed[agent(state, row)]);
-  Random random(scene_.seed, state.crowd.stage[row], state.id[scene_.crowd.first + row], Purpose::journey);
-  const double drawn = random.uniform() * its.weights.back();
-  return static_cast<std::uint32_t>(std::upper_bound(its.weights.begin(), its.weights.end() - 1, drawn) -
-                                    its.weights.begin());
+  if (!its.weights.empty()) return drawn(state, row);
+  return least_crowded_.choose(its, position(state, row), scene_.crowd.desired_speed[agent(state, row)]);
+}
+
+/// By weight, of the options that are open, of all where none is.
+std::uint32_t Journeys::drawn(const State& state, Row row) const {
+  const Leg& its = leg(state, row);
+  std::vector<double> weights = its.weights;  // added up
+  for (std::size_t i = 0; ways_.change() && i < weights.size(); ++i) {
+    const double before = i > 0 ? its.weights[i - 1] : 0.0;
+    weights[i] = (i > 0 ? weights[i - 1] : 0.0) + (is_open(its, i) ? its.weights[i] - before : 0.0);
+  }
+  if (!(weights.back() > 0.0)) weights = its.weights;
+  const auto again = static_cast<std::uint64_t>(ways_.change() ? state.step : 0);
+  Random random(scene_.seed, again << 32 | state.crowd.stage[row], state.id[scene_.crowd.first + row],
+                Purpose::journey);
+  const double drawn = random.uniform() * weights.back();
+  return static_cast<std::uint32_t>(std::upper_bound(weights.begin(), weights.end() - 1, drawn) -
+                                    weights.begin());
+}
+
+/// Makes those undecided whose goal is closed where another option of theirs is open.
+void Journeys::give_up_closed(State& state) const {
+  for (Row row = 0; row < state.crowd.option.size(); ++row) {
+    if (!is_decided(state, row) || is_open(leg(state, row), state.crowd.option[row])) continue;
+    const Leg& its = leg(state, row);
+    for (std::size_t option = 0; option < its.options.size(); ++option)
+      if (is_open(its, option)) state.crowd.option[row] = kUndecided;
+  }
 }
 
 void Journeys::look(State& state) {
+  ways_.look(state.step);
   if (!queues_.empty()) queues_.look(state);
   if (!chooses_) return;
+  if (ways_.change()) give_up_closed(state);
   std::vector<std::uint32_t>& option = state.crowd.option;
   bool counted = false;
   for (Row row = 0; row < option.size(); ++row) {
@@ -145,6 +170,7 @@ bool Journeys::is_there(State& state, Row row) {
   if (!is_decided(state, row)) return false;
   switch (leg(state, row).kind) {
     case Leg::Kind::pass:
+      if (!ways_.is_open(goal(state, row))) state.crowd.since[row] = state.step;  // waits, and isn't stuck
       return ways_.is_in(goal(state, row), position(state, row));
     case Leg::Kind::wait:
       return wait(state, row);

@@ -22,9 +22,9 @@ class Journeys {
 
   const Ways& ways() const { return ways_; }
 
-  /// Lets those choose who begin a leg of several options, by weight at random by (seed, stage, id), else,
-  /// once they walk, as LeastCrowded; and looks who stands in the queues. O(agents) where there are choices
-  /// or queues.
+  /// Lets those choose who begin a leg of several options, or whose goal has closed while another is open, of
+  /// the open ones: by weight at random by (seed, stage, id), later also by the step, else, once they walk,
+  /// as LeastCrowded; and looks who stands in the queues. O(agents) where there are choices or queues.
   void look(State& state);
 
   /// Of the agent in this row of the crowd's state. Expects that `look` saw the state. O(1) but at queues and
@@ -64,6 +64,11 @@ class Journeys {
 
   bool stands_yet(const State& state, Row row) const;
   std::uint32_t choice(const State& state, Row row);
+  std::uint32_t drawn(const State& state, Row row) const;
+  void give_up_closed(State& state) const;
+  bool is_open(const Leg& leg, std::size_t option) const {
+    return ways_.is_open(scene_.crowd.goal(leg, option));
+  }
   bool is_there(State& state, Row row);
   bool wait(State& state, Row row);
   void begin_to_wait(State& state, Row row);

@@ -41,7 +41,11 @@ std::uint32_t LeastCrowded::choose(const Leg& leg, const Vec& place, double desi
   const double speed = std::max(desired_speed, kSlowest);
   double least = std::numeric_limits<double>::infinity(), its_way = 0.0;
   std::uint32_t best = 0;
+  const auto is_open = [&](std::uint32_t option) { return ways_.is_open(scene_.crowd.goal(leg, option)); };
+  bool any = false;
+  for (std::uint32_t option = 0; option < leg.options.size(); ++option) any = any || is_open(option);
   for (std::uint32_t option = 0; option < leg.options.size(); ++option) {
+    if (any && !is_open(option)) continue;
     const std::uint32_t goal = scene_.crowd.goal(leg, option);
     const double way = ways_.to(goal).distance(place);
     const auto nearer = std::ranges::lower_bound(going_[goal], way) - going_[goal].begin();

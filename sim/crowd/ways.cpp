@@ -18,11 +18,15 @@ void for_each_goal(const Crowd& crowd, const Journey& journey, F f) {
     for (std::size_t option = 0; option < leg.options.size(); ++option) f(crowd.goal(leg, option));
 }
 
+std::string text(double number) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.6g", number);
+  return buffer;
+}
+
 /// The place as people write it.
 std::string text(const Vec& p) {
-  char buffer[64];
-  std::snprintf(buffer, sizeof buffer, "[%.6g, %.6g]", p.x(), p.y());
-  return buffer;
+  return "[" + text(p.x()) + ", " + text(p.y()) + "]";
 }
 
 }  // namespace
@@ -41,12 +45,28 @@ Ways::Ways(const Scene& scene, const Barriers& barriers) : scene_(scene), goals_
   }
   for (std::uint32_t goal = 0; goal < goals_.size(); ++goal) {
     if (largest[goal] == 0.0) continue;
-    const Region& region = crowd.goals[goal].region;
-    goals_[goal].field =
-        std::make_unique<DistanceField>(plan(least[goal], largest[goal], barriers), barriers, region);
-    goals_[goal].inside.emplace(region);
+    const FloorPlan& floor = plan(least[goal], largest[goal], barriers);
+    const throng::Goal& its = crowd.goals[goal];
+    if (its.phases.empty()) add_phase(goal, {0.0, true, its.region}, floor, barriers);
+    for (const GoalPhase& phase : its.phases) add_phase(goal, phase, floor, barriers);
+    goals_[goal].now = goals_[goal].phases.data();
+    changes_ = changes_ || its.phases.size() > 1;
   }
   expect_ways();
+}
+
+void Ways::add_phase(std::uint32_t goal, const GoalPhase& phase, const FloorPlan& plan,
+                     const Barriers& barriers) {
+  goals_[goal].phases.push_back({Time{scene_.time.dt, phase.from, 1}.steps(), phase.from, phase.is_open,
+                                 std::make_unique<DistanceField>(plan, barriers, phase.region),
+                                 Inside(phase.region)});
+}
+
+void Ways::look(std::int64_t step) {
+  if (!changes_) return;
+  for (Goal& goal : goals_)
+    for (const Phase& phase : goal.phases)
+      if (phase.from <= step) goal.now = &phase;
 }
 
 const FloorPlan& Ways::plan(double least, double largest, const Barriers& barriers) {
@@ -61,12 +81,16 @@ const FloorPlan& Ways::plan(double least, double largest, const Barriers& barrie
 
 bool Ways::lead_on(const AgentGroup& group, const Vec& place) const {
   bool all = true;
-  for_each_goal(scene_.crowd, group.journey, [&](std::uint32_t goal) { all = all && leads(goal, place); });
+  for_each_goal(scene_.crowd, group.journey,
+                [&](std::uint32_t goal) { all = all && !dead_end(goal, place); });
   return all;
 }
 
-bool Ways::leads(std::uint32_t goal, const Vec& place) const {
-  return to(goal).distance(place) < std::numeric_limits<double>::infinity();
+/// The goal's first phase to which no way leads from there; none where all do.
+const Ways::Phase* Ways::dead_end(std::uint32_t goal, const Vec& place) const {
+  for (const Phase& phase : goals_[goal].phases)
+    if (!(phase.field->distance(place) < std::numeric_limits<double>::infinity())) return &phase;
+  return nullptr;
 }
 
 /// Who appears later is checked at a place at random: of his group one must find all ways.
@@ -82,13 +106,16 @@ void Ways::expect_ways() const {
 void Ways::fail_at(const AgentGroup& group, std::uint32_t agent) const {
   const Crowd& crowd = scene_.crowd;
   const Vec& place = scene_.bodies.position[crowd.first + agent];
-  std::string name;
+  std::string name, when;
   for_each_goal(crowd, group.journey, [&](std::uint32_t goal) {
-    if (name.empty() && !leads(goal, place)) name = crowd.goals[goal].name;
+    const Phase* phase = name.empty() ? dead_end(goal, place) : nullptr;
+    if (!phase) return;
+    name = crowd.goals[goal].name;
+    if (goals_[goal].phases.size() > 1) when = ", as it is open from " + text(phase->time) + " s on";
   });
   throw InputError("agents[" + std::to_string(group.index) + "]: no way wide enough leads from " +
                    text(place) + ", where agent " + std::to_string(crowd.first + agent + 1) +
-                   (group.entrance ? " may appear" : " stands") + ", to its goal " + name);
+                   (group.entrance ? " may appear" : " stands") + ", to its goal " + name + when);
 }
 
 }  // namespace throng

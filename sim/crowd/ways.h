@@ -3,7 +3,6 @@
 
 #include <limits>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "sim/crowd/barriers.h"
@@ -28,20 +27,30 @@ inline Heading straight_to(const Vec& from, const Vec& to, double distance) {
 }
 
 /// The ways to all goals that a scene's agents have: a distance field each, shared by all who go there, on
-/// floor plans that goals of agents of the same sizes share.
+/// floor plans that goals of agents of the same sizes share. Where areas open and close, a field for each of
+/// the goal's phases.
 class Ways {
  public:
   /// Throws InputError that names group, agent and place where no way leads from an agent to one of its
   /// goals. `scene` and `barriers` must outlive this.
   Ways(const Scene& scene, const Barriers& barriers);
 
+  /// Whether any goal opens or closes.
+  bool change() const { return changes_; }
+
+  /// From here on the ways are those of this step. O(1) where no goal opens or closes.
+  void look(std::int64_t step);
+
   /// Expects a goal that some agent has.
-  const DistanceField& to(std::uint32_t goal) const { return *goals_[goal].field; }
+  const DistanceField& to(std::uint32_t goal) const { return *goals_[goal].now->field; }
 
-  /// Whether `p` is in the goal, which some agent has.
-  bool is_in(std::uint32_t goal, const Vec& p) const { return (*goals_[goal].inside)(p); }
+  /// Whether anybody gets into the goal now, which some agent has.
+  bool is_open(std::uint32_t goal) const { return goals_[goal].now->is_open; }
 
-  /// Whether ways lead from there to all goals of the group's journey.
+  /// Whether `p` is in what is open of the goal, which some agent has.
+  bool is_in(std::uint32_t goal, const Vec& p) const { return is_open(goal) && goals_[goal].now->inside(p); }
+
+  /// Whether ways lead from there to all goals of the group's journey, at any time.
   bool lead_on(const AgentGroup& group, const Vec& place) const;
 
  private:
@@ -49,19 +58,28 @@ class Ways {
     double least, largest;  ///< m, radii of those who walk on it
     FloorPlan floor;
   };
-  struct Goal {
+  struct Phase {
+    std::int64_t from;  ///< step
+    double time;        ///< s
+    bool is_open;
     std::unique_ptr<DistanceField> field;
-    std::optional<Inside> inside;
+    Inside inside;
+  };
+  struct Goal {
+    std::vector<Phase> phases;  ///< in their order
+    const Phase* now = nullptr;
   };
 
+  void add_phase(std::uint32_t goal, const GoalPhase& phase, const FloorPlan& plan, const Barriers& barriers);
   const FloorPlan& plan(double least, double largest, const Barriers& barriers);
-  bool leads(std::uint32_t goal, const Vec& place) const;
+  const Phase* dead_end(std::uint32_t goal, const Vec& place) const;
   void expect_ways() const;
   [[noreturn]] void fail_at(const AgentGroup& group, std::uint32_t agent) const;
 
   const Scene& scene_;
   std::vector<std::unique_ptr<Plan>> plans_;
   std::vector<Goal> goals_;  // as Crowd::goals; empty where no agent goes
+  bool changes_ = false;
 };
 
 }  // namespace throng

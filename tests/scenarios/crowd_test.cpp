@@ -393,4 +393,37 @@ TEST(Crowd, IsRefusedWhereItsJourneyMakesNoSense) {
       "queues.long.line: has places for 1e+08 agents, must have at most 1e+06");
 }
 
+TEST(Opening, IsReadAsPhasesOfItsGoals) {
+  const std::string two =
+      kFloor + "other = [[0, 0], [1, 0], [1, 1], [0, 1]]\n" +
+      "[open]\nexit = { from = 2, until = 8 }\nother = { until = 5 }\n[[agents]]\nmodel = "
+      "'orca'\ngoal.nearest = ['exit', 'other']\nat = [5, 1]\n";
+  const Loaded loaded = load_text(two);
+  ASSERT_EQ(loaded.errors(), 0) << faults(loaded);
+  const std::vector<GoalPhase>& phases = loaded.scene.crowd.goals[0].phases;
+  ASSERT_EQ(phases.size(), 4u);
+  const double from[] = {0, 2, 5, 8};
+  const bool exit[] = {false, true, true, true},
+             other[] = {true, true, false, true};  // all where none is open
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(phases[i].from, from[i]);
+    EXPECT_EQ(phases[i].is_open, i < 3);
+    EXPECT_EQ(contains(phases[i].region, Vec(9.5, 2.5)), exit[i]) << i;
+    EXPECT_EQ(contains(phases[i].region, Vec(0.5, 0.5)), other[i]) << i;
+  }
+}
+
+TEST(Opening, IsRefusedWhereItSaysNothing) {
+  const std::string agents = "[[agents]]\nmodel = 'orca'\nat = [1, 1]\ngoal = ";
+  const auto open = [&](const std::string& what, const std::string& goal = "'exit'\n") {
+    return kFloor + "[open]\n" + what + "\n" + agents + goal;
+  };
+  expect_fault(open("exti = { until = 1 }"), "open.exti: is not the name of an entry of [areas]");
+  expect_fault(open("start = { until = 1 }"), "open.start: is no agents' goal");
+  expect_fault(open("exit = { from = 2, until = 2 }"), "open.exit: must be open for some time");
+  expect_fault(open("start = { until = 1 }", "[{ wait = 'start', for = 1 }, 'exit']\n"),
+               "open.start: is an area to wait in, which can't close");
+  expect_fault(open("exit = { untill = 1 }"), "open.exit.untill: unknown key");
+}
+
 }  // namespace throng

@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 std::vector<ValidationCase> all_cases() {
   std::vector<ValidationCase> all;
-  for (const auto& part : {lone_cases(), exit_cases(), stream_cases(), choice_cases(), missing_cases()})
+  for (const auto& part : {lone_cases(), exit_cases(), stream_cases(), choice_cases()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }
@@ -26,22 +26,19 @@ Json bound(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
-Row row_of(const ValidationCase& one, const std::string& engine, const char* verdict, double ms) {
-  Row row{"validation", one.name, engine, 1, {ms}, 1.0, one.what};
-  row.error = {{"verdict", verdict},      {"value", nullptr}, {"low", bound(one.low)},
-               {"high", bound(one.high)}, {"unit", one.unit}, {"note", ""}};
-  return row;
-}
-
 Row judge(const ValidationCase& one, const Trials& trials) {
   const auto begin = std::chrono::steady_clock::now();
   const Finding found = one.measure(trials);
   const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - begin;
   const bool passes = found.value && *found.value >= one.low && *found.value <= one.high;
   const char* nature = passes ? nullptr : by_nature(trials.walker().model, one.name);
-  Row row = row_of(one, trials.walker().name(), passes ? "pass" : "fail", spent.count());
-  if (found.value) row.error["value"] = *found.value;
-  row.error["note"] = found.note + (nature ? std::string(found.note.empty() ? "" : "; ") + nature : "");
+  Row row{"validation", one.name, trials.walker().name(), 1, {spent.count()}, 1.0, one.what};
+  row.error = {{"verdict", passes ? "pass" : "fail"},
+               {"value", found.value ? Json(*found.value) : Json(nullptr)},
+               {"low", bound(one.low)},
+               {"high", bound(one.high)},
+               {"unit", one.unit},
+               {"note", found.note + (nature ? std::string(found.note.empty() ? "" : "; ") + nature : "")}};
   if (nature) row.error["by_nature"] = true;
   if (!found.series.empty()) row.error["series"] = found.series;
   return row;
@@ -65,9 +62,7 @@ std::string bounds_text(const Json& error) {
 std::vector<Row> bench_validation(const Options& options) {
   std::vector<Row> rows;
   for (const ValidationCase& one : all_cases()) {
-    if (!chosen(one.name, options) || (options.quick && one.measure && !one.quick)) continue;
-    if (!one.measure) rows.push_back(row_of(one, "all", "not built", 0.0));
-    if (!one.measure) continue;
+    if (!chosen(one.name, options) || (options.quick && !one.quick)) continue;
     for (const Walker& walker : walkers()) {
       if (!options.engines.empty() &&
           std::ranges::find(options.engines, walker.name()) == options.engines.end())
@@ -86,10 +81,6 @@ void print_verdicts(const std::vector<Row>& rows) {
     last = &row.name;
     const Json& e = row.error;
     const std::string verdict = e["verdict"], unit = e["unit"], note = e["note"];
-    if (verdict == "not built") {
-      std::printf("  not built\n");
-      continue;
-    }
     std::printf("  %-32s %-5s %9s %-4s  %-16s %s\n", row.engine.c_str(), verdict.c_str(),
                 text(e["value"]).c_str(), unit.c_str(), bounds_text(e).c_str(), note.c_str());
   }

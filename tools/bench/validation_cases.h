@@ -23,7 +23,7 @@ struct ValidationCase {
   const char* what;  ///< is measured
   const char* unit;
   double low, high;                          ///< of the value; both are allowed
-  Finding (*measure)(const Trials& trials);  ///< none: it isn't built, as `what` says
+  Finding (*measure)(const Trials& trials);
   bool quick = false;                        ///< done in less than a second
 };
 
@@ -31,7 +31,6 @@ std::span<const ValidationCase> lone_cases();     ///< who walks by himself, or 
 std::span<const ValidationCase> exit_cases();     ///< who leaves through narrow exits
 std::span<const ValidationCase> stream_cases();   ///< who walks in streams
 std::span<const ValidationCase> choice_cases();   ///< who chooses, or keeps company
-std::span<const ValidationCase> missing_cases();  ///< what needs things that throng hasn't
 
 /// What a model can't do by its nature, however it is tuned; nothing where nothing is known of it.
 const char* by_nature(const std::string& model, const std::string& name);

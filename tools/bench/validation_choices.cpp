@@ -45,6 +45,24 @@ Finding short_route(const Trials& trials) {
   return {by_short_route(trials, {}), "", {{"by_the_way_alone", nearest}}};
 }
 
+/// Of the 20 who have that goal how many leave in the north.
+double in_the_north(const Trials& trials, const std::string& goal, const std::string& closes) {
+  const Walked walked = trials.walk("closing", {"agents[0].goal=" + goal, "open.south.until=" + closes});
+  double north = 0.0;
+  for (std::size_t agent = 0; agent < walked.arrival.size(); ++agent)
+    north += walked.arrival[agent] < kNever && walked.last[agent].y() > 10.0 ? 1.0 : 0.0;
+  return north;
+}
+
+/// Who doesn't leave by the exit that stays open, be it the nearest or the least crowded, of twice 20.
+Finding exit_that_closes(const Trials& trials) {
+  const std::string nearest = "{ nearest = [\"south\", \"north\"] }",
+                    least_crowded = "{ least_crowded = { south = 10, north = 0.5 } }";
+  const double never = in_the_north(trials, nearest, "1000") + in_the_north(trials, least_crowded, "1000");
+  if (never > 0.0) return {{}, "some go there though the nearer exit doesn't close"};
+  return {40.0 - in_the_north(trials, nearest, "1") - in_the_north(trials, least_crowded, "1")};
+}
+
 /// s, from the first to the last of a group of five of whom one is slow.
 Finding company(const Trials& trials) {
   const Walked walked = trials.walk("company");
@@ -60,6 +78,9 @@ std::span<const ValidationCase> choice_cases() {
        near_exit},
       {"RiMEA 14: choice of routes", "share by the shorter of two routes, documented", "", 0.0, 1.0,
        short_route},
+      {"NIST 4.1: an exit that closes",
+       "of 40 who don't leave by the other exit when theirs closes after 1 s", "persons", 0.0, 0.0,
+       exit_that_closes, true},
       {"NIST 2.9: groups", "from the first to the last of five friends, one of whom walks at 0.5 m/s", "s",
        0.0, 10.0, company, true},
   };

@@ -107,16 +107,23 @@ Finding half_the_exits(const Trials& trials) {
           {{"four", four.last_arrival()}, {"two", two.last_arrival()}}};
 }
 
-/// How many times as long it takes people who want 5 m/s as those who want 1.5 m/s.
+constexpr int kPanics = 5;  // crowds, over which times are averaged
+
+/// How many times as long it takes people who want 5 m/s as those who want 1.5 m/s. Bodies pressed 5 cm into
+/// each other end a slip within 7 ms, and steps that are longer let less of their friction count: it is what
+/// makes faster slower.
 Finding hurry(const Trials& trials) {
-  double last[2] = {};
-  for (std::size_t i = 0; i < 2; ++i) {
-    const Walked walked =
-        trials.walk("panic", {"time.dt=0.01", std::string("agents[0].desired_speed=") + (i ? "5" : "1.5")});
-    if (walked.crossings[0].size() < walked.arrival.size()) return {{}, unfinished(walked)};
-    last[i] = walked.crossings[0].back();
-  }
-  return {last[1] / last[0], "", {{"at_1.5", last[0]}, {"at_5", last[1]}}};
+  const std::string dt = trials.walker().model == "social_force" ? "0.001" : "0.01";
+  double mean[2] = {};
+  for (int seed = 1; seed <= kPanics; ++seed)
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Walked walked =
+          trials.walk("panic", {"time.dt=" + dt, "seed=" + std::to_string(seed),
+                                std::string("agents[0].desired_speed=") + (i ? "5" : "1.5")});
+      if (walked.crossings[0].size() < walked.arrival.size()) return {{}, unfinished(walked)};
+      mean[i] += walked.crossings[0].back() / kPanics;
+    }
+  return {mean[1] / mean[0], "", {{"at_1.5", mean[0]}, {"at_5", mean[1]}}};
 }
 
 std::string behind_exit(double distance) {

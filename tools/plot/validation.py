@@ -90,25 +90,24 @@ def exit_of_room(rows, folder):
 
 
 def verdicts(rows, folder):
-    """A field a case and model: passed, failed, failed by nature, not built."""
-    colours = {"pass": "#4c9f70", "fail": "#d1603d", "nature": "#e0b45c", "not built": "#bbbbbb"}
+    """A field a case and model: passed, failed, failed by nature."""
+    colours = {"pass": "#4c9f70", "fail": "#d1603d", "nature": "#e0b45c"}
     cases = list(dict.fromkeys(row["case"] for row in rows))
-    models = list(dict.fromkeys(row["engine"] for row in rows if row["engine"] != "all"))
+    models = list(dict.fromkeys(row["engine"] for row in rows))
     figure, axes = plt.subplots(figsize=(1.5 * len(models) + 4, 0.32 * len(cases) + 1.5))
     for row in rows:
         error, y = row["error"], cases.index(row["case"])
         kind = "nature" if error.get("by_nature") else error["verdict"]
-        for x in range(len(models)) if row["engine"] == "all" else [models.index(row["engine"])]:
-            axes.add_patch(plt.Rectangle((x, y), 0.96, 0.92, color=colours[kind]))
-        if row["engine"] != "all":
-            value = "-" if error["value"] is None else f"{error['value']:.3g} {error['unit']}"
-            axes.text(models.index(row["engine"]) + 0.48, y + 0.46, value, ha="center", va="center", fontsize=7)
+        x = models.index(row["engine"])
+        axes.add_patch(plt.Rectangle((x, y), 0.96, 0.92, color=colours[kind]))
+        value = "-" if error["value"] is None else f"{error['value']:.3g} {error['unit']}"
+        axes.text(x + 0.48, y + 0.46, value, ha="center", va="center", fontsize=7)
     axes.set_xlim(0, len(models))
     axes.set_ylim(len(cases), 0)
     axes.set_xticks([x + 0.48 for x in range(len(models))], [m.replace(" ", "\n") for m in models], fontsize=7)
     axes.set_yticks([y + 0.46 for y in range(len(cases))], cases, fontsize=7)
     axes.legend([plt.Rectangle((0, 0), 1, 1, color=c) for c in colours.values()],
-                ["passes", "fails", "fails by its nature", "not built"], loc="upper left", bbox_to_anchor=(1, 1), fontsize=7)
+                ["passes", "fails", "fails by its nature"], loc="upper left", bbox_to_anchor=(1, 1), fontsize=7)
     save(figure, folder, "verdicts")
 
 

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// Exits open and close while agents walk.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "sim/crowd/walk.h"
+#include "sim/input_error.h"
+#include "sim/recording/checkpoint.h"
+#include "sim/simulation.h"
+#include "tests/sim/crowd/hall.h"
+#include "tests/sim/trial.h"
+
+namespace throng {
+namespace {
+
+const std::string kClosesLow = "[open]\nlow = { until = 5 }\n";
+
+/// Where the agents were when they were seen last.
+std::vector<Vec> last_seen(Trial& run, int steps) {
+  std::vector<Vec> last = run.state.position;
+  for (int i = 0; i < steps && !run.state.id.empty(); ++i) {
+    run.steps(1);
+    for (std::size_t row = 0; row < run.state.id.size(); ++row)
+      last[run.state.id[row] - 1] = run.state.position[row];
+  }
+  return last;
+}
+
+TEST(Opening, SendsThoseWhoHaveTheChoiceToAnotherExitOnceTheirsCloses) {
+  for (const char* goal : {"goal.nearest = ['low', 'high']\n", "goal.weights = { low = 1, high = 1e-9 }\n",
+                           "goal.least_crowded = { low = 1000, high = 0.01 }\n"}) {
+    SCOPED_TRACE(goal);
+    const std::string group = "count = 8\nradius = 0.2\n" + std::string(goal);
+    Trial open(hall(group)), closes(hall(group + kClosesLow));
+    for (Trial* run : {&open, &closes})
+      for (std::size_t row = 0; row < 8; ++row)
+        run->state.position[row].y() = 0.5 + 0.5 * static_cast<double>(row);
+    const std::vector<Vec> there = last_seen(open, 2500), then = last_seen(closes, 2500);
+    EXPECT_EQ(open.state.crowd.arrived, 8);
+    EXPECT_EQ(closes.state.crowd.arrived, 8);
+    for (const Vec& p : there) EXPECT_LT(p.y(), 3.0);
+    for (const Vec& p : then) EXPECT_GT(p.y(), 7.0);
+  }
+}
+
+TEST(Opening, LetsWaitBeforeTheOnlyExitUntilItOpens) {
+  Trial run(hall("count = 8\nradius = 0.2\ngoal = 'low'\n[open]\nlow = { from = 60 }\n"));
+  run.steps(2990);
+  EXPECT_EQ(run.state.crowd.arrived, 0);
+  EXPECT_TRUE(stuck_agents(run.scene, run.state).empty()) << "they wait";
+  for (const Vec& p : run.state.position) EXPECT_LT((p - Vec(29.5, 1)).norm(), 4.0);
+  run.steps(500);
+  EXPECT_EQ(run.state.crowd.arrived, 8);
+}
+
+TEST(Opening, KeepsThemAtAClosedExitUntilAnotherOpens) {
+  Trial run(
+      hall("count = 8\nradius = 0.2\ngoal.least_crowded = ['low', 'high']\n[open]\nlow = { from = 70 }\n"
+           "high = { until = 1 }\n"));
+  const std::vector<Vec> last = last_seen(run, 5000);
+  EXPECT_EQ(run.state.crowd.arrived, 8);
+  for (const Vec& p : last) EXPECT_LT(p.y(), 3.0);
+  EXPECT_GT(run.state.step, 3500);
+}
+
+TEST(Opening, IsDrawnAnewByTheWeightsOfWhatIsOpen) {
+  Trial run(
+      hall("count = 0\ngoal = 'low'\n[[agents]]\nmodel = 'constant_velocity'\ncount = 1000\nradius = "
+           "0.02\nplace.random.within = 'start'\ngoal.weights = { low = 3, high = 1, platform = 4 }\n"
+           "[open]\nplatform = { until = 2 }\n"));
+  run.steps(1);
+  const Leg& leg = run.scene.crowd.groups[1].journey[0];
+  const auto count = [&](const std::string& name) {
+    return static_cast<double>(std::ranges::count_if(run.state.crowd.option, [&](std::uint32_t option) {
+      return run.scene.crowd.goals[leg.options[option]].name == name;
+    }));
+  };
+  EXPECT_NEAR(count("\"platform\""), 500, 3 * std::sqrt(1000 * 0.25));
+  const double low = count("\"low\"");
+  run.steps(110);
+  EXPECT_EQ(count("\"platform\""), 0);
+  EXPECT_NEAR(count("\"low\"") - low, 0.75 * 500, 0.08 * 500) << "three of four of those who change";
+}
+
+TEST(Opening, IsResumedToTheSameBits) {
+  const Scene scene = scene_from(
+      hall("count = 30\nradius = 0.2\ngoal.weights = { low = 1, high = 1 }\n[open]\nlow = { until = 10 }\n"
+           "high = { from = 4, until = 15 }\n"));
+  Trial whole(scene), two(scene, 2);
+  whole.steps(1300), two.steps(1300);
+  EXPECT_EQ(hash(two.state), hash(whole.state));
+  for (const int at : {150, 500, 501, 760}) {
+    Trial first(scene);
+    first.steps(at);
+    const std::string file = ::testing::TempDir() + "opening.ckpt";
+    recording::write_checkpoint(file, {"1", "", 0, 0}, first.state);
+    Trial second(scene);
+    second.state = recording::read_checkpoint(file).state;
+    std::remove(file.c_str());
+    second.steps(1300 - at);
+    EXPECT_EQ(hash(second.state), hash(whole.state)) << at;
+    EXPECT_EQ(second.state.crowd, whole.state.crowd) << at;
+  }
+}
+
+TEST(Opening, ExpectsAWayToWhatIsOpen) {
+  const std::string scene =
+      hall("goal.nearest = ['platform', 'low']\n[[walls]]\nsegment = [[24, 0], [24, 10]]\n");
+  EXPECT_NO_THROW(simulation(scene_from(scene)));
+  try {
+    simulation(scene_from(scene + "[open]\nplatform = { until = 7 }\n"));
+    ADD_FAILURE() << "was let run";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("\"platform\" or \"low\", as it is open from 7 s on"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace throng
