@@ -159,7 +159,7 @@ void step_crowd(const Plan& plan, State& state, Workspace& work) {
   ++state.step;
   work.crowd.walk(state, work.workers);
   clock.lap(work.times.walk);
-  work.crowd.leave(state);
+  work.crowd.leave(state, work.workers);
   clock.lap(work.times.leave);
   if (!plan.entrances) return;
   work.crowd.appear(state);

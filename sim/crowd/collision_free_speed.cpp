@@ -31,15 +31,17 @@ HWY_BEFORE_NAMESPACE();
 namespace throng::HWY_NAMESPACE {
 
 /// m, to the nearest one whom walking on along `heading` would run into.
-HWY_INLINE double gap_ahead(const Others& others, const std::vector<double>& gap, const Vec& heading) {
+HWY_INLINE double gap_ahead(const Others& others, const std::vector<double>& gap, const Near& near,
+                            const Vec& heading) {
   const Wide d;
   const auto hx = hn::Set(d, heading.x()), hy = hn::Set(d, heading.y());
   auto least = hn::Set(d, 1e150);
-  for (std::size_t k = 0; k < others.size; k += kWide) {
+  for (std::size_t k = near.first, end = near.first + near.size; k < end; k += kWide) {
     const auto dx = hn::LoadU(d, others.dx.data() + k), dy = hn::LoadU(d, others.dy.data() + k);
     const auto across = hn::Abs(hn::Sub(hn::Mul(hx, dy), hn::Mul(hy, dx)));
-    const auto ahead = hn::And(hn::Ge(hn::Add(hn::Mul(hx, dx), hn::Mul(hy, dy)), hn::Zero(d)),
-                               hn::Le(across, hn::LoadU(d, others.width.data() + k)));
+    const auto ahead =
+        hn::And(hn::Ge(hn::Add(hn::Mul(hx, dx), hn::Mul(hy, dy)), hn::Zero(d)),
+                hn::And(hn::Le(across, hn::LoadU(d, others.width.data() + k)), hn::FirstN(d, end - k)));
     least = hn::Min(least, hn::IfThenElse(ahead, hn::LoadU(d, gap.data() + k), least));
   }
   return hn::GetLane(hn::MinOfLanes(d, least));
@@ -67,20 +69,34 @@ HWY_INLINE double reach_of(const FreeSpeed& model, const CrowdView& crowd, std::
   return std::min(model.cutoff, crowd.radius[place] + crowd.largest_radius + matters);
 }
 
+/// m/s, of one whom others turn so.
+HWY_INLINE Vec walk_freely(const FreeSpeed& model, const CrowdView& crowd, std::uint32_t place,
+                           const Others& others, const std::vector<double>& gap, const Near& near,
+                           const Vec& turn) {
+  Vec heading = crowd.towards(place) + away_from_walls(model, crowd, place);
+  heading += turn;
+  if (model.noise > 0.0) heading += model.doubt(crowd, place);
+  const double length = heading.norm();
+  if (length > 0.0) heading /= length;
+  const double ahead = gap_ahead(others, gap, near, heading);
+  return std::max(0.0, std::min(crowd.desired_speed[place], ahead / model.time_gap)) * heading;
+}
+
 void WalkFreely(const FreeSpeed& model, const CrowdView& crowd, std::span<const std::uint32_t> places,
                 std::span<Vec> velocity) {
   thread_local Others others;  // kept: a step allocates nothing
   thread_local Pushes pushes;
-  for (const std::uint32_t place : places) {
-    others.gather(crowd, place, reach_of(model, crowd, place));
-    Vec heading = crowd.towards(place) + away_from_walls(model, crowd, place);
-    heading += repulsion(model.strength, model.range, others, pushes);
-    if (model.noise > 0.0) heading += model.doubt(crowd, place);
-    const double length = heading.norm();
-    if (length > 0.0) heading /= length;
-    const double speed =
-        std::min(crowd.desired_speed[place], gap_ahead(others, pushes.gap, heading) / model.time_gap);
-    velocity[place] = std::max(0.0, speed) * heading;
+  Near near[kTogether];
+  for (std::size_t begin = 0; begin < places.size(); begin += kTogether) {
+    const auto some = places.subspan(begin, std::min(kTogether, places.size() - begin));
+    others.clear();
+    for (std::size_t i = 0; i < some.size(); ++i)
+      near[i] = others.add_near<Tell::where>(crowd, some[i], reach_of(model, crowd, some[i]));
+    push(model.strength, model.range, others, pushes);
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      const Vec turn = repulsion(others, pushes, near[i]);
+      velocity[some[i]] = walk_freely(model, crowd, some[i], others, pushes.gap, near[i], turn);
+    }
   }
 }
 

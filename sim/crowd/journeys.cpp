@@ -186,12 +186,23 @@ void Journeys::begin_leg(State& state, Row row) const {
   state.crowd.since[row] = state.step;
 }
 
-void Journeys::advance(State& state, std::vector<std::uint8_t>& leaves) {
+/// Whether `is_there` is to be asked of him: not of who is on his way to an open goal and not in it.
+bool Journeys::may_be_there(const State& state, Row row) const {
+  if (!is_decided(state, row)) return false;
+  if (leg(state, row).kind != Leg::Kind::pass) return true;
+  const std::uint32_t goal = this->goal(state, row);
+  return !ways_.is_open(goal) || ways_.is_in(goal, position(state, row));
+}
+
+void Journeys::advance(State& state, Workers& workers, std::vector<std::uint8_t>& leaves) {
   spots_known_ = false;
-  leaves.assign(state.crowd.stage.size(), 0);
+  leaves.assign(state.crowd.stage.size(), 0), asked_.resize(leaves.size());
+  workers.for_ranges(leaves.size(), [&](Row begin, Row end) {
+    for (Row row = begin; row < end; ++row) asked_[row] = may_be_there(state, row);
+  });
   queues_.advance(state, leaves);
   for (Row row = 0; row < leaves.size(); ++row) {
-    if (!leaves[row] && !is_there(state, row)) continue;
+    if (!leaves[row] && !(asked_[row] && is_there(state, row))) continue;
     const Journey& journey = scene_.crowd.groups[scene_.crowd.group[agent(state, row)]].journey;
     leaves[row] = ++state.crowd.stage[row] == journey.size();
     if (!leaves[row]) begin_leg(state, row);

@@ -11,6 +11,7 @@
 #include "sim/crowd/standing.h"
 #include "sim/crowd/ways.h"
 #include "sim/state.h"
+#include "sim/workers.h"
 
 /// From leg to leg of their journeys: what agents go for, where they wait and line up, when they go on.
 namespace throng {
@@ -39,7 +40,7 @@ class Journeys {
   /// Moves them on: who gets to a goal begins the next leg, or takes a place and stays; who has waited or has
   /// been served leaves its place, and those behind move up. In the order of the rows, where two want the
   /// same. `leaves` becomes 1 for those at the end of their journeys.
-  void advance(State& state, std::vector<std::uint8_t>& leaves);
+  void advance(State& state, Workers& workers, std::vector<std::uint8_t>& leaves);
 
  private:
   using Row = std::size_t;
@@ -69,6 +70,7 @@ class Journeys {
   bool is_open(const Leg& leg, std::size_t option) const {
     return ways_.is_open(scene_.crowd.goal(leg, option));
   }
+  bool may_be_there(const State& state, Row row) const;
   bool is_there(State& state, Row row);
   bool wait(State& state, Row row);
   void begin_to_wait(State& state, Row row);
@@ -88,6 +90,7 @@ class Journeys {
   std::vector<std::unique_ptr<Sampler>> samplers_;  // as Crowd::goals, where agents wait
   std::vector<Standing> spots_;                     // likewise: of those who wait there
   bool spots_known_ = false;                        // in this step
+  std::vector<std::uint8_t> asked_;                 // by row: may be at his goal
 };
 
 }  // namespace throng

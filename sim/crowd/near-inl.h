@@ -28,6 +28,8 @@ using Mask = hn::Mask<D>;
 
 constexpr std::size_t kFour = 4, kLanes = hn::MaxLanes(D()), kParts = kFour / kLanes;
 using Wide = hn::ScalableTag<double>;  // where each number is computed on its own
+using WideReals = hn::Vec<Wide>;
+using WideMask = hn::Mask<Wide>;
 constexpr std::size_t kWide = hn::MaxLanes(Wide());
 
 /// throng::exponential of each lane, bit for bit.
@@ -61,34 +63,61 @@ struct FourSums {
   }
 };
 
-/// Those near one agent: where from him (m), the square of that (m²), at which place, and how far apart the
-/// middles are when they touch (m). Behind the last one a few who are far from everywhere fill up the
-/// vectors.
+/// Where those near one of several agents are in `Others`.
+struct Near {
+  std::size_t first, size;
+};
+
+constexpr std::size_t kTogether = 32;  // agents, whose others fit into the nearest cache
+
+/// What a model is told of others: `who`: also at which places they are.
+enum class Tell { where, who };
+
+/// Those near one agent, or near several one after the other: where from him (m), how far apart the middles
+/// are when they touch (m), and at which place, where that is asked. Behind each agent's last one some who
+/// are far from everywhere fill up a four, behind the last of all a vector.
 struct Others {
-  std::vector<double> dx, dy, square, place, width;
-  std::size_t size = 0;
+  std::vector<double> dx, dy, width, place;
+  std::size_t first = 0, size = 0;  // of the agent who was added last
+
+  void clear() { first = size = 0; }
+  std::size_t end() const { return first + (size + kFour - 1) / kFour * kFour; }
+
+  /// Those near this agent alone, as `add_near`.
+  HWY_INLINE void gather(const CrowdView& crowd, std::uint32_t own, double reach) {
+    clear();
+    add_near<Tell::who>(crowd, own, reach);
+  }
 
   /// All whose middles are at most `reach` (m) away and behind no barrier. Two who stand in one place part
   /// along x, by their ids.
-  HWY_INLINE void gather(const CrowdView& crowd, std::uint32_t own, double reach) {
-    size = 0;
+  template <Tell kTell>
+  HWY_INLINE Near add_near(const CrowdView& crowd, std::uint32_t own, double reach) {
+    first = end(), size = 0;
     make_room(0);
     broadphase::Range range;
     if (crowd.cells.find(crowd.position(own), reach, range))
       for (std::int64_t y = range.first.y; y <= range.last.y; ++y)
-        add(crowd, crowd.cells.stretch(range, y), own, reach * reach);
+        add<kTell>(crowd, crowd.cells.stretch(range, y), own, reach * reach);
     const Vec p = crowd.position(own), far(reach, reach);
     if (!crowd.is_clear(own, reach))
       crowd.barriers.for_each_near({Vec(p - far), Vec(p + far)},
                                    [&](const Barriers::Segment& segment)
                                        HWY_ATTR { hide_behind(segment.a - p, segment.b - p); });
     fill_up();
+    return {first, size};
+  }
+
+  /// m², of those from the k-th on.
+  HWY_INLINE hn::Vec<Wide> square(std::size_t k) const {
+    const Wide d;
+    const auto x = hn::LoadU(d, dx.data() + k), y = hn::LoadU(d, dy.data() + k);
+    return hn::Add(hn::Mul(x, x), hn::Mul(y, y));
   }
 
   /// Leaves those of which `square` is at most `most` (m²).
   HWY_INLINE void keep(double most) {
-    const Wide d;
-    filter([&](std::size_t k) HWY_ATTR { return hn::Le(hn::LoadU(d, square.data() + k), hn::Set(d, most)); });
+    filter([&](std::size_t k) HWY_ATTR { return hn::Le(square(k), hn::Set(Wide(), most)); });
     fill_up();
   }
 
@@ -96,38 +125,37 @@ struct Others {
   static constexpr double kFar = 1e150, kHardlyApart = 1e-150;
 
   void make_room(std::size_t count) {
-    count += 2 * kWide + 2 * kFour;
+    count += first + 2 * kWide + 2 * kFour;
     if (count <= dx.size()) return;
-    for (std::vector<double>* all : {&dx, &dy, &square, &place, &width}) all->resize(2 * count + 64);
+    for (std::vector<double>* all : {&dx, &dy, &width, &place}) all->resize(2 * count + 64);
   }
 
+  template <Tell kTell>
   HWY_INLINE void add(const CrowdView& crowd, CrowdCells::Stretch stretch, std::uint32_t own, double limit) {
     const Wide d;
     make_room(size + (stretch.end - stretch.first));
     const auto x = hn::Set(d, crowd.x[own]), y = hn::Set(d, crowd.y[own]),
                radius = hn::Set(d, crowd.radius[own]), itself = hn::Set(d, static_cast<double>(own));
-    std::size_t count = size;
+    const double *const all_x = crowd.x.data(), *const all_y = crowd.y.data();
+    const double* const all_radius = crowd.radius.data();
+    double *const near_x = dx.data(), *const near_y = dy.data(), *const near_width = width.data();
+    std::size_t count = first + size;
     for (std::size_t j = stretch.first; j < stretch.end; j += kWide) {
-      auto to_x = hn::Sub(hn::LoadU(d, crowd.x.data() + j), x);
-      const auto to_y = hn::Sub(hn::LoadU(d, crowd.y.data() + j), y);
-      auto far = hn::Add(hn::Mul(to_x, to_x), hn::Mul(to_y, to_y));
+      auto to_x = hn::Sub(hn::LoadU(d, all_x + j), x);
+      const auto to_y = hn::Sub(hn::LoadU(d, all_y + j), y);
+      const auto far = hn::Add(hn::Mul(to_x, to_x), hn::Mul(to_y, to_y));
       const auto places = hn::Iota(d, static_cast<double>(j));
       const auto there = hn::And(hn::And(hn::Le(far, hn::Set(d, limit)), hn::FirstN(d, stretch.end - j)),
                                  hn::Ne(places, itself));
       const auto same = hn::And(there, hn::Eq(far, hn::Zero(d)));
-      if (HWY_UNLIKELY(!hn::AllFalse(d, same))) {
-        to_x = hn::IfThenElse(same, parting(crowd, own, j), to_x);
-        far = hn::Add(hn::Mul(to_x, to_x), hn::Mul(to_y, to_y));
-      }
-      hn::CompressStore(to_x, there, d, dx.data() + count);
-      hn::CompressStore(to_y, there, d, dy.data() + count);
-      hn::CompressStore(far, there, d, square.data() + count);
-      hn::CompressStore(places, there, d, place.data() + count);
-      hn::CompressStore(hn::Add(radius, hn::LoadU(d, crowd.radius.data() + j)), there, d,
-                        width.data() + count);
+      if (HWY_UNLIKELY(!hn::AllFalse(d, same))) to_x = hn::IfThenElse(same, parting(crowd, own, j), to_x);
+      hn::CompressStore(to_x, there, d, near_x + count);
+      hn::CompressStore(to_y, there, d, near_y + count);
+      hn::CompressStore(hn::Add(radius, hn::LoadU(d, all_radius + j)), there, d, near_width + count);
+      if constexpr (kTell == Tell::who) hn::CompressStore(places, there, d, place.data() + count);
       count += hn::CountTrue(d, there);
     }
-    size = count;
+    size = count - first;
   }
 
   static HWY_INLINE hn::Vec<Wide> parting(const CrowdView& crowd, std::uint32_t own, std::size_t j) {
@@ -141,14 +169,14 @@ struct Others {
   template <class F>
   HWY_INLINE void filter(F stays) {
     const Wide d;
-    std::size_t kept = 0;
-    for (std::size_t k = 0; k < size; k += kWide) {
-      const auto left = hn::And(stays(k), hn::FirstN(d, size - k));
-      for (std::vector<double>* all : {&dx, &dy, &square, &place, &width})
+    std::size_t kept = first;
+    for (std::size_t k = first, last = first + size; k < last; k += kWide) {
+      const auto left = hn::And(stays(k), hn::FirstN(d, last - k));
+      for (std::vector<double>* all : {&dx, &dy, &width, &place})
         hn::CompressStore(hn::LoadU(d, all->data() + k), left, d, all->data() + kept);
       kept += hn::CountTrue(d, left);
     }
-    size = kept;
+    size = kept - first;
   }
 
   /// Takes out those who stand behind the segment from `a` to `b` (m), seen from the agent.
@@ -166,13 +194,17 @@ struct Others {
     });
   }
 
-  void fill_up() {
-    for (std::size_t k = size; k < size + std::max(kFour, kWide); ++k)
-      dx[k] = kFar, dy[k] = place[k] = width[k] = 0.0, square[k] = kFar * kFar;
+  HWY_INLINE void fill_up() {
+    const Wide d;
+    for (std::size_t k = first + size, last = k + std::max(kFour, kWide); k < last; k += kWide) {
+      hn::StoreU(hn::Set(d, kFar), d, dx.data() + k);
+      for (std::vector<double>* all : {&dy, &width, &place}) hn::StoreU(hn::Zero(d), d, all->data() + k);
+    }
   }
 };
 
-/// How hard each of the others pushes, and how far from touching it is (m, below 0: how deep).
+/// How hard each of the others pushes whom he is near, and how far from touching it is (m, below 0: how
+/// deep).
 struct Pushes {
   std::vector<double> gap, per_metre;  // per_metre: the push over the distance
 
@@ -188,8 +220,8 @@ HWY_INLINE void push(double strength, double range, const Others& others, Pushes
   const auto negligible = hn::Set(d, kNegligibleRanges * range), where_touching = hn::Set(d, strength);
   const auto per_range = hn::Set(d, -1.0 / range), most = hn::Set(d, kMostExponent);
   pushes.resize(others.dx.size());
-  for (std::size_t k = 0, end = (others.size + kFour - 1) / kFour * kFour; k < end; k += kWide) {
-    const auto distance = hn::Sqrt(hn::LoadU(d, others.square.data() + k));
+  for (std::size_t k = 0; k < others.end(); k += kWide) {
+    const auto distance = hn::Sqrt(others.square(k));
     const auto free = hn::Sub(distance, hn::LoadU(d, others.width.data() + k));
     const auto strong = hn::Mul(where_touching, exponential_of(d, hn::Min(hn::Mul(free, per_range), most)));
     hn::StoreU(free, d, pushes.gap.data() + k);
@@ -198,12 +230,11 @@ HWY_INLINE void push(double strength, double range, const Others& others, Pushes
   }
 }
 
-/// How all others push the agent away, or turn him.
-HWY_INLINE Vec repulsion(double strength, double range, const Others& others, Pushes& pushes) {
-  push(strength, range, others, pushes);
+/// How all near him push the agent away, or turn him.
+HWY_INLINE Vec repulsion(const Others& others, const Pushes& pushes, const Near& near) {
   const D d;
   FourSums x, y;
-  for (std::size_t i = 0; i < others.size; i += kFour)
+  for (std::size_t i = near.first; i < near.first + near.size; i += kFour)
     for (std::size_t p = 0; p < kParts; ++p) {
       const std::size_t k = i + p * kLanes;
       const Reals scale = hn::LoadU(d, pushes.per_metre.data() + k);

@@ -34,12 +34,15 @@ namespace throng::HWY_NAMESPACE {
 
 /// Those who count, the nearest first.
 struct Chosen {
-  std::vector<std::int64_t> rank;                     // of all that are near: how many are nearer
+  std::vector<double> square;                         // m², of all that are near
+  std::vector<std::int64_t> rank;                     // likewise: how many are nearer
+  std::vector<std::uint32_t> order;                   // which of them they are, and some to waste
   std::vector<double> dx, dy, width, slip_x, slip_y;  // m, m/s: own velocity less the other's
   std::size_t size = 0;
 
   void resize(std::size_t all, std::size_t most) {
-    if (rank.size() < all) rank.resize(all);
+    if (rank.size() < all) rank.resize(all), square.resize(all);
+    if (order.size() <= most) order.resize(most + 1);
     if (dx.size() < most + 2 * kFour)
       for (std::vector<double>* one : {&dx, &dy, &width, &slip_x, &slip_y})
         one->resize(most + 2 * kFour, 1.0);
@@ -49,13 +52,14 @@ struct Chosen {
 /// Leaves out who is surely not of the nearest `most`, as far as a look or two tell: what follows is
 /// quadratic.
 HWY_INLINE void thin(double reach, std::size_t most, Others& others) {
-  const D d;
+  const Wide d;
   for (const double share : {1.5, 3.0}) {
     if (others.size <= 3 * most) return;
     const double bound = reach * reach * share * static_cast<double>(most) / static_cast<double>(others.size);
     std::size_t count = 0;
-    for (std::size_t k = 0; k < others.size; k += kLanes)
-      count += hn::CountTrue(d, hn::Le(hn::LoadU(d, others.square.data() + k), hn::Set(d, bound)));
+    for (std::size_t k = 0; k < others.size; k += kWide)
+      count += hn::CountTrue(
+          d, hn::And(hn::Le(others.square(k), hn::Set(d, bound)), hn::FirstN(d, others.size - k)));
     if (count >= most) return others.keep(bound);
   }
 }
@@ -65,7 +69,8 @@ HWY_INLINE void rank(const Others& others, Chosen& chosen) {
   const hn::ScalableTag<double> d;
   const hn::RebindToSigned<decltype(d)> whole;
   const std::size_t lanes = hn::Lanes(d), size = others.size;
-  const double* square = others.square.data();
+  for (std::size_t k = 0; k < size; k += lanes) hn::StoreU(others.square(k), d, chosen.square.data() + k);
+  const double* square = chosen.square.data();
   const auto count = [&](auto& rank, auto is)
                          HWY_ATTR { rank = hn::Sub(rank, hn::BitCast(whole, hn::VecFromMask(d, is))); };
   for (std::size_t k = 0; k < size; k += lanes) {
@@ -90,67 +95,69 @@ HWY_INLINE void choose(const CrowdView& crowd, std::uint32_t own, double reach, 
   chosen.size = std::min(most, others.size);
   rank(others, chosen);
   const Vec v = crowd.velocity(own);
-  for (std::size_t k = 0; k < others.size; ++k) {
-    const auto rank = std::min(static_cast<std::size_t>(chosen.rank[k]), most);  // the others' go to waste
+  for (std::size_t k = 0; k < others.size; ++k)
+    chosen.order[std::min(static_cast<std::size_t>(chosen.rank[k]), most)] = static_cast<std::uint32_t>(k);
+  for (std::size_t i = 0; i < chosen.size; ++i) {
+    const std::uint32_t k = chosen.order[i];
     const auto place = static_cast<std::uint32_t>(others.place[k]);
-    chosen.dx[rank] = others.dx[k], chosen.dy[rank] = others.dy[k], chosen.width[rank] = others.width[k];
-    chosen.slip_x[rank] = v.x() - crowd.velocity_x[place];
-    chosen.slip_y[rank] = v.y() - crowd.velocity_y[place];
+    chosen.dx[i] = others.dx[k], chosen.dy[i] = others.dy[k], chosen.width[i] = others.width[k];
+    chosen.slip_x[i] = v.x() - crowd.velocity_x[place], chosen.slip_y[i] = v.y() - crowd.velocity_y[place];
   }
 }
 
 /// Of velocity obstacles, each seen from the middle of it: outwards, and how deep it is to the border (m/s).
 struct WayOut {
-  Reals x, y, depth;
+  WideReals x, y, depth;
 };
 
 /// The way out of the obstacle of a disc of radius `width` at (dx, dy) with these velocities against it, as
 /// throng::escape has it; `rate` is 1 / s, in which it is to be avoided. Who overlap it are before its front.
-HWY_INLINE WayOut way_out(Reals dx, Reals dy, Reals width, Reals vx, Reals vy, Reals rate, Mask overlap) {
-  const D d;
-  const Reals zero = hn::Zero(d), square = hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy));
-  const Reals width2 = hn::Mul(width, width);
-  const Reals wx = hn::Sub(vx, hn::Mul(dx, rate)), wy = hn::Sub(vy, hn::Mul(dy, rate));
-  const Reals w2 = hn::Add(hn::Mul(wx, wx), hn::Mul(wy, wy));
-  const Reals along = hn::Add(hn::Mul(wx, dx), hn::Mul(wy, dy));
-  const Mask before = hn::And(hn::Lt(along, zero), hn::Gt(hn::Mul(along, along), hn::Mul(width2, w2)));
-  const Mask front = hn::Or(overlap, before);
-  const Reals root =  // |w|, or how long the legs are
+HWY_INLINE WayOut way_out(WideReals dx, WideReals dy, WideReals width, WideReals vx, WideReals vy,
+                          WideReals rate, WideMask overlap) {
+  const Wide d;
+  const WideReals zero = hn::Zero(d), square = hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy));
+  const WideReals width2 = hn::Mul(width, width);
+  const WideReals wx = hn::Sub(vx, hn::Mul(dx, rate)), wy = hn::Sub(vy, hn::Mul(dy, rate));
+  const WideReals w2 = hn::Add(hn::Mul(wx, wx), hn::Mul(wy, wy));
+  const WideReals along = hn::Add(hn::Mul(wx, dx), hn::Mul(wy, dy));
+  const WideMask before = hn::And(hn::Lt(along, zero), hn::Gt(hn::Mul(along, along), hn::Mul(width2, w2)));
+  const WideMask front = hn::Or(overlap, before);
+  const WideReals root =  // |w|, or how long the legs are
       hn::Sqrt(hn::IfThenElse(front, w2, hn::Max(zero, hn::Sub(square, width2))));
 
-  Reals front_x = wx, front_y = wy, length = root;
-  const Mask middle = hn::And(front, hn::Eq(w2, zero));
+  WideReals front_x = wx, front_y = wy, length = root;
+  const WideMask middle = hn::And(front, hn::Eq(w2, zero));
   if (HWY_UNLIKELY(!hn::AllFalse(d, middle))) {
     front_x = hn::IfThenElse(middle, hn::Neg(dx), wx), front_y = hn::IfThenElse(middle, hn::Neg(dy), wy);
     length = hn::IfThenElse(middle, hn::Sqrt(square), root);
   }
-  const Mask left = hn::Gt(hn::Sub(hn::Mul(dx, wy), hn::Mul(dy, wx)), zero);
-  const Reals side = hn::IfThenElse(left, hn::Set(d, 1.0), hn::Set(d, -1.0)), lean = hn::Mul(side, width);
-  const Reals leg_x = hn::Neg(hn::Mul(side, hn::Add(hn::Mul(dx, lean), hn::Mul(dy, root))));
-  const Reals leg_y = hn::Mul(side, hn::Sub(hn::Mul(dx, root), hn::Mul(dy, lean)));
+  const WideMask left = hn::Gt(hn::Sub(hn::Mul(dx, wy), hn::Mul(dy, wx)), zero);
+  const WideReals side = hn::IfThenElse(left, hn::Set(d, 1.0), hn::Set(d, -1.0)), lean = hn::Mul(side, width);
+  const WideReals leg_x = hn::Neg(hn::Mul(side, hn::Add(hn::Mul(dx, lean), hn::Mul(dy, root))));
+  const WideReals leg_y = hn::Mul(side, hn::Sub(hn::Mul(dx, root), hn::Mul(dy, lean)));
 
-  const Reals over = hn::Div(hn::Set(d, 1.0), hn::IfThenElse(front, length, square));
-  const Reals x = hn::Mul(hn::IfThenElse(front, front_x, leg_x), over);
-  const Reals y = hn::Mul(hn::IfThenElse(front, front_y, leg_y), over);
-  const Reals of_leg = hn::Neg(hn::Add(hn::Mul(vx, x), hn::Mul(vy, y)));
+  const WideReals over = hn::Div(hn::Set(d, 1.0), hn::IfThenElse(front, length, square));
+  const WideReals x = hn::Mul(hn::IfThenElse(front, front_x, leg_x), over);
+  const WideReals y = hn::Mul(hn::IfThenElse(front, front_y, leg_y), over);
+  const WideReals of_leg = hn::Neg(hn::Add(hn::Mul(vx, x), hn::Mul(vy, y)));
   return {x, y, hn::IfThenElse(front, hn::Sub(hn::Mul(width, rate), root), of_leg)};
 }
 
 /// Adds for each one half of the way out of its velocity obstacle; who overlap part within this step.
 HWY_INLINE void add_planes(const Reciprocal& model, double dt, const Vec& own, const Chosen& chosen,
                            HalfPlanes& planes) {
-  const D d;
-  const Reals own_x = hn::Set(d, own.x()), own_y = hn::Set(d, own.y()), half = hn::Set(d, 0.5);
-  const Reals at_once = hn::Set(d, 1.0 / dt), in_time = hn::Set(d, 1.0 / model.horizon);
+  const Wide d;
+  const WideReals own_x = hn::Set(d, own.x()), own_y = hn::Set(d, own.y()), half = hn::Set(d, 0.5);
+  const WideReals at_once = hn::Set(d, 1.0 / dt), in_time = hn::Set(d, 1.0 / model.horizon);
   planes.make_room(planes.size + chosen.size);
-  for (std::size_t k = 0; k < chosen.size; k += kLanes) {
-    const Reals dx = hn::LoadU(d, chosen.dx.data() + k), dy = hn::LoadU(d, chosen.dy.data() + k);
-    const Reals width = hn::LoadU(d, chosen.width.data() + k);
-    const Mask overlap = hn::Le(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), hn::Mul(width, width));
+  for (std::size_t k = 0; k < chosen.size; k += kWide) {
+    const WideReals dx = hn::LoadU(d, chosen.dx.data() + k), dy = hn::LoadU(d, chosen.dy.data() + k);
+    const WideReals width = hn::LoadU(d, chosen.width.data() + k);
+    const WideMask overlap = hn::Le(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), hn::Mul(width, width));
     const auto [x, y, depth] =
         way_out(dx, dy, width, hn::LoadU(d, chosen.slip_x.data() + k), hn::LoadU(d, chosen.slip_y.data() + k),
                 hn::IfThenElse(overlap, at_once, in_time), overlap);
-    const Reals offset = hn::Add(hn::Add(hn::Mul(x, own_x), hn::Mul(y, own_y)), hn::Mul(half, depth));
+    const WideReals offset = hn::Add(hn::Add(hn::Mul(x, own_x), hn::Mul(y, own_y)), hn::Mul(half, depth));
     hn::StoreU(x, d, planes.normal_x.data() + planes.size + k);
     hn::StoreU(y, d, planes.normal_y.data() + planes.size + k);
     hn::StoreU(offset, d, planes.offset.data() + planes.size + k);

@@ -32,9 +32,9 @@ namespace throng::HWY_NAMESPACE {
 
 /// N, between bodies: of those who touch, one by one.
 HWY_INLINE Vec touches(const Forces& model, const CrowdView& crowd, std::uint32_t own, const Others& others,
-                       const std::vector<double>& gap) {
+                       const std::vector<double>& gap, const Near& near) {
   Vec force(0.0, 0.0);
-  for (std::size_t k = 0; k < others.size; ++k) {
+  for (std::size_t k = near.first; k < near.first + near.size; ++k) {
     if (!(gap[k] < 0.0)) continue;
     const Vec to(others.dx[k], others.dy[k]);
     const auto place = static_cast<std::uint32_t>(others.place[k]);
@@ -44,24 +44,35 @@ HWY_INLINE Vec touches(const Forces& model, const CrowdView& crowd, std::uint32_
   return force;
 }
 
+/// m/s, of one whom these near him push.
+HWY_INLINE Vec walk_by_forces(const Forces& model, const CrowdView& crowd, std::uint32_t place,
+                              const Others& others, const Pushes& pushes, const Near& near) {
+  const Vec p = crowd.position(place), v = crowd.velocity(place);
+  const double radius = crowd.radius[place];
+  Vec force = (model.mass / model.reaction_time) * (crowd.desired_speed[place] * crowd.towards(place) - v);
+  force += repulsion(others, pushes, near);
+  force += touches(model, crowd, place, others, pushes.gap, near);
+  const double wall_reach = radius + kNegligibleRanges * model.range;
+  if (!crowd.is_clear(place, wall_reach))
+    crowd.barriers.for_each_nearest(p, wall_reach, [&](const Vec& q) {
+      const double distance = (p - q).norm();
+      if (distance > 0.0) force += model.of_wall(radius - distance, (p - q) / distance, -v, 1.0 / crowd.dt);
+    });
+  return v + crowd.dt / model.mass * force;
+}
+
 void WalkByForces(const Forces& model, const CrowdView& crowd, std::span<const std::uint32_t> places,
                   double reach, std::span<Vec> velocity) {
   thread_local Others others;  // kept: a step allocates nothing
   thread_local Pushes pushes;
-  for (const std::uint32_t place : places) {
-    others.gather(crowd, place, reach);
-    const Vec p = crowd.position(place), v = crowd.velocity(place);
-    const double radius = crowd.radius[place];
-    Vec force = (model.mass / model.reaction_time) * (crowd.desired_speed[place] * crowd.towards(place) - v);
-    force += repulsion(model.strength, model.range, others, pushes);
-    force += touches(model, crowd, place, others, pushes.gap);
-    const double wall_reach = radius + kNegligibleRanges * model.range;
-    if (!crowd.is_clear(place, wall_reach))
-      crowd.barriers.for_each_nearest(p, wall_reach, [&](const Vec& q) {
-        const double distance = (p - q).norm();
-        if (distance > 0.0) force += model.of_wall(radius - distance, (p - q) / distance, -v, 1.0 / crowd.dt);
-      });
-    velocity[place] = v + crowd.dt / model.mass * force;
+  Near near[kTogether];
+  for (std::size_t begin = 0; begin < places.size(); begin += kTogether) {
+    const auto some = places.subspan(begin, std::min(kTogether, places.size() - begin));
+    others.clear();
+    for (std::size_t i = 0; i < some.size(); ++i) near[i] = others.add_near<Tell::who>(crowd, some[i], reach);
+    push(model.strength, model.range, others, pushes);
+    for (std::size_t i = 0; i < some.size(); ++i)
+      velocity[some[i]] = walk_by_forces(model, crowd, some[i], others, pushes, near[i]);
   }
 }
 

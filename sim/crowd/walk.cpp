@@ -2,6 +2,7 @@
 #include "sim/crowd/walk.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include "sim/crowd/entrance.h"
 #include "sim/simulation_error.h"
@@ -164,7 +165,7 @@ void Walk::steer(const State& state, Workers& workers) {
 
 /// Bodies that move push and barriers hold in turn, until neither has anything against it. Else he stays,
 /// where no body comes over him; where one does, he is squeezed, and barriers have the last word.
-Moved Walk::go_among_bodies(const Vec& from, const Vec& by, double core, std::uint8_t& squeezed) const {
+Moved Walk::go_among_bodies(const Vec& from, const Vec& by, double core, bool& squeezed) const {
   Moved moved{from + by, false};
   for (int i = 0; i < kSqueezes; ++i) {
     const Pushed pushed = movers_.push(from, moved.to, core);
@@ -174,47 +175,53 @@ Moved Walk::go_among_bodies(const Vec& from, const Vec& by, double core, std::ui
     if (!held.corrected && pushed.settled) return moved;
   }
   if (!movers_.push(from, from, core).corrected) return {from, true};
-  squeezed = 1;
+  squeezed = true;
   return moved;
 }
 
-Moved Walk::go(std::size_t place, const Vec& by, std::uint8_t& squeezed) const {
+Moved Walk::go(std::size_t place, const Vec& by, bool& squeezed) const {
   const Vec from(ranks_.x[place], ranks_.y[place]);
   const double core = ranks_.radius[place] * cores_[ranks_.group[place]];
-  squeezed = 0;
   if (seen_) return go_among_bodies(from, by, core, squeezed);
   if (ranks_.clear[place] > core + std::abs(by.x()) + std::abs(by.y())) return {from + by, false};
   return slide(barriers_, from, by, core);
 }
 
+/// Who has that place and that row walks for a step; notes where he stands.
+Walk::Hindered Walk::walk_one(State& state, std::size_t place, std::size_t row) const {
+  const double dt = scene_.time.dt, radius = ranks_.radius[place];
+  const Vec from(ranks_.x[place], ranks_.y[place]), by = dt * velocity_[place];
+  bool squeezed = false;
+  const Moved moved = go(place, by, squeezed);
+  state.position[row] = moved.to;
+  state.velocity[row] = moved.to == from + by ? velocity_[place] : Vec((moved.to - from) / dt);
+  const std::size_t i = row - scene_.crowd.first;
+  if (!((moved.to - state.crowd.stand[i]).squaredNorm() <= radius * radius))
+    state.crowd.stand[i] = moved.to, state.crowd.stand_step[i] = state.step;
+  return {moved.corrected, squeezed};
+}
+
 void Walk::walk(State& state, Workers& workers) {
-  const double dt = scene_.time.dt;
-  const std::size_t n = present(state), first = scene_.crowd.first;
-  corrected_.resize(n), squeezed_.resize(n);
-  workers.for_ranges(n, [&](std::size_t begin, std::size_t end) {
+  std::atomic<std::int64_t> corrected = 0, squeezed = 0;
+  std::atomic<bool> all_go_on = true;
+  workers.for_ranges(present(state), [&](std::size_t begin, std::size_t end) {
+    std::int64_t corrected_here = 0, squeezed_here = 0;
+    bool go_on = true;
     for (std::size_t place = begin; place < end; ++place) {
-      const std::size_t ahead = this->row(std::min(place + kAhead, end - 1));
+      const std::size_t ahead = this->row(std::min(place + kAhead, end - 1)), row = this->row(place);
       __builtin_prefetch(&state.position[ahead], 1), __builtin_prefetch(&state.velocity[ahead], 1);
-      const std::size_t row = this->row(place);
-      const Vec from(ranks_.x[place], ranks_.y[place]), by = dt * velocity_[place];
-      const Moved moved = go(place, by, squeezed_[row - first]);
-      corrected_[row - first] = moved.corrected;
-      state.position[row] = moved.to;
-      state.velocity[row] = moved.to == from + by ? velocity_[place] : Vec((moved.to - from) / dt);
+      __builtin_prefetch(&state.crowd.stand[ahead - scene_.crowd.first], 1);
+      const auto [was_corrected, was_squeezed] = walk_one(state, place, row);
+      corrected_here += was_corrected, squeezed_here += was_squeezed;
+      go_on = go_on && can_go_on(state, row);
     }
+    corrected += corrected_here, squeezed += squeezed_here;
+    if (!go_on) all_go_on = false;
   });
+  state.crowd.wall_corrections += corrected, state.crowd.squeezed += squeezed;
   movers_.move(state);
-  for (std::size_t row = 0; row < first; ++row) check_body(state, row);
-  for (std::size_t i = 0; i < n; ++i) {
-    check_body(state, first + i);
-    state.crowd.wall_corrections += corrected_[i];
-    state.crowd.squeezed += squeezed_[i];
-    const Vec& p = state.position[first + i];
-    const double radius = scene_.bodies.radius[first + agent(state, first + i)];
-    if ((p - state.crowd.stand[i]).squaredNorm() <= radius * radius) continue;
-    state.crowd.stand[i] = p;
-    state.crowd.stand_step[i] = state.step;
-  }
+  for (std::size_t row = 0, end = all_go_on ? scene_.crowd.first : state.id.size(); row < end; ++row)
+    check_body(state, row);
   if (!scene_.crowd.measures.empty()) measure_all(state);
 }
 
@@ -233,8 +240,8 @@ void Walk::measure_all(State& state) {
   }
 }
 
-void Walk::leave(State& state) {
-  journeys_->advance(state, leaves_);
+void Walk::leave(State& state, Workers& workers) {
+  journeys_->advance(state, workers, leaves_);
   const auto count = std::ranges::count(leaves_, 1);
   if (count == 0) return;
   const auto keep = [&](auto& all, std::size_t bodies) {

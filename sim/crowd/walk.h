@@ -41,7 +41,7 @@ class Walk {
   void walk(State& state, Workers& workers);
 
   /// Moves the agents on in their journeys; who is at the end of his leaves the state.
-  void leave(State& state);
+  void leave(State& state, Workers& workers);
 
   /// Brings in those who are due, where there is room: others of their group wait behind who finds none.
   void appear(State& state);
@@ -60,8 +60,12 @@ class Walk {
   void measure_all(State& state);
   bool is_due(const State& state, std::size_t group) const;
   bool bring_in(State& state, std::size_t group);
-  Moved go(std::size_t place, const Vec& by, std::uint8_t& squeezed) const;
-  Moved go_among_bodies(const Vec& from, const Vec& by, double core, std::uint8_t& squeezed) const;
+  struct Hindered {
+    bool corrected, squeezed;
+  };
+  Hindered walk_one(State& state, std::size_t place, std::size_t row) const;
+  Moved go(std::size_t place, const Vec& by, bool& squeezed) const;
+  Moved go_among_bodies(const Vec& from, const Vec& by, double core, bool& squeezed) const;
   std::size_t agent(const State& state, std::size_t row) const { return agent_of(scene_, state, row); }
   /// The row of who has that place in the cells.
   std::size_t row(std::size_t place) const { return scene_.crowd.first + cells_.row()[place]; }
@@ -80,7 +84,7 @@ class Walk {
   Ranks ranks_;
   std::vector<std::uint32_t> places_;  // those of each model together
   std::vector<Vec> velocity_;          // by place
-  std::vector<std::uint8_t> corrected_, squeezed_, leaves_;
+  std::vector<std::uint8_t> leaves_;
   Standing standing_;                                     // who is there when others appear
   std::vector<Stride> strides_;                           // by place; where anything is measured
   std::vector<std::unique_ptr<VoronoiDensity>> voronoi_;  // as Crowd::measures, where wanted

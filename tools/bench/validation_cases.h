@@ -22,15 +22,15 @@ struct ValidationCase {
   const char* name;  ///< its numbers in the catalogues, and a word or two
   const char* what;  ///< is measured
   const char* unit;
-  double low, high;                          ///< of the value; both are allowed
+  double low, high;  ///< of the value; both are allowed
   Finding (*measure)(const Trials& trials);
-  bool quick = false;                        ///< done in less than a second
+  bool quick = false;  ///< done in less than a second
 };
 
-std::span<const ValidationCase> lone_cases();     ///< who walks by himself, or nearly so
-std::span<const ValidationCase> exit_cases();     ///< who leaves through narrow exits
-std::span<const ValidationCase> stream_cases();   ///< who walks in streams
-std::span<const ValidationCase> choice_cases();   ///< who chooses, or keeps company
+std::span<const ValidationCase> lone_cases();    ///< who walks by himself, or nearly so
+std::span<const ValidationCase> exit_cases();    ///< who leaves through narrow exits
+std::span<const ValidationCase> stream_cases();  ///< who walks in streams
+std::span<const ValidationCase> choice_cases();  ///< who chooses, or keeps company
 
 /// What a model can't do by its nature, however it is tuned; nothing where nothing is known of it.
 const char* by_nature(const std::string& model, const std::string& name);
