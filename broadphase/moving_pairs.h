@@ -22,6 +22,10 @@ class MovingPairs {
   void find(std::span<const Point> centres, std::span<const double> reach, const Period* period,
             std::vector<Pair>& pairs, std::span<const std::uint8_t> movable = {});
 
+  /// Pairs among which those of the last call's answer are, ascending; empty where it was found without a
+  /// list.
+  std::span<const Pair> list() const { return reach_.empty() ? std::span<const Pair>() : list_; }
+
   /// Whether the last call was answered from the list of an earlier one.
   bool reused() const { return reused_; }
 

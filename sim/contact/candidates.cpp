@@ -200,10 +200,22 @@ void Candidates::find_obstacle_pairs() {
   });
 }
 
-bool Candidates::may_meet(broadphase::Pair pair) const {
+void Candidates::list_near(double room, std::vector<broadphase::Pair>& pairs) const {
+  const std::span<const broadphase::Pair> list = disc_pairs_.list();
+  if (!rows_.are_all() || list.empty()) {
+    pairs.assign(pairs_.begin(), pairs_.end());
+    return;
+  }
+  pairs.clear();
+  for (const broadphase::Pair& pair : list)
+    if (may_meet(pair, room) && colliders_.body[pair.a] != colliders_.body[pair.b]) pairs.push_back(pair);
+}
+
+bool Candidates::may_meet(broadphase::Pair pair, double room) const {
   Vec between = centre_[pair.b] - centre_[pair.a];
   if (plan_.periodic) between = nearest_image(between, period_.size);
-  const double most = reach_[pair.a] + reach_[pair.b];
+  const double most =
+      reach_[pair.a] + reach_[pair.b] + room * (colliders_.radius[pair.a] + colliders_.radius[pair.b]);
   return between.squaredNorm() <= most * most;
 }
 

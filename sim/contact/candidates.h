@@ -32,8 +32,9 @@ class Candidates {
   /// Between the two: places more of them, none of which moves faster than the fastest.
   void place_more(const State& state, Rows colliders);
 
-  /// Whether the discs round two that were placed may meet within the step.
-  bool may_meet(broadphase::Pair pair) const;
+  /// Whether the discs round two that were placed may meet within the step, each larger by `room` of its
+  /// radius.
+  bool may_meet(broadphase::Pair pair, double room = 0.0) const;
 
   /// Whether the pairs that an earlier find() found serve as well for the dt that begins with `state`, unless
   /// somebody is turned aside: where `plan` has flights, which don't mind pairs too many, find() looks
@@ -56,6 +57,10 @@ class Candidates {
   /// Rows of colliders, a < b, ascending. Parts of one body are no pair, nor are two bodies that nothing can
   /// push.
   std::span<const broadphase::Pair> pairs() const { return pairs_; }
+
+  /// Replaces `pairs` by pairs() and, where they are known, further ones of whom each may be farther away by
+  /// `room` of its radius: who may be among pairs() soon. Ascending. O(pairs).
+  void list_near(double room, std::vector<broadphase::Pair>& pairs) const;
 
   /// Collider a, row b of the obstacles, ascending.
   std::span<const broadphase::Pair> obstacle_pairs() const { return obstacle_pairs_; }

@@ -32,11 +32,14 @@ void fill_lane(DiscBlock& block, std::size_t lane, const DiscContact& contact, c
 void DiscBlocks::start(std::size_t bodies) {
   nobody_ = static_cast<std::uint32_t>(bodies - 1);
   order_.start(bodies);
-  lane_.clear();
+  key_.clear(), seat_lane_.clear(), taken_.clear(), owner_.clear(), lane_.clear();
 }
 
-void DiscBlocks::add(const DiscContact& contact, const SolverBody& a, const SolverBody& b) {
+void DiscBlocks::add(std::uint64_t key, const DiscContact& contact, const SolverBody& a,
+                     const SolverBody& b) {
   const std::uint32_t lane = order_.place(contact.a, a.inverse_mass > 0.0, contact.b, b.inverse_mass > 0.0);
+  key_.push_back(key), seat_lane_.push_back(lane), taken_.push_back(1);
+  owner_.push_back({contact.a, contact.b, contact.normal_mass});
   lane_.push_back(lane);
   if (blocks_.size() < order_.blocks()) blocks_.resize(order_.blocks());
   fill_lane(blocks_[lane / kWidth], lane % kWidth, contact, a, b);
@@ -45,6 +48,44 @@ void DiscBlocks::add(const DiscContact& contact, const SolverBody& a, const Solv
 void DiscBlocks::finish() {
   for (std::size_t i = 0; i < order_.blocks(); ++i)
     for (std::size_t lane = order_.filled(i); lane < kWidth; ++lane) clear_lane(blocks_[i], lane, nobody_);
+}
+
+/// A lane as good as empty: without mass no impulse comes to be, and nobody would feel it.
+void DiscBlocks::vacate(std::size_t seat) {
+  if (!taken_[seat]) return;
+  taken_[seat] = 0;
+  DiscBlock& block = blocks_[seat_lane_[seat] / kWidth];
+  const std::size_t lane = seat_lane_[seat] % kWidth;
+  block.a[lane] = block.b[lane] = nobody_;
+  block.normal_mass[lane] = block.normal_impulse[lane] = block.tangent_impulse[lane] = 0.0;
+}
+
+void DiscBlocks::occupy(std::size_t seat) {
+  if (taken_[seat]) return;
+  taken_[seat] = 1;
+  DiscBlock& block = blocks_[seat_lane_[seat] / kWidth];
+  const std::size_t lane = seat_lane_[seat] % kWidth;
+  block.a[lane] = owner_[seat].a, block.b[lane] = owner_[seat].b;
+  block.normal_mass[lane] = owner_[seat].normal_mass;
+}
+
+bool DiscBlocks::take(std::span<const std::uint64_t> keys) {
+  lane_.clear();
+  std::size_t seat = 0;
+  for (const std::uint64_t key : keys) {
+    while (seat < key_.size() && key_[seat] < key) vacate(seat++);
+    if (seat == key_.size() || key_[seat] != key) return false;
+    occupy(seat);
+    lane_.push_back(seat_lane_[seat++]);
+  }
+  while (seat < key_.size()) vacate(seat++);
+  return true;
+}
+
+void DiscBlocks::set_impulses(std::size_t i, double normal, double tangent) {
+  DiscBlock& block = blocks_[lane_[i] / kWidth];
+  block.normal_impulse[lane_[i] % kWidth] = normal;
+  block.tangent_impulse[lane_[i] % kWidth] = tangent;
 }
 
 double DiscBlocks::normal_impulse(std::size_t i) const {

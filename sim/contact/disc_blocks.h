@@ -25,19 +25,34 @@ struct alignas(64) DiscBlock {
   Row turn_a, turn_b;                       ///< 1/(kg m), radius over moment of inertia
 };
 
+/// Each contact has a seat, a lane of some block, and seats outlive the step: the order of blocks is that of
+/// the keys whichever of the seats are taken, so the bits don't depend on which are there.
 class DiscBlocks {
  public:
-  /// Forgets all contacts. `bodies`: how many rows there are, of which the last never moves.
+  /// Forgets all seats. `bodies`: how many rows there are, of which the last never moves.
   void start(std::size_t bodies);
 
-  /// Adds a contact between those bodies. Allocates only to grow.
-  void add(const DiscContact& contact, const SolverBody& a, const SolverBody& b);
+  /// Makes a seat, and takes it, for a contact between those bodies, whose key is above all before. Allocates
+  /// only to grow.
+  void add(std::uint64_t key, const DiscContact& contact, const SolverBody& a, const SolverBody& b);
 
   /// To be called behind the last.
   void finish();
 
+  /// The contacts are now those with these keys, which ascend, without impulses. False where one of them has
+  /// no seat: then all must be seated anew. Expects that nothing but impulses of a seat's contact has
+  /// changed. O(seats).
+  bool take(std::span<const std::uint64_t> keys);
+
+  /// There are no contacts; seats stay.
+  void clear() { lane_.clear(); }
+
+  /// Of the i-th contact, N s.
+  void set_impulses(std::size_t i, double normal, double tangent);
+
+  std::size_t seats() const { return key_.size(); }
   std::size_t size() const { return lane_.size(); }
-  double normal_impulse(std::size_t i) const;   ///< N s, of the i-th contact that was added
+  double normal_impulse(std::size_t i) const;   ///< N s, of the i-th contact
   double tangent_impulse(std::size_t i) const;  ///< N s
 
   /// Its bodies, radii, normal and impulses as the solver left them; what else a contact has is not set.
@@ -46,8 +61,21 @@ class DiscBlocks {
   std::span<DiscBlock> blocks() { return {blocks_.data(), order_.blocks()}; }
 
  private:
+  /// What a seat that nobody takes has forgotten.
+  struct Owner {
+    std::uint32_t a, b;
+    double normal_mass;
+  };
+
+  void vacate(std::size_t seat);
+  void occupy(std::size_t seat);
+
   BlockOrder order_;
   std::uint32_t nobody_ = 0;
+  std::vector<std::uint64_t> key_;        // of each seat, ascending
+  std::vector<std::uint32_t> seat_lane_;  // and where it is
+  std::vector<std::uint8_t> taken_;
+  std::vector<Owner> owner_;
   std::vector<std::uint32_t> lane_;  // of each contact
   std::vector<DiscBlock> blocks_;    // never shrinks
 };

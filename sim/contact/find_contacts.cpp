@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 #include "narrowphase/half_plane.h"
@@ -19,6 +20,12 @@ using narrowphase::Pose;
 using narrowphase::Reference;
 
 namespace {
+
+/// Seats of discs are made for pairs that are nearer than this beyond what a step asks for; where they are
+/// not of use for kSeatGain steps, none are kept for so many.
+constexpr double kSeatRoom = 0.02;  // of the two radii
+constexpr int kSeatWait = 30;
+constexpr std::size_t kFewSeats = 100;  // don't matter if they are empty
 
 /// The contacts of the last step that pressed. They and the questions ascend by key: the search never goes
 /// back.
@@ -88,21 +95,6 @@ const Rim& rim(const Colliders& colliders, std::uint32_t row) {
   return colliders.rim.empty() ? alone : colliders.rims[colliders.rim[row]];
 }
 
-/// The contact of two discs about their bodies' centres; its normal is found in each substep.
-DiscContact disc_contact(const Colliders& colliders, Pair pair, std::span<const SolverBody> bodies,
-                         const Surface& surface) {
-  DiscContact contact;
-  contact.a = colliders.body[pair.a], contact.b = colliders.body[pair.b];
-  contact.radius_a = colliders.radius[pair.a], contact.radius_b = colliders.radius[pair.b];
-  contact.friction = surface.friction, contact.restitution = surface.restitution;
-  const SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
-  const double masses = a.inverse_mass + b.inverse_mass;
-  contact.normal_mass = 1.0 / masses;
-  contact.tangent_mass = 1.0 / (masses + a.inverse_inertia * contact.radius_a * contact.radius_a +
-                                b.inverse_inertia * contact.radius_b * contact.radius_b);
-  return contact;
-}
-
 /// Fills in what one point of a manifold adds. `radius_a`, `radius_b`: of discs, whose arms are exact.
 void place(PointContact& contact, const ManifoldPoint& point, const SolverBody& a, const SolverBody& b,
            const Vec& shift, double radius_a, double radius_b) {
@@ -125,7 +117,8 @@ ContactFinder::ContactFinder(const Scene& scene, const Plan& plan) : scene_(scen
 void ContactFinder::find(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
                          Rows awake, Contacts& contacts, Workers& workers) {
   contacts.start(bodies.size());
-  sort_out(candidates, state, bodies, contacts);
+  sort_out(candidates, contacts);
+  find_disc_contacts(candidates, state, bodies, contacts);
   find_touches(candidates, state, bodies, awake, contacts, workers);
   if (plan_.rolling) find_rolls(scene_, plan_, candidates, state, bodies, contacts);
 }
@@ -150,28 +143,78 @@ void ContactFinder::find_touches(const Candidates& candidates, const State& stat
   add_points(candidates, state, bodies, contacts);
 }
 
-void ContactFinder::sort_out(const Candidates& candidates, const State& state,
-                             std::span<const SolverBody> bodies, Contacts& contacts) {
+/// Pairs of two discs have their contacts' keys then; what else there is must be looked at.
+void ContactFinder::sort_out(const Candidates& candidates, Contacts& contacts) {
   const Colliders& colliders = candidates.colliders();
-  const std::vector<std::uint32_t>& material = scene_.bodies.material;
-  Memory memory(state.disc_contacts);
   touches_.clear();
   for (const Pair& pair : candidates.pairs()) {
-    if (!is_disc(colliders, pair.a) || !is_disc(colliders, pair.b)) {
+    if (is_disc(colliders, pair.a) && is_disc(colliders, pair.b))
+      contacts.disc_key.push_back(key_of(pair, false));
+    else
       touches_.push_back({pair, false, candidates.shift(pair)});
-      continue;
-    }
-    const std::size_t row = material[colliders.body[pair.a]] * scene_.materials.size();
-    DiscContact contact =
-        disc_contact(colliders, pair, bodies, plan_.surfaces[row + material[colliders.body[pair.b]]]);
-    contacts.disc_key.push_back(key_of(pair, false));
-    memory.recall(contacts.disc_key.back(), 0, contact);
-    contacts.discs.add(contact, bodies[contact.a], bodies[contact.b]);
-    if (plan_.restitution) contacts.disc_bounces.push_back(contact);
   }
-  contacts.discs.finish();
   for (const Pair& pair : candidates.obstacle_pairs())
     touches_.push_back({pair, true, candidates.obstacle_shift(pair.a)});
+}
+
+/// The contact of two discs about their bodies' centres; its normal is found in each substep.
+DiscContact ContactFinder::disc_contact(const Colliders& colliders, Pair pair,
+                                        std::span<const SolverBody> bodies) const {
+  DiscContact contact;
+  contact.a = colliders.body[pair.a], contact.b = colliders.body[pair.b];
+  contact.radius_a = colliders.radius[pair.a], contact.radius_b = colliders.radius[pair.b];
+  const std::vector<std::uint32_t>& material = scene_.bodies.material;
+  const Surface& surface =
+      plan_.surfaces[material[contact.a] * scene_.materials.size() + material[contact.b]];
+  contact.friction = surface.friction, contact.restitution = surface.restitution;
+  const SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
+  const double masses = a.inverse_mass + b.inverse_mass;
+  contact.normal_mass = 1.0 / masses;
+  contact.tangent_mass = 1.0 / (masses + a.inverse_inertia * contact.radius_a * contact.radius_a +
+                                b.inverse_inertia * contact.radius_b * contact.radius_b);
+  return contact;
+}
+
+void ContactFinder::find_disc_contacts(const Candidates& candidates, const State& state,
+                                       std::span<const SolverBody> bodies, Contacts& contacts) {
+  const bool crowded = 2 * contacts.discs.seats() <= 3 * contacts.disc_key.size() + kFewSeats;
+  if (wait_ > 0 || !crowded || !contacts.discs.take(contacts.disc_key))
+    seat_discs(candidates, bodies, contacts);
+  ++age_;
+  Memory memory(state.disc_contacts);
+  ContactBase kept;
+  for (std::size_t i = 0; i < contacts.disc_key.size(); ++i) {
+    memory.recall(contacts.disc_key[i], 0, kept);
+    contacts.discs.set_impulses(i, kept.normal_impulse, kept.tangent_impulse);
+    if (!plan_.restitution) continue;
+    contacts.disc_bounces.push_back(
+        disc_contact(candidates.colliders(), pair_of(contacts.disc_key[i]), bodies));
+  }
+}
+
+/// Seats for the discs that may touch now, and where the last ones were of use also for those that may soon.
+void ContactFinder::seat_discs(const Candidates& candidates, std::span<const SolverBody> bodies,
+                               Contacts& contacts) {
+  const Colliders& colliders = candidates.colliders();
+  if (wait_ > 0)
+    --wait_;
+  else if (age_ < kSeatGain)
+    wait_ = kSeatWait;
+  age_ = 0;
+  std::span<const Pair> pairs = candidates.pairs();
+  if (wait_ == 0) {
+    candidates.list_near(kSeatRoom, near_);
+    pairs = near_;
+  }
+  contacts.discs.start(bodies.size());
+  for (const Pair& pair : pairs)
+    if (is_disc(colliders, pair.a) && is_disc(colliders, pair.b)) {
+      const DiscContact contact = disc_contact(colliders, pair, bodies);
+      contacts.discs.add(key_of(pair, false), contact, bodies[contact.a], bodies[contact.b]);
+    }
+  contacts.discs.finish();
+  [[maybe_unused]] const bool all = contacts.discs.take(contacts.disc_key);
+  assert(all);
 }
 
 /// A disc looks the same from all sides: where there is nothing else, nobody has turned.
@@ -259,7 +302,7 @@ void ContactFinder::add_points(const Candidates& candidates, const State& state,
 }
 
 void Contacts::start(std::size_t bodies) {
-  discs.start(bodies), disc_key.clear(), disc_bounces.clear();
+  discs.clear(), disc_key.clear(), disc_bounces.clear();
   faces.start(bodies), point_key.clear(), point_feature.clear(), point_bounces.clear();
   disc_rolls.clear(), point_rolls.clear();
 }

@@ -125,10 +125,23 @@ class DiscBlocksOnEachTarget : public Blocks {
                b.inverse_inertia * contact.radius_b * contact.radius_b);
   }
 
-  void fill(DiscBlocks& blocks, const std::vector<DiscContact>& contacts) const {
+  /// Seats for the contacts, under even keys, and between them for others, who leave again.
+  void fill(DiscBlocks& blocks, const std::vector<DiscContact>& contacts,
+            const std::vector<DiscContact>& others) const {
     blocks.start(bodies_.size());
-    for (const DiscContact& contact : contacts) blocks.add(contact, bodies_[contact.a], bodies_[contact.b]);
+    std::vector<std::uint64_t> even, odd;
+    for (const DiscContact& contact : contacts) {
+      const DiscContact& other = others[even.size()];
+      even.push_back(2 * even.size()), odd.push_back(even.back() + 1);
+      blocks.add(even.back(), contact, bodies_[contact.a], bodies_[contact.b]);
+      blocks.add(odd.back(), other, bodies_[other.a], bodies_[other.b]);
+    }
     blocks.finish();
+    EXPECT_TRUE(blocks.take(odd));
+    EXPECT_TRUE(blocks.take(even));
+    EXPECT_EQ(blocks.size(), contacts.size());
+    for (std::size_t i = 0; i < contacts.size(); ++i)
+      blocks.set_impulses(i, contacts[i].normal_impulse, contacts[i].tangent_impulse);
   }
 
   void compare(const Vec* period, bool friction) {
@@ -136,8 +149,8 @@ class DiscBlocksOnEachTarget : public Blocks {
     std::vector<SolverBody> bodies = bodies_;
     const SolverSettings how = settings(friction);
     DiscBlocks blocks;
-    fill(blocks, contacts(period));  // forgotten, and then other lanes are left over
-    fill(blocks, one);
+    fill(blocks, contacts(period), one);  // forgotten, and then other lanes are left over
+    fill(blocks, one, contacts(period));
     for (int i = 0; i < 3; ++i) {
       prepare(one, bodies_, period), warm_start(one, bodies_);
       push_apart(one, bodies_, how);
@@ -164,6 +177,24 @@ TEST_P(DiscBlocksOnEachTarget, GiveThemWithoutFriction) {
 TEST_P(DiscBlocksOnEachTarget, GiveThemInADomainThatRepeats) {
   SCOPED_TRACE("seed " + std::to_string(seed_));
   compare(&kPeriod, true);
+}
+
+TEST(DiscBlocks, SayWhoHasNoSeat) {
+  std::vector<SolverBody> bodies(3);
+  bodies[0].inverse_mass = bodies[1].inverse_mass = 1.0;
+  DiscContact contact;
+  contact.a = 0, contact.b = 1, contact.normal_mass = 0.5;
+  DiscBlocks blocks;
+  blocks.start(bodies.size());
+  for (const std::uint64_t key : {3, 5}) blocks.add(key, contact, bodies[0], bodies[1]);
+  blocks.finish();
+  const std::vector<std::vector<std::uint64_t>> unknown{{2}, {3, 4}, {4, 5}, {3, 5, 6}};
+  for (const auto& keys : unknown) EXPECT_FALSE(blocks.take(keys));
+  const std::vector<std::vector<std::uint64_t>> known{{}, {5}, {3}, {3, 5}};
+  for (const auto& keys : known) {
+    EXPECT_TRUE(blocks.take(keys));
+    EXPECT_EQ(blocks.size(), keys.size());
+  }
 }
 
 class FaceBlocksOnEachTarget : public Blocks {
