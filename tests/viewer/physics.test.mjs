@@ -10,6 +10,20 @@ import { neighbours } from "../../tools/viewer/src/physics/neighbours.js";
 import { separation } from "../../tools/viewer/src/physics/separation.js";
 import { GAS, h5, MIXED, open, path, random, record, throng } from "./helper.mjs";
 
+/** Discs on springs, which press as soon as they touch. */
+const SOFT = `throng = 1
+gravity = [0.0, -9.81]
+time = { dt = 0.002, until = 2.0 }
+domain = { box = [[0, 0], [4, 8]] }
+contact = { model = "spring", stiffness = 1e5 }
+[shapes]
+ball = { disc = { radius = { uniform = [0.1, 0.15] } } }
+[[bodies]]
+shape = "ball"
+count = 150
+place = { random = { within = [[0, 0], [4, 6]], gap = 0.01 } }
+`;
+
 const close = (a, b, tolerance) => assert.ok(Math.abs(a - b) <= tolerance * (1 + Math.abs(b)), `${a} is not ${b}`);
 
 /** A convex polygon of n corners about a random place, or a segment, or a point. */
@@ -59,6 +73,22 @@ test("boxes that all lie in one place meet once each", () => {
   const found = [];
   eachMeeting(new Float64Array([0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0]), 3, (a, b) => found.push([a, b]));
   assert.deepEqual(found, [[0, 1], [0, 2], [1, 2]]);
+});
+
+test("bodies touch where nothing is between them, not where they are near", () => {
+  const bodies = { count: 4, shape: new Float64Array(4), kind: new Float64Array(4), radius: new Float64Array(4).fill(0.5) };
+  const finder = new ContactFinder({ bodies, shapes: [{ kind: 0, parts: [] }], walls: [], domain: { kind: "box", min: [-0.5, -1], max: [9, 1] } });
+  const { pairs, depths, overlapping } = finder.find({ position: Float64Array.of(0, 0, 1, 0, 1.75, 0, 2.751, 0) });  // touch, overlap, 1 mm apart; on a side
+  assert.deepEqual([...pairs], [0, 1, 1, 2, 0, -1]);
+  assert.deepEqual([...depths], [0, 0.25, 0]);
+  assert.equal(overlapping, 1);
+});
+
+test("soft discs touch in as many pairs as the run counts contacts", async () => {
+  const { contacts } = record("soft", SOFT), recording = open(await h5(), "soft.h5"), { description } = recording;
+  const { pairs } = new ContactFinder(description).find(recording.frame(description.times.length - 1, ["position"]));
+  assert.ok(contacts > 100, `${contacts}`);
+  assert.equal(pairs.length / 2, contacts);
 });
 
 describe("the last frame of a run", () => {

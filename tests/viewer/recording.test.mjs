@@ -98,6 +98,33 @@ test("what has a rate of its own is known until it comes again, from frames with
   }
 });
 
+test("speeds and their curves are those of the frames that know them, however few", () => {
+  record("slow", MIXED.replace(/record = .*/, 'record = { every = 2, fields = ["position"], also = [{ every = 30, fields = ["velocity"] }], observables = 10 }'), ["--until", "3"]);
+  const recording = open(library, "slow.h5"), { description } = recording, { topSpeed } = overview(recording);
+  assert.deepEqual([description.frames, description.times.length, description.observed], [151, 151, ["contacts"]]);
+  assert.ok(topSpeed > 1, `${topSpeed}`);
+  const points = [...scan(recording, new ContactFinder(description), 0.05 * topSpeed)], known = points.filter(({ kinetic }) => Number.isFinite(kinetic));
+  assert.deepEqual(known.map(({ frame }) => 2 * frame).sort((a, b) => a - b), Array.from({ length: 11 }, (_, i) => 30 * i));
+  assert.ok(points.every(({ kinetic, moving }) => Number.isNaN(kinetic) === Number.isNaN(moving)));
+});
+
+test("points that press are the run's own, as observed or as recorded", () => {
+  const scene = record_ => MIXED.replace(/record = .*/, `record = { fields = ["position"${record_}`), last = name => {
+    const recording = open(library, `${name}.h5`);
+    assert.deepEqual(recording.description.observed, ["contacts"]);
+    return recording.observed(recording.description.times.length - 1);
+  };
+  const { contacts } = record("observed", scene(`], observables = 10 }`));
+  record("recorded", scene(`, "contacts"] }`));
+  record("rarely", scene(`], also = [{ every = 3, fields = ["contacts"] }] }`), ["--until", "1.01"]);
+  assert.ok(contacts > 20);
+  assert.deepEqual([last("observed"), last("recorded")], [[contacts], [contacts]]);
+  assert.deepEqual(last("rarely"), open(library, "recorded.h5").observed(99), "of the last frame that has them");
+  copyFileSync(path("recorded.h5"), path("fewer.h5"));
+  alter("fewer.h5", "f['throng/contacts/offset'].resize(50, axis=0)");
+  assert.match(refusal("fewer.h5"), /contacts are missing/);
+});
+
 test("overlaps of shapes that turn are those of frames that know how they have turned", () => {
   const recording = open(library, "turning.h5"), points = [...scan(recording, new ContactFinder(recording.description), 1)];
   for (const { frame, largest } of points) assert.equal(Number.isFinite(largest), frame % 3 === 0, `frame ${frame}`);

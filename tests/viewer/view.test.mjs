@@ -13,7 +13,7 @@ import { mesh, rounded } from "../../tools/viewer/src/view/mesh.js";
 import { GROUP, KINEMATIC, PLAIN, ramp, STATIC, table } from "../../tools/viewer/src/view/palette.js";
 import { frameAt, Player, speeds } from "../../tools/viewer/src/view/player.js";
 import { niceTop, percentile99, spread } from "../../tools/viewer/src/reader/overview.js";
-import { coarseFirst } from "../../tools/viewer/src/reader/scan.js";
+import { coarseFirst, scanned } from "../../tools/viewer/src/reader/scan.js";
 import { samples } from "../../tools/viewer/src/trails.js";
 
 const UNBOUNDED = { kind: "unbounded", min: [0, 0], max: [0, 0] };
@@ -231,6 +231,17 @@ test("agents move by themselves; who is not known to be fast or high has a plain
   assert.deepEqual([...places], [0, PLAIN]);
 });
 
+test("a speed that is not known has no colour of the ramp", () => {
+  const d = scene([disc], [0, 0]), places = new Float32Array(2), starts = { heights: new Float64Array(2), low: 0, high: 0 };
+  for (const topSpeed of [2, 0]) {
+    const [speed] = colourings(d, { topSpeed, starts });
+    colour(speed, d, { values: {} }, places);
+    assert.deepEqual([...places], [PLAIN, PLAIN]);
+    colour(speed, d, { values: { velocity: new Float64Array(4) } }, places);
+    assert.deepEqual([...places], [0, 0]);
+  }
+});
+
 test("what stands still or is driven is grey", () => {
   const d = scene([disc], [0, 0, 0], [0, 1, 2]), places = new Float32Array(3);
   const [speed] = colourings(d, { topSpeed: 2, starts: { heights: new Float64Array(3), low: 0, high: 0 } });
@@ -280,6 +291,9 @@ test("curves are those that can be computed", () => {
   const titles = d => charts(d, 0.1, 0).map(({ title, curves }) => `${title} ${curves.length}`);
   assert.deepEqual(titles(scene([disc], [0])), ["Energy 3", "Overlap 2", "Counts 2"]);
   assert.deepEqual(titles({ ...scene([disc], [0]), gravity: null, fields: ["position"] }), ["Overlap 2", "Counts 1"]);
+  const observed = charts({ ...scene([disc], [0]), observed: ["contacts"] }, 0.1, 0);
+  assert.deepEqual(observed.map(({ title }) => title), ["Energy", "Overlap", "Counts"]);
+  assert.deepEqual(observed[2].curves.map(({ name, value }) => [name, value({ contacts: 5, moving: 6, observed: [7] })]), [["pairs that touch", 5], ["points that press", 7], ["faster than 0.1 m/s", 6]]);
 });
 
 test("lines of axes are round and few", () => {
@@ -303,6 +317,15 @@ test("points of a curve stand in order, and the nearest that is known is read", 
 test("frames are scanned coarse first, each once", () => {
   assert.deepEqual(coarseFirst(9), [0, 8, 4, 2, 6, 1, 3, 5, 7]);
   assert.deepEqual(coarseFirst(1000).sort((a, b) => a - b), Array.from({ length: 1000 }, (_, i) => i));
+});
+
+test("curves of fields that few frames hold take half their points of those frames", () => {
+  const steps = Float64Array.from({ length: 10001 }, (_, i) => 2 * i), of = rates => scanned({ steps, rates });
+  assert.deepEqual([of({ position: 2 }).length, of({ position: 2, velocity: 1 }).length], [400, 400]);
+  const rows = of({ position: 2, velocity: 7 });
+  assert.ok(rows.every((row, k) => k === 0 || row > rows[k - 1]), "each once, in order");
+  assert.deepEqual([rows[0], rows[rows.length - 1]], [0, 10000]);
+  assert.ok(rows.length <= 400 && rows.filter(row => row % 7 === 0).length >= 200);
 });
 
 test("samples are spread from the first row to the last", () => {

@@ -6,12 +6,10 @@ import { separation } from "./separation.js";
 
 /**
  * @typedef {{pairs: Int32Array, depths: Float64Array, deepest: Float32Array, overlapping: number, largest: number, mean: number}} Contacts
- *   pairs: rows a, b of each pair of bodies in touch, b = -1 for a wall or a side of the domain; depths: m of each pair, below 0
- *   for a gap; deepest: m of each body; overlapping, largest, mean: over the pairs of convex parts that overlap (m)
+ *   pairs: rows a, b of each pair of convex parts that touch or overlap, b = -1 for a wall or a side of the domain; depths: m of
+ *   each pair, 0 at least; deepest: m of each body; overlapping, largest, mean: over the pairs that overlap (m)
  * @typedef {{body: Int32Array, points: Float64Array[], radius: Float64Array}} Colliders  a row a convex part, about its body's centre
  */
-
-const TOUCH = 0.01;  // of the smaller radius: the gap up to which a pair counts as touching
 
 const POINT = new Float64Array(2);
 
@@ -107,7 +105,7 @@ export class ContactFinder {
         const px = world[k] = x + c * local[k] - s * local[k + 1], py = world[k + 1] = y + s * local[k] + c * local[k + 1];
         left = Math.min(left, px); right = Math.max(right, px); bottom = Math.min(bottom, py); top = Math.max(top, py);
       }
-      const r = (1 + TOUCH) * radius[part] + TOUCH * this.scene.bodies.radius[row];
+      const r = radius[part];
       this.#box(this.present, left - r, bottom - r, right + r, top + r);
       this.here[this.present++] = part;
     }
@@ -125,14 +123,14 @@ export class ContactFinder {
     const A = this.world[a];
     const gap = A.length === 2 && points.length === 2 ? Math.hypot(A[0] - points[0], A[1] - points[1]) - radius[a] - radius[b]
                                                       : separation(A, radius[a], points, radius[b]);
-    this.#count(body[a], body[b], gap, Math.min(this.scene.bodies.radius[body[a]], this.scene.bodies.radius[body[b]]));
+    this.#count(body[a], body[b], gap);
   }
 
   /** @param {number} a @param {Float64Array} wall */
   #wall(a, wall) {
     const row = this.parts.body[a];
     if (!isFree(this.scene.bodies.kind[row])) return;
-    this.#count(row, -1, separation(this.world[a], this.parts.radius[a], wall, 0), this.scene.bodies.radius[row]);
+    this.#count(row, -1, separation(this.world[a], this.parts.radius[a], wall, 0));
   }
 
   /** How far a part is from the four sides of the box. @param {number} a */
@@ -142,8 +140,8 @@ export class ContactFinder {
     for (let axis = 0; axis < 2; ++axis) {
       let low = Infinity, high = -Infinity;
       for (let k = axis; k < points.length; k += 2) { low = Math.min(low, points[k]); high = Math.max(high, points[k]); }
-      this.#count(row, -1, low - radius - min[axis], this.scene.bodies.radius[row]);
-      this.#count(row, -1, max[axis] - high - radius, this.scene.bodies.radius[row]);
+      this.#count(row, -1, low - radius - min[axis]);
+      this.#count(row, -1, max[axis] - high - radius);
     }
   }
 
@@ -179,12 +177,12 @@ export class ContactFinder {
     return reach;
   }
 
-  /** @param {number} a @param {number} b @param {number} gap @param {number} radius  the smaller */
-  #count(a, b, gap, radius) {
+  /** @param {number} a @param {number} b @param {number} gap */
+  #count(a, b, gap) {
     const { found } = this;
-    if (!found || gap > TOUCH * radius) return;
+    if (!found || gap > 0) return;
     found.pairs.push(a, b);
-    found.depths.push(-gap);
+    found.depths.push(0 - gap);
     if (!(gap < 0)) return;
     ++found.overlapping;
     found.sum -= gap;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a run observed of its crowd: who arrived, and what measures count, column by column.
-import { damaged, dataset, texts } from "./h5.js";
+// What a run observed: points of contact that press; of its crowd who arrived and what measures count, column by column.
+import { damaged, dataset, numbers, texts } from "./h5.js";
 import { lastUpTo } from "./latest.js";
 import { everyOf } from "./quantized.js";
 
@@ -17,11 +17,19 @@ export function measureOf(path) {
 
 /** Paths below /observables, of those that there are. @param {import("./h5.js").OpenFile} file */
 function columnsOf(file) {
-  if (!file.get("observables/agents")) return [];
+  if (!file.get("observables/agents")) return file.get("observables/contacts") ? ["contacts"] : [];
   const names = file.get("throng/measures") ? texts(file, "throng/measures/name", [-1]) : [];
   const has = (/** @type {string} */ path) => Boolean(file.get(`observables/${path}`));
   const of = (/** @type {string} */ name) => (has(`measure/${part(name)}/density`) ? OF_AREAS : OF_LINES).map(column => `measure/${part(name)}/${column}`);
   return ["arrived", ...names.flatMap(of)].slice(0, MOST);
+}
+
+/** How many points of contact each recorded frame of them has. Throws BadFile. @param {import("./h5.js").OpenFile} file @param {number} samples */
+function contactCounts(file, samples) {
+  const offsets = numbers(file, "throng/contacts/offset", "int", [-1]), counts = new Float64Array(samples);
+  for (let i = 0; i < samples; ++i) counts[i] = offsets[i + 1] - offsets[i];
+  if (!counts.every(count => count >= 0)) throw damaged("contacts are missing that it says it holds");
+  return counts;
 }
 
 export class Observed {
@@ -33,11 +41,21 @@ export class Observed {
   /** Throws BadFile. @param {import("./h5.js").OpenFile} file @param {Float64Array} steps  of all frames */
   constructor(file, steps) {
     this.columns = columnsOf(file);
-    if (this.columns.length === 0) return;
+    if (this.columns.length === 0) { this.#count(file, steps); return; }
     this.#every = everyOf(file.get("observables"));
     this.#steps = steps.filter(step => step % this.#every === 0);
     this.#values = this.columns.map(path => dataset(file, `observables/${path}/value`, "float", [-1]).value ?? []);
     if (this.#values.some(values => values.length < this.#steps.length)) throw damaged("observables are missing that it says it holds");
+  }
+
+  /** Contacts themselves may be there, where their number wasn't observed. @param {import("./h5.js").OpenFile} file @param {Float64Array} steps */
+  #count(file, steps) {
+    const group = file.get("throng/contacts"), every = group ? everyOf(group) : 1;
+    if (!group) return;
+    this.columns = ["contacts"];
+    this.#every = every;
+    this.#steps = steps.filter(step => step % every === 0);
+    this.#values = [contactCounts(file, this.#steps.length)];
   }
 
   /** The last row up to a step. @param {number} step */

@@ -26,7 +26,7 @@ export function percentile99(values) {
 /**
  * @typedef {{places: Float64Array, radii: Float64Array, topSpeed: number,
  *   starts: {heights: Float64Array, low: number, high: number}}} Overview  x, y, x, y of a sample of bodies over time,
- *   and their radii (m); the 99th percentile of speeds, rounded up (m/s), 0 where velocities were not recorded;
+ *   and their radii (m); the 99th percentile of speeds as they were last recorded, rounded up (m/s), 0 where velocities never were;
  *   the heights at which bodies were in the first frame, NaN of those that come later, and their 1st and 99th percentile (m)
  */
 
@@ -43,12 +43,12 @@ export function overview(recording) {
   const { bodies, times } = recording.description, places = [], radii = [], speeds = [];
   const rows = spread(bodies.count, BODIES);
   for (const i of spread(times.length, FRAMES)) {
-    const { position, velocity } = recording.frame(i, ["position", "velocity"]);
+    const { position, velocity } = recording.last(i, ["position", "velocity"]);
     for (const row of rows) {
       if (!position || Number.isNaN(position[2 * row])) continue;
       places.push(position[2 * row], position[2 * row + 1]);
       radii.push(bodies.radius[row]);
-      if (velocity && isFree(bodies.kind[row])) speeds.push(Math.hypot(velocity[2 * row], velocity[2 * row + 1]));
+      if (velocity && !Number.isNaN(velocity[2 * row]) && isFree(bodies.kind[row])) speeds.push(Math.hypot(velocity[2 * row], velocity[2 * row + 1]));
     }
   }
   return { places: Float64Array.from(places), radii: Float64Array.from(radii), topSpeed: niceTop(percentile99(speeds)),

@@ -14,8 +14,9 @@ import { Sensors } from "./sensors.js";
  * @typedef {{frame: (sample: number, bodies: number, rows?: Int32Array) => Float32Array | Float64Array, extent: number, every: number}} Stored
  *   frame: of the first so many bodies of a sample
  * @typedef {import("./scene.js").Scene & {fields: Field[], rates: {[field in Field]?: number}, times: Float64Array,
- *   steps: Float64Array, complete: boolean, observed: string[], sensors: number}} Description  rates: steps from one sample of a field to the next;
- *   observed: the columns of what a crowd's measures count; sensors: how many were recorded
+ *   steps: Float64Array, frames: number, complete: boolean, observed: string[], sensors: number}} Description  rates: steps from one sample of a field
+ *   to the next; times, steps: of the frames that hold positions, which alone are shown; frames: all that the file has; observed: the columns
+ *   of what was observed; sensors: how many were recorded
  */
 
 /** @type {[Field, number][]} */
@@ -78,7 +79,7 @@ export class Recording {
   /** @returns {Description} */
   #describe() {
     const scene = readScene(this.file);
-    return { ...scene, fields: [], observed: [], sensors: 0, rates: {}, times: new Float64Array(0), steps: new Float64Array(0),
+    return { ...scene, fields: [], observed: [], sensors: 0, rates: {}, times: new Float64Array(0), steps: new Float64Array(0), frames: 0,
              complete: numbers(this.file, "throng/finished", "int", [])[0] !== 0 };
   }
 
@@ -118,6 +119,7 @@ export class Recording {
     const samples = (/** @type {number} */ every) => steps.subarray(0, frames).filter(step => step % every === 0).length;
     if (steps.length < frames || times.length < frames || [...this.#data.values()].some(data => data.extent < samples(data.every))) throw damaged("frames are missing that it says it holds");
     if (frames === 0) throw new BadFile("holds no frames: there is nothing to show");
+    this.description.frames = frames;
     this.description.steps = steps.slice(0, frames);
     this.description.times = times.slice(0, frames);
     this.#expectTimes();
@@ -168,7 +170,7 @@ export class Recording {
     return frame;
   }
 
-  /** What was observed of the crowd up to frame i, by description.observed; NaN where that isn't known. @param {number} i */
+  /** What was observed up to frame i, by description.observed; NaN where that isn't known. @param {number} i */
   observed(i) {
     return this.#observed?.at(this.description.steps[i]) ?? [];
   }

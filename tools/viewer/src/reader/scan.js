@@ -17,6 +17,16 @@ export function coarseFirst(n) {
 }
 
 /**
+ * The frames that curves are of, spread over the recording; where not all frames hold all fields, half of them over those that do.
+ * @param {import("./recording.js").Description} description @returns {number[]}
+ */
+export function scanned({ steps, rates }) {
+  const whole = [...steps.keys()].filter(i => Object.values(rates).every(every => steps[i] % every === 0));
+  if (whole.length === steps.length) return spread(steps.length, POINTS);
+  return [...new Set([...spread(steps.length, POINTS / 2), ...spread(whole.length, POINTS / 2).map(k => whole[k])])].sort((a, b) => a - b);
+}
+
+/**
  * @typedef {{frame: number, time: number, kinetic: number, turning: number, potential: number, moving: number, present: number, contacts: number,
  *   largest: number, mean: number, observed: number[]}} Point  as Measures and Contacts have them; observed: by description.observed
  */
@@ -29,7 +39,7 @@ export function coarseFirst(n) {
  * @returns {Generator<Point>}
  */
 export function* scan(recording, finder, slow) {
-  const { description } = recording, rows = spread(description.times.length, POINTS);
+  const { description } = recording, rows = scanned(description);
   const withContacts = Math.max(20, Math.floor(PARTS / Math.max(1, finder.parts.body.length)));
   for (const [done, k] of coarseFirst(rows.length).entries()) {
     const i = rows[k], frame = recording.frame(i, ["position", "angle", "velocity", "spin"]);

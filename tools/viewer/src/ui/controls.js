@@ -7,13 +7,16 @@ import { niceTop } from "../reader/overview.js";
 import { AGENT } from "../reader/scene.js";
 import { speeds } from "../view/player.js";
 import { byId, fillSelect, isDark } from "./dom.js";
-import { facts, showFacts, showSensed } from "./inspector.js";
+import { carried, facts, showFacts, showSensed } from "./inspector.js";
 import { bindKeys } from "./keys.js";
 import { Labels } from "./labels.js";
 import { showLegend } from "./legend.js";
 import { bindPointer } from "./pointer.js";
 
 /** @typedef {import("../replay.js").Replay} Replay */
+
+/** How many, and which: those without places can't be shown. @param {import("../reader/recording.js").Description} d */
+const frames = ({ frames, times }) => frames === times.length ? `${count(frames)} frames` : `${count(times.length)} of ${count(frames)} frames: those that hold positions`;
 
 const PHONE = "(max-width: 760px)";
 const RANGE = 1000;  // steps of the slider of the sensing radius: from 1 to 100 times that of a typical body
@@ -40,7 +43,7 @@ export class Controls {
     const { description: d, player, colourings } = replay, { bodies, times } = d;
     document.title = `${d.name || "recording"} · throng`;
     byId("name").textContent = d.name || "recording";
-    byId("about").textContent = [d.description, `${count(bodies.count)} ${bodies.count > 0 && bodies.kind.every(kind => kind === AGENT) ? "agents" : "bodies"}, ${count(times.length)} frames`, d.complete ? "" : "the run did not end: these are its frames so far"].filter(Boolean).join(" · ");
+    byId("about").textContent = [d.description, `${count(bodies.count)} ${bodies.count > 0 && bodies.kind.every(kind => kind === AGENT) ? "agents" : "bodies"}, ${frames(d)}`, d.complete ? "" : "the run did not end: these are its frames so far"].filter(Boolean).join(" · ");
     byId("about").title = byId("about").textContent;
     byId("scrub").max = times.length - 1;
     const { choices, start } = speeds(player.last - player.first);
@@ -95,6 +98,9 @@ export class Controls {
     bar.style.width = `${metres * camera.scale}px`;
     bar.firstElementChild.textContent = length(metres);
     this.charts?.show(player.time);
+    const from = shown && replay.colouring.needs === "velocity" ? carried(replay.description, shown.frame, "velocity") : "";
+    byId("no-velocity").hidden = !from;
+    byId("no-velocity").textContent = from && `No velocity in this frame: speeds are those of ${from}.`;
     byId("no-contacts").hidden = !replay.lacksContacts;
     showFacts(replay.picked >= 0 && shown ? facts(replay.description, shown.frame, replay.picked, shown.a) : null);
     if (replay.picked >= 0) showSensed(replay.sensed(), replay.description.bodies.id, replay.sensing, replay.recorded);

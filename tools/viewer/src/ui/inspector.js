@@ -7,13 +7,16 @@ import { byId, fillList } from "./dom.js";
 const KINDS = ["moves freely", "static", "driven", "agent"];
 
 /**
- * When a field was recorded that a frame carries on from before: ", at 0.5 s"; "" where it is the frame's own.
+ * When a field was recorded that a frame carries on from before: "0.5 s"; "" where it is the frame's own.
  * @param {import("../reader/recording.js").Description} d @param {number} frame @param {import("../reader/recording.js").Field} field
  */
-function since({ rates, steps, times }, frame, field) {
+export function carried({ rates, steps, times }, frame, field) {
   const step = steps[frame], last = step - step % (rates[field] ?? 1);
-  return last === step ? "" : `, at ${short(times[frame] * last / step, 4)} s`;
+  return last === step ? "" : `${short(times[frame] * last / step, 4)} s`;
 }
+
+/** As part of a name: ", at 0.5 s". @param {Parameters<typeof carried>} of */
+const since = (...of) => carried(...of) && `, at ${carried(...of)}`;
 
 /**
  * @param {import("../reader/recording.js").Description} d @param {number} frame @param {number} row @param {import("../reader/source.js").Loaded} loaded

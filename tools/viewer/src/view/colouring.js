@@ -52,7 +52,7 @@ export function colourings(d, { topSpeed, starts }) {
   const all = [
     d.fields.includes("velocity") && { key: "speed", name: "speed", needs: "velocity",
       legend: topSpeed > 0 ? scale("0", `${short(topSpeed)} m/s`) : null,
-      place: (row, { values: { velocity } }) => velocity && topSpeed > 0 ? level(Math.sqrt(velocity[2 * row] ** 2 + velocity[2 * row + 1] ** 2) / topSpeed) : level(0) },
+      place: (row, { values: { velocity } }) => !velocity ? PLAIN : level(topSpeed > 0 ? Math.sqrt(velocity[2 * row] ** 2 + velocity[2 * row + 1] ** 2) / topSpeed : 0) },
     shape.names.length > 1 && { key: "shape", name: "shape", needs: null, legend: groups(shape.names), place: row => groupPlace(shape.rank(row)) },
     group.names.length > 1 && !sameGroups(grouped, bodies.shape) &&
       { key: "group", name: "group", needs: null, legend: groups(group.names), place: row => groupPlace(group.rank(row)) },
