@@ -58,9 +58,21 @@ std::size_t find_equals(std::string_view text) {
   return std::string_view::npos;
 }
 
+/// With the digits that TOML wants around a number's point: 0.1 for .1, 5.0 for 5., as C has them.
+std::string with_digits(const std::string& value) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  const std::size_t point = value.find('.');
+  if (point == std::string::npos || value.find_first_not_of("+-.0123456789eE") != std::string::npos)
+    return value;
+  const bool before = point > 0 && is_digit(value[point - 1]);
+  const bool after = point + 1 < value.size() && is_digit(value[point + 1]);
+  if (before == after) return value;
+  return value.substr(0, point) + (before ? ".0" : "0.") + value.substr(point + 1);
+}
+
 /// A table with the value as "value". Throws toml::parse_error where it is not even a text.
 toml::table parse_value(const std::string& value, const std::string& source) {
-  const std::string text = "value = " + value;
+  const std::string text = "value = " + with_digits(value);
   if (find_excess(text).line == 0) {
     try {
       toml::table parsed = toml::parse(text, source);

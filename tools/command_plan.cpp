@@ -8,6 +8,7 @@
 
 #include "sim/plan.h"
 #include "sim/recording/expected_bytes.h"
+#include "sim/uses_substeps.h"
 #include "tools/commands.h"
 #include "tools/printable.h"
 #include "tools/scenario.h"
@@ -43,7 +44,7 @@ Json to_json(const Scene& scene, const Plan& plan) {
           {"walls", scene.walls.size()},
           {"steps", scene.time.steps()},
           {"dt", scene.time.dt},
-          {"substeps", scene.time.substeps},
+          {"substeps", uses_substeps(scene) ? Json(scene.time.substeps) : Json(nullptr)},
           {"stages", stages},
           {"frames", frames(scene)},
           {"output_bytes", std::llround(std::min(recording::expected_bytes(scene), 9e18))}};
@@ -58,6 +59,13 @@ std::string size_text(double bytes) {
   return text;
 }
 
+/// What nobody knows before the run.
+const char* how_sure(const Scene& scene) {
+  if (bodies_come_and_go(scene)) return " if all were there from the first to the last; fewer take less";
+  if (every(scene.record, RecordField::contacts) > 0) return " with three contacts a body";
+  return scene.record.quantum > 0.0 ? " or less: slow bodies pack well" : "";
+}
+
 void print(const Scene& scene, const Plan& plan) {
   std::printf(
       "%s: %s (%zu dynamic, %zu static, %zu kinematic), %s, %s; engine %s\n", printable(scene.name).c_str(),
@@ -65,8 +73,9 @@ void print(const Scene& scene, const Plan& plan) {
       count(scene, BodyKind::fixed), count(scene, BodyKind::kinematic),
       counted(static_cast<std::int64_t>(scene.crowd.size()), "agent").c_str(),
       counted(static_cast<std::int64_t>(scene.walls.size()), "wall").c_str(), engine_name(scene.engine));
-  std::printf("%lld steps of %g s in %d substeps\n\n", static_cast<long long>(scene.time.steps()),
-              scene.time.dt, scene.time.substeps);
+  const std::string substeps = uses_substeps(scene) ? " in " + counted(scene.time.substeps, "substep") : "";
+  std::printf("%s of %g s%s\n\n", counted(scene.time.steps(), "step").c_str(), scene.time.dt,
+              substeps.c_str());
   if (scene.engine == Engine::box2d)
     std::puts("Box2D runs the whole step in one stage; the native engine would run:");
   if (scene.engine == Engine::event_driven)
@@ -74,8 +83,8 @@ void print(const Scene& scene, const Plan& plan) {
   for (const Stage& stage : plan.stages)
     std::printf("  %-7s %-14s %s\n", stage.runs ? "runs" : "skipped", stage.name.c_str(),
                 stage.reason.c_str());
-  std::printf("\nrecorded in full: %lld frames, about %s\n", static_cast<long long>(frames(scene)),
-              size_text(recording::expected_bytes(scene)).c_str());
+  std::printf("\nrecorded in full: %s, about %s%s\n", counted(frames(scene), "frame").c_str(),
+              size_text(recording::expected_bytes(scene)).c_str(), how_sure(scene));
 }
 
 struct Options {
@@ -91,8 +100,7 @@ void add_plan(CLI::App& app, int&) {
   CLI::App* command =
       app.add_subcommand("plan", "Shows which stages a scene runs or skips, why, and what it will write");
   command->add_option("SCENE", options->scene, "scenario file")->required();
-  command->add_option("--set", options->set.fields, "PATH=VALUE: another value for a field; may be repeated")
-      ->allow_extra_args(false);
+  add_scenario_options(*command, options->set);
   command->add_flag("--json", options->json, "one JSON object instead of text");
   command->footer("Example: throng plan scenarios/pile.toml");
   command->callback([options] {

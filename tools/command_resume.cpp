@@ -77,19 +77,22 @@ RecordedFrames recorded_frames(const Kept& kept) {
   return {{steps.begin(), steps.end()}, {hashes.begin(), hashes.end()}};
 }
 
-/// Checkpoints go on as the run made them, unless the command line says how often.
-DriveOptions drive_options(const Kept& kept, const Options& options) {
+/// Checkpoints go on as the run made them, unless the command line says how often; where there is one, the
+/// end has one, too, so that who makes the run longer goes on from there.
+DriveOptions drive_options(const Kept& kept, const Options& options, bool from_checkpoint) {
   DriveOptions drive = options.drive;
+  drive.checkpoint_at_end = from_checkpoint;
   const double before = kept.recording.origin().provenance.checkpoint;
   if (!drive.checkpoint && before > 0.0) drive.checkpoint = before;
   return drive;
 }
 
 /// Both commands, as one that a shell understands.
-Provenance provenance(const Kept& kept, const Loaded& loaded, const Options& options) {
+Provenance provenance(const Kept& kept, const Loaded& loaded, const std::string& command_line,
+                      const DriveOptions& drive) {
   const Provenance& first = kept.recording.origin().provenance;
-  return {first.scenario, loaded.resolved, first.command_line + " && " + options.command_line,
-          options.drive.threads, drive_options(kept, options).checkpoint.value_or(0.0)};
+  return {first.scenario, loaded.resolved, first.command_line + " && " + command_line, drive.threads,
+          drive.checkpoint.value_or(0.0)};
 }
 
 int resume(const Options& options) {
@@ -107,14 +110,16 @@ int resume(const Options& options) {
   }
   const auto simulation = throng::simulation(scene, options.drive.threads);
   stop_on_signals();
+  warn_of_checkpoints(options.drive, scene);
   if (!checkpoint)
     std::fprintf(stderr, "throng: no checkpoint: computing again, and checking, from the start\n");
   else if (!go_to(*checkpoint, scene, *simulation))
     return 130;
-  const Provenance now = provenance(kept, loaded, options);
+  const DriveOptions drive_now = drive_options(kept, options, checkpoint.has_value());
+  const Provenance now = provenance(kept, loaded, options.command_line, drive_now);
   Recorder recorder(kept.output, scene, now, kept.recording, kept.frames);
   warn_of_room(kept.output, scene, now);
-  return drive(*simulation, scene, drive_options(kept, options), &recorder, recorded_frames(kept));
+  return drive(*simulation, scene, drive_now, &recorder, recorded_frames(kept));
 }
 
 }  // namespace
@@ -136,7 +141,10 @@ void add_resume(CLI::App& app, int& exit_code, const std::string& command_line) 
       "there is none (as box2d and event_driven always must): steps whose frames are recorded are then "
       "checked\n"
       "against them.\n"
-      "Checkpoints are made as often as the run made them, or each --checkpoint SECONDS.\n"
+      "Checkpoints are made as often as the run made them, or each --checkpoint SECONDS; where one was "
+      "there, "
+      "there\n"
+      "is one of the end, too.\n"
       "The frames so far are copied first, so there must be room for them once more.");
   command->callback([options, &exit_code] { exit_code = resume(*options); });
 }

@@ -82,6 +82,7 @@ int run(const Options& options) {
 
   const auto simulation = throng::simulation(scene, options.drive.threads);
   stop_on_signals();
+  warn_of_checkpoints(options.drive, scene);
   std::optional<Recorder> recorder;
   if (!options.output.empty()) {
     recorder.emplace(options.output, scene, provenance, options.force);
@@ -94,17 +95,6 @@ int run(const Options& options) {
   }
 }
 
-/// An option that is short for a field of the scenario.
-void add_field(CLI::App& command, Options& options, const char* name, const char* field, bool text,
-               const char* help) {
-  command.add_option_function<std::string>(
-      name,
-      [&options, name, field, text](const std::string& value) {
-        options.overrides.add(name, value, field, text ? "\"" + value + "\"" : value);
-      },
-      std::string(help) + "; sets " + field);
-}
-
 }  // namespace
 
 void add_run(CLI::App& app, int& exit_code, const std::string& command_line) {
@@ -114,20 +104,7 @@ void add_run(CLI::App& app, int& exit_code, const std::string& command_line) {
   command->add_option("SCENE", options->scene, "scenario file")->required();
   command->add_option("-o,--output", options->output,
                       "recording to write (HDF5); without it nothing is recorded");
-  add_field(*command, *options, "--until", "time.until", false, "end of the run (s)");
-  add_field(*command, *options, "--dt", "time.dt", false, "length of a step (s)");
-  add_field(*command, *options, "--substeps", "time.substeps", false, "solver's substeps in a step");
-  add_field(*command, *options, "--engine", "engine", true, "native, box2d or event_driven");
-  add_field(*command, *options, "--seed", "seed", false, "of all randomness");
-  add_field(*command, *options, "--every", "record.every", false, "record each Nth step");
-  command
-      ->add_option_function<std::vector<std::string>>(
-          "--set",
-          [options](const std::vector<std::string>& given) {
-            std::ranges::copy(given, std::back_inserter(options->overrides.fields));
-          },
-          "PATH=VALUE: another value for any field, as in time.dt=0.005 or bodies.0.spin=2; may be repeated")
-      ->allow_extra_args(false);
+  add_scenario_options(*command, options->overrides);
   add_drive_options(*command, options->drive);
   command->add_flag("--dry-run", options->dry_run,
                     "reads and checks everything, summarises the first state, runs nothing");

@@ -142,6 +142,15 @@ void warn_of_room(const std::string& output, const Scene& scene, const Provenanc
     std::fprintf(stderr, "throng: warning: %s; where the disk is full the run stops\n", doubt.c_str());
 }
 
+void warn_of_checkpoints(const DriveOptions& options, const Scene& scene) {
+  if (!options.checkpoint || scene.engine == Engine::native) return;
+  std::fprintf(
+      stderr,
+      "throng: warning: nothing goes on from checkpoints of engine %s: 'throng resume' computes again "
+      "from the start, and only checks by them\n",
+      engine_name(scene.engine));
+}
+
 int drive(Simulation& simulation, const Scene& scene, const DriveOptions& options, Recorder* recorder,
           const RecordedFrames& recorded) {
   const State& state = simulation.state();
@@ -156,7 +165,7 @@ int drive(Simulation& simulation, const Scene& scene, const DriveOptions& option
   }
   progress.finish(state.step);
   const bool stopped = state.step < scene.time.steps();
-  if (recorder && (stopped || options.checkpoint)) recorder->checkpoint(state);
+  if (recorder && (stopped || options.checkpoint || options.checkpoint_at_end)) recorder->checkpoint(state);
   if (recorder) stopped ? recorder->stop() : recorder->finish();
   if (stopped) report_stop(recorder, scene, state);
   const std::string output = !recorder ? "" : stopped ? recorder->part() : recorder->path();

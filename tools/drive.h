@@ -19,6 +19,7 @@ struct DriveOptions {
   std::string progress = "auto";
   std::optional<double>
       checkpoint;  ///< s of wall time from one checkpoint to the next; absent: at a stop alone
+  bool checkpoint_at_end = false;  ///< all the same: the one that is there would be of an earlier state
 };
 
 /// Declares --threads, --checkpoint and --progress.
@@ -32,6 +33,9 @@ struct RecordedFrames {
 
 /// Says on the standard error where nobody can know whether the recording has room.
 void warn_of_room(const std::string& output, const Scene& scene, const Provenance& provenance);
+
+/// Says on the standard error where checkpoints are asked for that this engine can't go on from.
+void warn_of_checkpoints(const DriveOptions& options, const Scene& scene);
 
 /// From now on SIGINT and SIGTERM end `drive` in good order, and so does one that comes again: `timeout` and
 /// batch systems send theirs to the process and to its group.

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "tools/scenario.h"
 
+#include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 
 #include "scenarios/report.h"
 #include "sim/input_error.h"
@@ -25,6 +28,17 @@ void Overrides::add(const std::string& option, const std::string& given, const s
 
 namespace {
 
+/// An option that is short for a field.
+void add_field(CLI::App& command, Overrides& overrides, const char* name, const char* field, bool text,
+               const char* help) {
+  command.add_option_function<std::string>(
+      name,
+      [&overrides, name, field, text](const std::string& value) {
+        overrides.add(name, value, field, text ? "\"" + value + "\"" : value);
+      },
+      std::string(help) + "; sets " + field);
+}
+
 /// In the words of who typed them.
 void name_options(std::vector<Diagnostic>& diagnostics, const Overrides& overrides) {
   for (Diagnostic& one : diagnostics)
@@ -33,6 +47,23 @@ void name_options(std::vector<Diagnostic>& diagnostics, const Overrides& overrid
 }
 
 }  // namespace
+
+void add_scenario_options(CLI::App& command, Overrides& overrides) {
+  add_field(command, overrides, "--until", "time.until", false, "end of the run (s)");
+  add_field(command, overrides, "--dt", "time.dt", false, "length of a step (s)");
+  add_field(command, overrides, "--substeps", "time.substeps", false, "solver's substeps in a step");
+  add_field(command, overrides, "--engine", "engine", true, "native, box2d or event_driven");
+  add_field(command, overrides, "--seed", "seed", false, "of all randomness");
+  add_field(command, overrides, "--every", "record.every", false, "record each Nth step");
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--set",
+          [&overrides](const std::vector<std::string>& given) {
+            std::ranges::copy(given, std::back_inserter(overrides.fields));
+          },
+          "PATH=VALUE: another value for any field, as in time.dt=0.005 or bodies.0.spin=2; may be repeated")
+      ->allow_extra_args(false);
+}
 
 Loaded load_or_throw(const std::string& file, const Overrides& overrides) {
   Loaded loaded = load_scenario(file, overrides.fields);

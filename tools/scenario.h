@@ -7,6 +7,10 @@
 
 #include "scenarios/load.h"
 
+namespace CLI {
+class App;
+}
+
 namespace throng::tools {
 
 /// Prints what is wrong with the file `name` to stderr, and throws InputError where some of it are errors.
@@ -21,6 +25,10 @@ struct Overrides {
   void add(const std::string& option, const std::string& given, const std::string& field,
            const std::string& value);
 };
+
+/// Declares --until, --dt and the others that are short for a field, and --set for any. `overrides` is to
+/// live as long as `command`.
+void add_scenario_options(CLI::App& command, Overrides& overrides);
 
 /// Reads a scenario, prints its warnings and errors to stderr, and throws InputError where there are errors.
 /// A scene without a name takes the file's.

@@ -48,6 +48,17 @@ Json measure_summary(const Scene& scene, const CrowdState& crowd) {
   return result;
 }
 
+/// What agents don't have, who choose their velocities: they are nobody's contacts, and have no mass to speak
+/// of.
+Json mechanics(const Scene& scene, const Simulation& simulation) {
+  const State& state = simulation.state();
+  const Vec p = momentum(scene, state);
+  return {{"kinetic_energy", kinetic_energy(scene, state)},
+          {"potential_energy", potential_energy(scene, state)},
+          {"momentum", {p.x(), p.y()}},
+          {"contacts", simulation.contacts()}};
+}
+
 /// What only scenes with agents have.
 Json crowd_summary(const Scene& scene, const State& state) {
   Json stuck = Json::array();
@@ -111,7 +122,6 @@ Json summary(const Scene& scene, const Simulation& simulation, const RunTimes& t
   const double wall = times.wall();
   const State& state = simulation.state();
   const Overlap overlaps = overlap(scene, state);
-  const Vec p = momentum(scene, state);
   Json stages = Json::object();
   for (const auto& [name, total] : simulation.stage_times())
     stages[name] = 1e3 * total / static_cast<double>(std::max<std::int64_t>(times.steps(), 1));
@@ -128,11 +138,12 @@ Json summary(const Scene& scene, const Simulation& simulation, const RunTimes& t
                  {"hash", hex(hash(state))},
                  {"max_overlap", overlaps.max},
                  {"mean_overlap", overlaps.mean},
-                 {"kinetic_energy", kinetic_energy(scene, state)},
-                 {"potential_energy", potential_energy(scene, state)},
-                 {"momentum", {p.x(), p.y()}},
-                 {"contacts", simulation.contacts()},
+                 {"kinetic_energy", nullptr},
+                 {"potential_energy", nullptr},
+                 {"momentum", nullptr},
+                 {"contacts", nullptr},
                  {"output", output.empty() ? Json(nullptr) : Json(output)}};
+  if (scene.crowd.size() == 0) result.update(mechanics(scene, simulation));
   if (simulation.collisions()) result.update(gas_summary(scene, state, *simulation.collisions()));
   if (!state.sleep.island.empty()) result["asleep"] = asleep(state.sleep);
   if (scene.crowd.size() > 0) result.update(crowd_summary(scene, state));

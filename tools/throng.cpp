@@ -31,8 +31,20 @@ std::string unknown_command(const CLI::App& app, const std::string& word) {
   return "there is no command '" + word + "'" + throng::scenarios::nearest_or_all(word, known);
 }
 
+/// What of --set isn't PATH=VALUE, else nothing: whoever types "--set a b" has given two words.
+std::string unset(const CLI::App& command) {
+  const CLI::Option* set = command.get_option_no_throw("--set");
+  if (!set) return "";
+  const auto half = std::ranges::find_if(
+      set->results(), [](const std::string& given) { return given.find('=') == std::string::npos; });
+  return half == set->results().end() ? "" : *half;
+}
+
 /// What to say of words that `command` has no use for.
 std::string unexpected(const CLI::App& command, const std::vector<std::string>& words) {
+  if (const std::string half = unset(command); !half.empty())
+    return "--set takes one word, PATH=VALUE as in time.dt=0.005, not '" + half + "' and '" + words.front() +
+           "'";
   const auto option =
       std::ranges::find_if(words, [](const std::string& word) { return word.starts_with("-"); });
   if (option == words.end()) return "'" + words.front() + "' was not expected";

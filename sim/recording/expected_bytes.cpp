@@ -11,7 +11,9 @@ namespace throng::recording {
 
 namespace {
 
-constexpr double kRowBytes = 4 * 8 + 64;  // of a frame, and the index entry of a chunk
+constexpr double kHeadBytes = 6e4, kTableBytes = 30.0;  // of a file; of a body in the scene's tables
+constexpr double kRowBytes = 4 * 8 + 8;                 // of a frame: step, time, hashes
+constexpr double kSampleBytes = 20.0;                   // of a field in it: the index entry of a chunk
 
 /// What nobody knows before the run.
 struct Guess {
@@ -64,16 +66,17 @@ double bytes_by(const Guess& guess, const Scene& scene) {
   const auto samples = [&](int every) {
     return every == 0 ? 0.0 : static_cast<double>(scene.time.steps()) / every + 1;
   };
-  double bytes = static_cast<double>(count_frames(record, scene.time.steps())) * kRowBytes +
-                 samples(record.observables) * (kRowBytes + observable_bytes(scene));
+  double bytes = kHeadBytes + kTableBytes * chosen +
+                 static_cast<double>(count_frames(record, scene.time.steps())) * kRowBytes +
+                 samples(record.observables) * (kSampleBytes + observable_bytes(scene));
   double most = 0.0;  // frames of a field
   for (RecordField field : kRecordFields) {
     const double frames = samples(every(record, field));
-    bytes += frames * (body_bytes(record, field, guess) * bodies + kRowBytes);
+    bytes += frames * (body_bytes(record, field, guess) * bodies + kSampleBytes);
     most = std::max(most, frames);
   }
   for (const Sensor& sensor : recorded(scene.sensors))
-    bytes += samples(sensor.every) * (kRowBytes + (guess.sensed ? sensed_bytes(scene, sensor) : 0.0));
+    bytes += samples(sensor.every) * (kSampleBytes + (guess.sensed ? sensed_bytes(scene, sensor) : 0.0));
   return bytes + (changes ? most * 4.0 * bodies : 0.0);
 }
 

@@ -29,15 +29,15 @@ namespace {
 
 constexpr auto kCommitEach = std::chrono::seconds(1), kSyncEach = std::chrono::seconds(10);
 constexpr double kCommitBytes = 16e6;
-constexpr double kSceneBytes = 64.0, kStateBytes = 150.0;  // a body, with three contacts
-constexpr double kCheckpoints = 3.0;                       // this one, the one before, the next
-constexpr double kEnoughRoom = 4e6;  // bytes: below it, stop while the file can still be closed in order
+constexpr double kStateBytes = 150.0;  // a body, with three contacts
+constexpr double kCheckpoints = 3.0;   // this one, the one before, the next
+constexpr double kEnoughRoom = 4e6;    // bytes: below it, stop while the file can still be closed in order
 
-/// What stands beside the frames.
+/// Texts, and what stands beside the file.
 double other_bytes(const Scene& scene, const Provenance& provenance) {
   const double texts = static_cast<double>(provenance.scenario.size() + provenance.resolved.size());
   const double bodies = static_cast<double>(scene.bodies.size());
-  return kSceneBytes * bodies + kCheckpoints * kStateBytes * bodies + texts + 1e5;
+  return kCheckpoints * kStateBytes * bodies + texts + 1e5;
 }
 
 /// Signals are for the threads that know what to do; a limit on the file's size comes back as an error

@@ -30,6 +30,15 @@ TEST_F(BenchCommand, WritesTheRowsOfTheContractForEveryEngineOfACase) {
   }
 }
 
+/// It happened: Chipmunk, as Debian builds it, tells of itself where the rows stand.
+TEST_F(BenchCommand, GivesRowsAloneOnTheStandardOutput) {
+  const Result result = throng("bench step --only cradle --blocks 1 --json -");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_GE(nlohmann::json::parse(result.out).size(), 2u);
+  const std::string table = throng("bench step --only cradle --blocks 1").out;
+  EXPECT_EQ(table.substr(0, 5), "case ") << table;
+}
+
 TEST_F(BenchCommand, AddsOneFeatureAfterTheOther) {
   const Result result = throng("bench lean --quick --blocks 1 --json " + path("rows.json"));
   ASSERT_EQ(result.exit_code, 0) << result.err;

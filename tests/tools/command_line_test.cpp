@@ -83,6 +83,18 @@ TEST_F(CommandLine, FaultsOfOptionsThatAreFieldsAreNamedAsTheyWereTyped) {
 }
 
 /// Two commands in one call once ran both and told the second's exit code.
+/// It happened: "--until .1" was told that it is a string, "--set a b" that b was not expected.
+TEST_F(CommandLine, TakesNumbersAndSettingsAsPeopleTypeThem) {
+  const std::string run = "run " THRONG_SOURCE_DIR "/scenarios/cradle.toml";
+  for (const char* options : {" --until .01 --dt 1.e-3", " --set time.until=.01 --dt .001", " --until +1e-2"})
+    EXPECT_EQ(throng(run + options).exit_code, 0) << options;
+  for (const char* wrong : {".", "1..2", "-.1"})
+    expect_refused(run + " --until " + wrong, HasSubstr("time.until: "));
+  expect_refused(run + " --set time.dt 0.1",
+                 HasSubstr("--set takes one word, PATH=VALUE as in time.dt=0.005, not 'time.dt' and '0.1'"));
+  expect_refused(run + " --set time.dt=1 2", HasSubstr("'2' was not expected"));
+}
+
 TEST_F(CommandLine, TakesOneCommandACall) {
   const std::string bad = write("bad.toml", "throng = 2\n");
   EXPECT_EQ(throng("validate " + bad + " info a.h5").exit_code, 2);

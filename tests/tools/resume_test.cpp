@@ -126,6 +126,33 @@ TEST_F(Resume, ARunWithoutCheckpointsLeavesOneOnlyWhereItIsStopped) {
   EXPECT_EQ(throng("replay --verify " + path("b.h5.part")).exit_code, 0);
 }
 
+/// It happened: the checkpoint of a stop outlived the end, and who made the run longer computed all since
+/// again.
+TEST_F(Resume, ALongerRunGoesOnFromTheEndAlsoWhereAStopLeftTheOnlyCheckpoint) {
+  const std::string file = path("a.h5");
+  const Result stopped =
+      throng("run --progress none " + write("a.toml", kHeap) + " -o " + file + " --every 1000 --until 1e6",
+             "timeout --preserve-status 1 ");
+  ASSERT_EQ(stopped.exit_code, 130);
+  const long step = json::parse(stopped.out)["steps"];
+  const auto resume_to = [&](long end) {
+    return resume(file + " --until " + std::to_string(0.01 * static_cast<double>(end)));
+  };
+  ASSERT_EQ(resume_to(step + 20).exit_code, 0);
+  const Result longer = resume_to(step + 30);
+  EXPECT_EQ(longer.exit_code, 0);
+  EXPECT_THAT(longer.err, HasSubstr("from the checkpoint at step " + std::to_string(step + 20)));
+}
+
+TEST_F(Resume, SaysThatNothingGoesOnFromCheckpointsOfOtherEngines) {
+  const std::string run = "run --progress none --until 0.1 --checkpoint 9 " + write("a.toml", kHeap) + " -o ";
+  EXPECT_EQ(throng(run + path("a.h5")).err, "");
+  EXPECT_THAT(throng(run + path("b.h5") + " --engine box2d").err,
+              HasSubstr("warning: nothing goes on from checkpoints of engine box2d"));
+  EXPECT_THAT(resume(path("b.h5") + " --until 0.2 --checkpoint 9").err,
+              HasSubstr("warning: nothing goes on from checkpoints of engine box2d"));
+}
+
 TEST_F(Resume, MakesCheckpointsAsOftenAsTheRunDidUnlessToldOtherwise) {
   const auto interval = [&](const std::string& file) {
     const std::string command = "/usr/bin/python3 -c \"import h5py; print(h5py.File('" + file +

@@ -75,6 +75,17 @@ TEST_F(RunCommand, PrintsOneObjectWithTheKeysOfTheContract) {
   EXPECT_EQ(hash.find_first_not_of("0123456789abcdef"), std::string::npos) << hash;
 }
 
+/// It happened: a crowd that walks was said to have no energy, no momentum and no contacts.
+TEST_F(RunCommand, SaysOfACrowdWhatItHasAndNothingOfMechanics) {
+  const json summary =
+      json::parse(throng("run " THRONG_SOURCE_DIR "/scenarios/circle_swap.toml --until 1").out);
+  for (const char* key : {"kinetic_energy", "potential_energy", "momentum", "contacts"}) {
+    ASSERT_TRUE(summary.contains(key)) << key;
+    EXPECT_TRUE(summary[key].is_null()) << key;
+  }
+  EXPECT_TRUE(summary["max_overlap"].is_number());
+}
+
 TEST_F(RunCommand, CountsWhoSleepsWhereAnybodyMay) {
   const std::string rest =
       "throng = 1\ngravity = [0, -9.81]\ntime.until = 1\ndomain.box = [[0, 0], [9, 9]]\n"
@@ -313,6 +324,44 @@ TEST_F(PlanCommand, SaysWhichStagesRunAndWhy) {
   EXPECT_EQ(plan["bodies"], 2);
   EXPECT_EQ(plan["stages"].size(), 16u);
   EXPECT_GT(plan["output_bytes"], 0);
+}
+
+TEST_F(PlanCommand, TakesTheOptionsOfARun) {
+  const std::string plan = "plan --json " + write("a.toml", kScene);
+  const json planned =
+      json::parse(throng(plan + " --dt 0.1 --until 2 --substeps 1 --every 5 --engine box2d").out);
+  EXPECT_EQ(planned["steps"], 20);
+  EXPECT_EQ(planned["frames"], 5);
+  EXPECT_EQ(planned["substeps"], 1);
+  EXPECT_EQ(planned["engine"], "box2d");
+}
+
+/// It happened: "1 substeps", and substeps of agents and of what has no time step.
+TEST_F(PlanCommand, SpeaksOfSubstepsWhereThereAreAny) {
+  EXPECT_THAT(throng("plan --substeps 1 " + write("a.toml", kScene)).out,
+              HasSubstr("steps of 0.01 s in 1 substep\n"));
+  const auto without = [&](const std::string& scene) {
+    EXPECT_THAT(throng("plan " + scene).out, testing::ContainsRegex("steps of [0-9.]+ s\n")) << scene;
+    EXPECT_TRUE(json::parse(throng("plan --json " + scene).out)["substeps"].is_null()) << scene;
+  };
+  without(write("gas.toml", kTwoDiscs));
+  without(THRONG_SOURCE_DIR "/scenarios/corridor.toml");
+}
+
+/// It happened: three times what they took, and of those who come and go nobody said that others are fewer.
+TEST_F(PlanCommand, ForetellsTheSizeOfSmallAndSparseRecordings) {
+  const std::string folder = THRONG_SOURCE_DIR "/scenarios/", file = path("a.h5");
+  for (const char* name : {"cradle", "billiard", "circle_swap", "corridor"}) {
+    const std::string run = folder + name + ".toml --until 2";
+    ASSERT_EQ(throng("run --force " + run + " -o " + file).exit_code, 0);
+    const double takes = static_cast<double>(std::filesystem::file_size(file)),
+                 planned = json::parse(throng("plan --json " + run).out)["output_bytes"];
+    EXPECT_NEAR(planned / takes, 1.0, 0.2) << name;
+  }
+  EXPECT_THAT(throng("plan " + folder + "corridor.toml").out,
+              HasSubstr(" if all were there from the first to the last"));
+  EXPECT_THAT(throng("plan " + write("a.toml", kScene)).out,
+              testing::ContainsRegex("101 frames, about [0-9.]+ kB\n"));
 }
 
 /// A guess of its own once forgot that single precision holds for all fields.

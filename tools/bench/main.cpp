@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // throng-bench: the benchmarks, apart from the program so that it alone links the peers' libraries.
 #include <hwy/targets.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
@@ -32,7 +34,8 @@ Of motion, where a query is a pair in motion, a figure is for one query, and the
                    these alone, which ratio is to)";
 
 void refuse_what_does_nothing(const std::string& name, const throng::bench::Options& options) {
-  if (name != "broadphase" && options.large) throw throng::InputError(name + ": --large is for broadphase");
+  if (name != "broadphase" && name != "recording" && options.large)
+    throw throng::InputError(name + ": --large is for broadphase and recording");
   const bool has_engines = name == "broadphase" || name == "validation" || name == "accuracy";
   if (!has_engines && !options.engines.empty())
     throw throng::InputError(name + ": --engine is for broadphase, validation and accuracy");
@@ -46,6 +49,29 @@ std::map<std::string, std::int64_t> targets() {
   for (const std::int64_t target : hwy::SupportedAndGeneratedTargets())
     result[hwy::TargetName(target)] = target;
   return result;
+}
+
+/// While it lives, what is printed goes to the standard error: Chipmunk as Debian builds it tells of itself.
+class OutputAside {
+ public:
+  OutputAside() : own_(dup(STDOUT_FILENO)) { dup2(STDERR_FILENO, STDOUT_FILENO); }
+  ~OutputAside() {
+    std::fflush(stdout);
+    dup2(own_, STDOUT_FILENO);
+    close(own_);
+  }
+  OutputAside(const OutputAside&) = delete;
+  OutputAside& operator=(const OutputAside&) = delete;
+
+ private:
+  int own_;
+};
+
+std::vector<throng::bench::Row> run(
+    std::vector<throng::bench::Row> (*benchmark)(const throng::bench::Options&),
+    const throng::bench::Options& options) {
+  const OutputAside aside;
+  return benchmark(options);
 }
 
 void print(const std::string& name, const std::vector<throng::bench::Row>& rows) {
@@ -91,11 +117,14 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   app.add_flag("--quick", options.quick, "short settling and small clouds, to see that all of it runs");
-  app.add_flag("--large", options.large, "broadphase: ten million points too");
+  app.add_flag("--large", options.large,
+               "broadphase: ten million points too; recording: seeks in a file of 10 GB, in the folder of "
+               "temporary files");
   app.add_option("--target", target,
                  "vectors of this set of instructions alone, instead of this machine's widest")
       ->transform(CLI::IsMember(targets(), CLI::ignore_case));
-  app.add_option("--json", json, "also writes the rows to this file");
+  app.add_option("--json", json,
+                 "also writes the rows to this file; -: to the standard output, and no table");
   app.footer(
       "Examples: throng bench step --only pile --json step.json\n"
       "          throng bench broadphase --only '^uniform n=100000 k=10 random$'  (this case alone)\n" +
@@ -104,10 +133,10 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
     refuse_what_does_nothing(name, options);
     if (!target.empty()) hwy::SetSupportedTargetsForTest(targets().at(target));
-    const std::vector<Row> rows = benchmarks.at(name)(options);
+    const std::vector<Row> rows = run(benchmarks.at(name), options);
     if (rows.empty()) throw throng::InputError(name + ": --only holds for no case's name");
     expect_agreement(rows);
-    print(name, rows);
+    if (json != "-") print(name, rows);
     if (!json.empty()) write_json(rows, json);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;

@@ -13,7 +13,7 @@ struct Options {
   std::vector<std::string> set;      ///< validation: "KEY=VALUE" for all agents
   int blocks = 7;                    ///< figures a row, engines in turn
   bool quick = false;                ///< a tenth of the work, to see that it runs
-  bool large = false;                ///< broadphase: ten million points too
+  bool large = false;                ///< broadphase: ten million points too; recording: a file of 10 GB
 };
 
 /// Whether the options ask for a case of this name.

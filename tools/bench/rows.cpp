@@ -66,6 +66,10 @@ void write_json(const std::vector<Row>& rows, const std::string& file) {
                     {"work", row.work},
                     {"check", row.check},
                     {"error", row.error}});
+  if (file == "-") {
+    std::puts(list.dump(2).c_str());
+    return;
+  }
   std::ofstream out(file);
   out << list.dump(2) << '\n';
   if (!out.flush()) throw InputError(file + ": can't be written");

@@ -27,7 +27,8 @@ void expect_agreement(const std::vector<Row>& rows);
 /// The table, on stdout; ratios are of medians, to the row's reference.
 void print_table(const std::vector<Row>& rows);
 
-/// Writes the rows as a JSON list. Throws InputError where the file can't be written.
+/// Writes the rows as a JSON list, to stdout where the file is "-". Throws InputError where the file can't be
+/// written.
 void write_json(const std::vector<Row>& rows, const std::string& file);
 
 }  // namespace throng::bench
