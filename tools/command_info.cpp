@@ -2,8 +2,10 @@
 // throng info: what a recording holds.
 #include <algorithm>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "sim/recording/recording.h"
 #include "tools/commands.h"
@@ -206,6 +208,32 @@ std::string steps_of_frames(const Record& record) {
   return text;
 }
 
+/// What follows the value of a name that doesn't say it: its unit, or of what it is.
+const std::map<std::string_view, const char*> kMeanings = {
+    {"bodies", ", that are recorded"},
+    {"bodies_of_run", ", that the scenario makes"},
+    {"agents", ", of those recorded"},
+    {"dt", " s, from step to step"},
+    {"first_time", " s, of the first frame"},
+    {"last_time", " s, of the last frame"},
+    {"until", " s, the end of the run"},
+    {"precision", ", of numbers in the file"},
+    {"quantum", " m, of which positions are multiples"},
+    {"within", " (m), where bodies are recorded"},
+    {"bytes", ", of the file"},
+    {"seed", ", of all randomness"},
+    {"threads", ", of the run, whose result doesn't depend on them"}};
+
+std::string meaning(const std::string& key, const Json& value, const Json& description) {
+  if (value.is_null()) return "";
+  if (key == "every")
+    return std::string(value == 1 ? " step" : " steps") + ", of what has no rate of its own below";
+  const bool solves = description["agents"] == 0 && description["engine"] != "event_driven";
+  if (key == "substeps") return solves ? " a step" : " a step, which do nothing here";
+  const auto found = kMeanings.find(key);
+  return found == kMeanings.end() ? "" : found->second;
+}
+
 void print(const Json& description, const Recording& recording) {
   const Record& record = recording.geometry().record;
   for (const auto& [key, value] : description.items()) {
@@ -213,10 +241,9 @@ void print(const Json& description, const Recording& recording) {
     std::string text = readable(value);
     if (key == "walkable" && !value.is_null()) text = readable_entry(value);
     if (key == "frames") text += ", of " + steps_of_frames(record);
-    if (key == "every")
-      text += std::string(value == 1 ? " step" : " steps") + ", of what has no rate of its own below";
     if (key == "fields") text = fields_and_rates(description);
     if (key == "observables" && !value.is_null()) text = how_often(value, frames_with(recording, value));
+    text += meaning(key, value, description);
     std::printf("%-13s %s\n", key.c_str(), printable(text).c_str());
   }
 }

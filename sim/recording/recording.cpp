@@ -154,7 +154,9 @@ void Recording::Impl::read_parameters() {
       h5::read_attribute_text(h5::open_group(h5::open_group(file.handle, "h5md"), "author"), "name");
 
   scene.seed = h5::read_attribute<std::uint64_t>(group, "seed");
-  scene.engine = engine_named(h5::read_attribute_text(group, "engine"));
+  const std::string engine = h5::read_attribute_text(group, "engine");
+  scene.engine = engine_named(engine);
+  if (engine != engine_name(scene.engine)) throw h5::Error("engine is unknown");
   scene.time.dt = h5::read_attribute<double>(group, "dt");
   scene.time.until = h5::read_attribute<double>(group, "until");
   scene.time.substeps = static_cast<int>(h5::read_attribute<std::int64_t>(group, "substeps"));

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "sim/uses_substeps.h"
+
 namespace throng::recording {
 
 namespace {
@@ -92,6 +94,7 @@ void expect_run(const Scene& found, const Scene& scene) {
   expect(found.seed == scene.seed, "seed");
   expect(found.engine == scene.engine, "engine");
   expect(found.time.until == scene.time.until, "end");
+  if (uses_substeps(scene)) expect(found.time.substeps == scene.time.substeps, "number of substeps");
 }
 
 }  // namespace

@@ -100,6 +100,9 @@ TEST_F(Replay, InfoTellsWhatTheFileHolds) {
               HasSubstr("fields        position each step, in 21 frames; angle each step, in 21 frames; "
                         "velocity each step, in 21 frames\n"));
   EXPECT_THAT(answer.text, HasSubstr("domain        box 0 0 4 3\n"));
+  EXPECT_THAT(answer.text, HasSubstr("bodies_of_run 3, that the scenario makes\n"));
+  EXPECT_THAT(answer.text, HasSubstr("substeps      2 a step\n"));
+  EXPECT_THAT(answer.text, HasSubstr("quantum       none\n"));
   EXPECT_THAT(throng("info a.h5 --json").text, HasSubstr("\"command_line\": \"throng run three.toml"));
 }
 
@@ -234,6 +237,27 @@ TEST_F(Replay, VerifiesOutlinesWallsAndWhatTheFileSaysOfItsRun) {
   expect_noticed("f['parameters'].attrs.modify('until', 0.06)", "damaged: end is not that of the scenario");
   expect_noticed("f['parameters'].attrs['engine'] = __import__('numpy').bytes_('box2d')",
                  "damaged: engine is not that of the scenario");
+  expect_noticed("f['parameters'].attrs.modify('substeps', 5)",
+                 "damaged: number of substeps is not that of the scenario");
+}
+
+/// Recordings of crowds say 4 that were made when 4 stood for "not given"; nothing depends on it.
+TEST_F(Replay, VerifiesNoSubstepsWhereTheyDoNothing) {
+  ASSERT_EQ(throng("run " THRONG_SOURCE_DIR "/scenarios/circle_swap.toml -o a.h5 --force --progress none "
+                   "--until 0.5")
+                .code,
+            0);
+  EXPECT_THAT(throng("info a.h5").text, HasSubstr(" a step, which do nothing here\n"));
+  alter("f['parameters'].attrs.modify('substeps', 99)");
+  EXPECT_THAT(throng("replay a.h5 --verify").text, testing::StartsWith("verified: "));
+}
+
+/// It happened: info called it native.
+TEST_F(Replay, RefusesAnEngineThatNobodyKnows) {
+  alter("f['parameters'].attrs['engine'] = __import__('numpy').bytes_('havok')");
+  const Answer answer = throng("info a.h5");
+  EXPECT_EQ(answer.code, 2);
+  EXPECT_EQ(answer.text, "throng: a.h5 is damaged: engine is unknown\n");
 }
 
 TEST_F(Replay, NamesTheFirstStepAndBodyThatDiverge) {
