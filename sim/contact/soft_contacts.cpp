@@ -21,9 +21,8 @@ void SoftContacts::run(const Candidates& candidates, const State& state, std::sp
   discs_.find(candidates, state, bodies);
   solids_.find(candidates, state, bodies);
   start(bodies);
-  for (int i = 0; i < scene_.time.substeps; ++i) {
-    drift(bodies, i == 0 ? 0.5 * h_ : h_);
-    look_how_far(state, bodies);
+  const int last = scene_.time.substeps - 1;
+  for (int i = 0; i <= last; ++i) {
     const double past = i == 0 && state.step == 0 ? 0.5 * h_ : h_;
     const SoftSubstep now{i == 0, h_, past, h_ * fastest_, bodies, speeds_, pushes_};
     discs_.press(now);
@@ -31,55 +30,54 @@ void SoftContacts::run(const Candidates& candidates, const State& state, std::sp
     foretell(bodies);
     discs_.press_again(now);
     solids_.press_again(now);
-    kick(bodies);
-    if (i + 1 < scene_.time.substeps) continue;
+    kick_and_drift(state, i == last ? 0.5 * h_ : h_, bodies);
+    if (i < last) continue;
     discs_.finish(now);
     solids_.finish(now);
   }
-  drift(bodies, 0.5 * h_);
-  look_how_far(state, bodies);
+  for (double& way : farthest_) way = std::sqrt(way);
 }
 
-void SoftContacts::start(std::span<const SolverBody> bodies) {
+/// To the middle of the first substep.
+void SoftContacts::start(std::span<SolverBody> bodies) {
   double fastest2 = 0.0;
-  for (const SolverBody& body : bodies) fastest2 = std::max(fastest2, body.velocity.squaredNorm());
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const Vec way = 0.5 * h_ * bodies[i].velocity;
+    bodies[i].position += way;
+    bodies[i].turn += 0.5 * h_ * bodies[i].spin;
+    farthest_[i] = way.squaredNorm();
+    fastest2 = std::max(fastest2, bodies[i].velocity.squaredNorm());
+  }
   fastest_ = std::sqrt(fastest2);
   std::ranges::fill(pushes_, SoftPush{});
-  std::ranges::fill(farthest_, 0.0);
-}
-
-void SoftContacts::drift(std::span<SolverBody> bodies, double time) const {
-  for (SolverBody& body : bodies) {
-    body.position += time * body.velocity;
-    body.turn += time * body.spin;
-  }
-}
-
-void SoftContacts::look_how_far(const State& state, std::span<const SolverBody> bodies) {
-  for (std::size_t i = 0; i < state.position.size(); ++i)
-    farthest_[i] = std::max(farthest_[i], (bodies[i].position - state.position[i]).norm());
 }
 
 /// The velocities of the substep's middle.
 void SoftContacts::foretell(std::span<const SolverBody> bodies) {
+  const Vec fall = gravity_ ? Vec(0.5 * h_ * scene_.gravity) : Vec(0.0, 0.0);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const SolverBody& body = bodies[i];
     speeds_[i] = {body.velocity + 0.5 * h_ * body.inverse_mass * pushes_[i].force,
                   body.spin + 0.5 * h_ * body.inverse_inertia * pushes_[i].torque};
-    if (gravity_ && body.inverse_mass > 0.0) speeds_[i].velocity += 0.5 * h_ * scene_.gravity;
+    if (body.inverse_mass > 0.0) speeds_[i].velocity += fall;
     pushes_[i] = {};
   }
 }
 
-void SoftContacts::kick(std::span<SolverBody> bodies) {
+/// To the end of a substep, and on for `time` (s).
+void SoftContacts::kick_and_drift(const State& state, double time, std::span<SolverBody> bodies) {
+  const Vec fall = gravity_ ? Vec(h_ * scene_.gravity) : Vec(0.0, 0.0);
   double fastest2 = 0.0;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
+  for (std::size_t i = 0; i < state.position.size(); ++i) {
     SolverBody& body = bodies[i];
     body.velocity += h_ * body.inverse_mass * pushes_[i].force;
     body.spin += h_ * body.inverse_inertia * pushes_[i].torque;
-    if (gravity_ && body.inverse_mass > 0.0) body.velocity += h_ * scene_.gravity;
+    if (body.inverse_mass > 0.0) body.velocity += fall;
     pushes_[i] = {};
     fastest2 = std::max(fastest2, body.velocity.squaredNorm());
+    body.position += time * body.velocity;
+    body.turn += time * body.spin;
+    farthest_[i] = std::max(farthest_[i], (body.position - state.position[i]).squaredNorm());
   }
   fastest_ = std::sqrt(fastest2);
 }

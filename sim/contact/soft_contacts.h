@@ -36,11 +36,9 @@ class SoftContacts {
   void list(const State& state, std::span<const SolverBody> bodies, std::vector<ContactRow>& rows) const;
 
  private:
-  void start(std::span<const SolverBody> bodies);
-  void drift(std::span<SolverBody> bodies, double time) const;
+  void start(std::span<SolverBody> bodies);
   void foretell(std::span<const SolverBody> bodies);
-  void kick(std::span<SolverBody> bodies);
-  void look_how_far(const State& state, std::span<const SolverBody> bodies);
+  void kick_and_drift(const State& state, double time, std::span<SolverBody> bodies);
 
   const Scene& scene_;
   const double h_;  // s

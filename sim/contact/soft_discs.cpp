@@ -39,28 +39,24 @@ void SoftDiscs::recall(const State& state) {
     if (keys_[next] != kept.key) continue;
     const auto [a, b] = pairs_[next];
     touches_.push_back(
-        {a, b, static_cast<std::uint32_t>(next), 0.0, Vec(1.0, 0.0), {kept.tangent, kept.rolling}, 0.0});
+        {Vec(1.0, 0.0), {kept.tangent, kept.rolling}, 0.0, 0.0, a, b, static_cast<std::uint32_t>(next)});
   }
 }
 
-void SoftDiscs::press(const SoftSubstep& now) {
-  std::swap(touches_, last_);
-  touches_.clear();
-  with_law(scene_, [&](const auto& law) { press(law, now); });
-}
-
 /// From the body's centre to the middle of the overlap, m.
-double SoftDiscs::arm(std::uint32_t body, double depth) const {
+[[gnu::always_inline]] inline double SoftDiscs::arm(std::uint32_t body, double depth) const {
   return radius_[body] - 0.5 * std::max(depth, 0.0);
 }
 
-SoftMotion SoftDiscs::motion(const Touch& touch, const auto& a, const auto& b) const {
+[[gnu::always_inline]] inline SoftMotion SoftDiscs::motion(const Touch& touch, const auto& a,
+                                                           const auto& b) const {
   const Vec apart = b.velocity - a.velocity;
   const double turned = arm(touch.a, touch.depth) * a.spin + arm(touch.b, touch.depth) * b.spin;
   return {touch.depth, -apart.dot(touch.normal), apart.dot(tangent(touch.normal)) - turned, b.spin - a.spin};
 }
 
-void SoftDiscs::push(const Touch& touch, const SoftForce& force, std::span<SoftPush> pushes) const {
+[[gnu::always_inline]] inline void SoftDiscs::push(const Touch& touch, const SoftForce& force,
+                                                   std::span<SoftPush> pushes) const {
   const Vec all = force.normal * touch.normal + force.tangent * tangent(touch.normal);
   SoftPush &a = pushes[touch.a], &b = pushes[touch.b];
   a.force -= all, b.force += all;
@@ -69,7 +65,8 @@ void SoftDiscs::push(const Touch& touch, const SoftForce& force, std::span<SoftP
 }
 
 /// As the substep of `touch` ends: `now` has the velocities of then.
-SoftSprings SoftDiscs::springs_after(const Touch& touch, const SoftSubstep& now) const {
+[[gnu::always_inline]] inline SoftSprings SoftDiscs::springs_after(const Touch& touch,
+                                                                   const SoftSubstep& now) const {
   const SoftMotion moves = motion(touch, now.bodies[touch.a], now.bodies[touch.b]);
   SoftSprings springs = touch.springs;
   stretch(springs, moves, contact_time_after(moves, 0.5 * now.h), plan_.rolling);
@@ -77,8 +74,9 @@ SoftSprings SoftDiscs::springs_after(const Touch& touch, const SoftSubstep& now)
 }
 
 /// Those of the substep before, stretched until now; questions ascend.
-SoftSprings SoftDiscs::springs_of(const Touch& touch, const SoftMotion& moves, const SoftSubstep& now,
-                                  std::size_t& next) const {
+[[gnu::always_inline]] inline SoftSprings SoftDiscs::springs_of(const Touch& touch, const SoftMotion& moves,
+                                                                const SoftSubstep& now,
+                                                                std::size_t& next) const {
   while (next < last_.size() && last_[next].pair < touch.pair) ++next;
   const bool known = next < last_.size() && last_[next].pair == touch.pair;
   SoftSprings springs;
@@ -91,18 +89,44 @@ void SoftDiscs::finish(const SoftSubstep& now) {
   for (Touch& touch : touches_) touch.springs = springs_after(touch, now);
 }
 
+/// Bodies stand anywhere in memory: what a pair to come will need is sent for.
+[[gnu::always_inline]] inline void SoftDiscs::fetch(const Pair& pair, const SoftSubstep& now) const {
+  for (const std::uint32_t body : {pair.a, pair.b})
+    __builtin_prefetch(&now.bodies[body]), __builtin_prefetch(&now.pushes[body], 1);
+}
+
+[[gnu::always_inline]] inline Vec SoftDiscs::between(std::uint32_t pair, const SoftSubstep& now) const {
+  const auto [a, b] = pairs_[pair];
+  const Vec way = now.bodies[b].position - now.bodies[a].position;
+  return shifts_.empty() ? way : Vec(way + shifts_[pair]);
+}
+
+/// Which pairs may be in contact in this substep, without a branch for each.
+void SoftDiscs::find_near(const SoftSubstep& now) {
+  near_.resize(pairs_.size());
+  std::size_t count = 0;
+  for (std::uint32_t i = 0; i < pairs_.size(); ++i) {
+    if (i + kAhead < pairs_.size()) fetch(pairs_[i + kAhead], now);
+    const double reach = radius_[pairs_[i].a] + radius_[pairs_[i].b] + now.fringe;
+    near_[count] = i;
+    count += between(i, now).squaredNorm() < reach * reach;
+  }
+  near_.resize(count);
+}
+
 template <class Law>
 void SoftDiscs::press(const Law& law, const SoftSubstep& now) {
+  find_near(now);
   std::size_t next = 0;
-  for (std::uint32_t i = 0; i < pairs_.size(); ++i) {
+  for (std::size_t k = 0; k < near_.size(); ++k) {
+    if (k + kAhead < near_.size()) fetch(pairs_[near_[k + kAhead]], now);
+    const std::uint32_t i = near_[k];
     const auto [a, b] = pairs_[i];
     const SolverBody &body_a = now.bodies[a], &body_b = now.bodies[b];
-    Vec between = body_b.position - body_a.position;
-    if (!shifts_.empty()) between += shifts_[i];
-    const double reach = radius_[a] + radius_[b], squared = between.squaredNorm();
-    if (squared >= (reach + now.fringe) * (reach + now.fringe)) continue;
-    const double distance = std::sqrt(squared);
-    Touch touch{a, b, i, reach - distance, Vec(1.0, 0.0), {}, 0.0};
+    const Vec between = this->between(i, now);
+    const double reach = radius_[a] + radius_[b];
+    const double distance = between.norm();
+    Touch touch{Vec(1.0, 0.0), {}, reach - distance, 0.0, a, b, i};
     if (distance > 0.0) touch.normal = between / distance;
     const SoftMotion moves = motion(touch, body_a, body_b);
     if (!(touch.depth + std::abs(0.5 * now.h * moves.closing) > 0.0)) continue;
@@ -114,9 +138,21 @@ void SoftDiscs::press(const Law& law, const SoftSubstep& now) {
   }
 }
 
+void SoftDiscs::press(const SoftSubstep& now) {
+  std::swap(touches_, last_);
+  touches_.clear();
+  with_law(scene_, [&](const auto& law) { press(law, now); });
+}
+
 void SoftDiscs::press_again(const SoftSubstep& now) {
   with_law(scene_, [&](const auto& law) {
-    for (Touch& touch : touches_) {
+    for (std::size_t i = 0; i < touches_.size(); ++i) {
+      if (i + kAhead < touches_.size()) {
+        const Touch& next = touches_[i + kAhead];
+        for (const std::uint32_t body : {next.a, next.b})
+          __builtin_prefetch(&now.speeds[body]), __builtin_prefetch(&now.pushes[body], 1);
+      }
+      Touch& touch = touches_[i];
       const SoftMotion moves = motion(touch, now.speeds[touch.a], now.speeds[touch.b]);
       const SoftForce force = soft_force(law, laws_[touch.pair], moves, now.h, plan_.rolling, touch.springs);
       touch.force = force.normal;

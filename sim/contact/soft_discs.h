@@ -39,11 +39,11 @@ class SoftDiscs {
   };
 
   struct Touch {  // 64 bytes
-    std::uint32_t a, b, pair;
-    double depth;  // m, in the middle of the substep
-    Vec normal;    // from a to b
+    Vec normal;   // from a to b
     SoftSprings springs;
+    double depth;  // m, in the middle of the substep
     double force;  // N, along the normal
+    std::uint32_t a, b, pair;
   };
 
   template <class Law>
@@ -55,6 +55,11 @@ class SoftDiscs {
                          std::size_t& next) const;
   SoftSprings springs_after(const Touch& touch, const SoftSubstep& now) const;
   void recall(const State& state);
+  void fetch(const Pair& pair, const SoftSubstep& now) const;
+  Vec between(std::uint32_t pair, const SoftSubstep& now) const;
+  void find_near(const SoftSubstep& now);
+
+  static constexpr std::size_t kAhead = 12;  // pairs: what memory takes to answer
 
   const Scene& scene_;
   const Plan& plan_;
@@ -64,6 +69,7 @@ class SoftDiscs {
   std::vector<std::uint64_t> keys_;
   std::vector<SoftPair> laws_;
   std::vector<Vec> shifts_;            // m, to the image of b; empty where the domain doesn't repeat
+  std::vector<std::uint32_t> near_;    // pairs that may be in contact in this substep
   std::vector<Touch> touches_, last_;  // of this substep and of the one before, ascending by pair
   SoftSqueeze squeeze_;
 };

@@ -8,7 +8,8 @@
 #include "sim/plan.h"
 #include "sim/scene.h"
 
-/// How soft discs push each other: forces by how deep they are in each other and how that changes.
+/// How soft discs push each other: forces by how deep they are in each other and how that changes. Inlined
+/// always: handed over through memory, their dozen numbers would cost as much as what is done with them.
 ///
 /// All forces are means over a step of length h, on the straight way that the depth takes in it: at its
 /// beginning and end a contact is there for a part of a step only, and a dashpot that sets in with all its
@@ -62,7 +63,7 @@ struct SoftRatios {
 struct LinearLaw {
   SoftRatios tangential;
 
-  SoftMean mean(const SoftPair& pair, double depth, double closing, double h) const {
+  [[gnu::always_inline]] SoftMean mean(const SoftPair& pair, double depth, double closing, double h) const {
     const double way = std::abs(0.5 * h * closing), most = depth + way;
     if (!(most > 0.0)) return {};
     const double full = pair.stiffness * depth + pair.damping * closing;
@@ -79,7 +80,7 @@ struct LinearLaw {
 struct HertzLaw {
   SoftRatios tangential;
 
-  SoftMean mean(const SoftPair& pair, double depth, double closing, double h) const {
+  [[gnu::always_inline]] SoftMean mean(const SoftPair& pair, double depth, double closing, double h) const {
     const double way = std::abs(0.5 * h * closing), most = depth + way;
     if (!(most > 0.0)) return {};
     const double root = std::sqrt(std::max(depth, 0.0)), fourth = std::sqrt(root);
@@ -101,8 +102,8 @@ struct HertzLaw {
 
 /// The tangential part of a force: a spring and a dashpot that give at `most`; what the spring then keeps is
 /// what `most` needs (Luding, Granular Matter 10, 235, 2008).
-inline double soft_hold(double stiffness, double damping, double share, double most, double rate,
-                        double& spring) {
+[[gnu::always_inline]] inline double soft_hold(double stiffness, double damping, double share, double most,
+                                               double rate, double& spring) {
   const double force = -share * (stiffness * spring + damping * rate);
   if (std::abs(force) <= most) return force;
   const double held = std::copysign(most, force);
@@ -113,8 +114,9 @@ inline double soft_hold(double stiffness, double damping, double share, double m
 /// The mean force over a step of length h (s). The springs are those of its middle; they give where friction
 /// doesn't hold them. `rolls`: whether surfaces resist rolling.
 template <class Law>
-SoftForce soft_force(const Law& law, const SoftPair& pair, const SoftMotion& motion, double h, bool rolls,
-                     SoftSprings& springs) {
+[[gnu::always_inline]] inline SoftForce soft_force(const Law& law, const SoftPair& pair,
+                                                   const SoftMotion& motion, double h, bool rolls,
+                                                   SoftSprings& springs) {
   const SoftMean mean = law.mean(pair, motion.depth, motion.closing, h);
   if (!(mean.share > 0.0)) return {};
   const double pressing = std::max(mean.normal, 0.0);
