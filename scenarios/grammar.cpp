@@ -88,6 +88,29 @@ Type record_table() {
         {"within", box(), "Record bodies only while their centre is in this box, m."}}});
 }
 
+Type bins_table(Type up_to, const char* what) {
+  return table({{required({"up_to", std::move(up_to), std::string("Where the last bin ends, ") + what + "."}),
+                 {"bins", integer(1, kMostBins), "How many bins, all as wide, the first from 0 on.", "50"}}});
+}
+
+Type observe_table() {
+  const Type quantity = choice(
+      {"temperature", "packing_fraction", "coordination_number", "collisions", "compressibility_factor"});
+  return table(
+      {{{"quantities", list(quantity, 0, "a list of quantities", 16),
+         "temperature: k T, J, of the centres. packing_fraction: which part of the area dynamic bodies take. "
+         "coordination_number: on how many others one presses. collisions: how many so far, of pairs and "
+         "with "
+         "walls. compressibility_factor: P A / (n k T), by the virial and by how often pairs collide, both "
+         "since the beginning; of soft contacts by their forces at the instant.",
+         "[]"},
+        {"packing_within", box(), "Box, m, in which packing_fraction is taken; absent: the domain."},
+        {"speeds", bins_table(number(1e-12, 1e9, "m/s"), "m/s"),
+         "How speeds are distributed: part of the bodies over the width of the bin, s/m."},
+        {"pair_correlation", bins_table(length(), "m"),
+         "g(r): pairs of bodies whose centres are r apart, over those of as many points anywhere."}}});
+}
+
 Type material_table() {
   return table(
       {{{"density", number(1e-9, 1e12, "kg/m^2"), "Mass per area, kg/m^2.", "1.0"},
@@ -316,6 +339,7 @@ Table root_table() {
            {"domain", domain_table(), "Where bodies may be; absent: the unbounded plane."},
            {"contact", contact_table(), "What happens where bodies touch."},
            {"record", record_table(), "What a recording holds."},
+           {"observe", observe_table(), "What else is observed of all bodies, in summary and recording."},
            {"materials", named(material_table()), "Materials by name; one called default is always there."},
            {"shapes", named(shape_table()), "Shapes by name."},
            {"bodies", tables(body_table()), "Bodies, one or many an entry; ids count from 1 in this order."},

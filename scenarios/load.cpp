@@ -49,6 +49,7 @@ void read_scene(const toml::table& root, Scene& scene, Report& report) {
   read_settings(root, scene, report);
   read_materials(root, scene, report);
   const std::vector<ShapeDraw> draws = read_shapes(root, scene, report);
+  read_observe(root, scene, report);
   read_walls(root, scene, report);
   read_areas(root, scene, report);
   read_opening(root, scene, report);
@@ -69,6 +70,7 @@ void read_scene(const toml::table& root, Scene& scene, Report& report) {
   read_sensors(root, scene, report);
   settle_soft_contacts(root, scene, report);
   if (report.errors() == 0) check_engine(root, scene, report);
+  if (report.errors() == 0) check_observe(root, scene, report);
 }
 
 void load(Loaded& loaded, const std::string& name, std::span<const std::string> overrides) {

@@ -58,6 +58,12 @@ void settle_soft_contacts(const toml::table& root, Scene& scene, Report& report)
 /// Rates, fields and form of the recording; part of read_settings.
 void read_record(const toml::table& root, Scene& scene, Report& report);
 
+/// What is observed of all bodies, beside energies and overlaps.
+void read_observe(const toml::table& root, Scene& scene, Report& report);
+
+/// Whether it can be of this scene. Expects all bodies in it.
+void check_observe(const toml::table& root, const Scene& scene, Report& report);
+
 /// Which bodies are recorded. Expects all of them in the scene.
 void read_recorded_bodies(const toml::table& root, Scene& scene, Report& report);
 

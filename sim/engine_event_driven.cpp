@@ -30,6 +30,7 @@ class EventDriven : public Simulation {
     clock.lap(collide_);
     ++state_.step;
     discs_.store(time, state_);
+    state_.collisions = discs_.collisions();
     clock.lap(store_);
     if (scene_.sensors.empty()) return;
     sensing_.sense(state_);
@@ -43,7 +44,7 @@ class EventDriven : public Simulation {
 
   std::size_t contacts() const override { return rows_.size(); }
   void list_contacts(std::vector<ContactRow>& rows) const override { rows = rows_; }
-  const Collisions* collisions() const override { return &discs_.collisions(); }
+  const Collisions* collisions() const override { return &state_.collisions; }
   std::span<const Sensed> sensed() const override { return sensing_.sensed(); }
 
   std::vector<std::pair<std::string, double>> stage_times() const override {

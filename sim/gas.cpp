@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "sim/periodic.h"
+
 namespace throng {
 
 namespace {
@@ -37,13 +39,47 @@ double temperature(const Scene& scene, const State& state) {
   return all.energy / all.bodies;
 }
 
-std::optional<double> compressibility_factor(const Scene& scene, const State& state,
-                                             const Collisions& collisions) {
+namespace {
+
+/// 2 E t; nothing where the gas isn't the one that it was, or not all of its collisions are known.
+std::optional<double> action(const Scene& scene, const State& state, const Collisions& collisions) {
   const double energy = motion(scene, state.velocity).energy;
   const double at_first = motion(scene, scene.bodies.velocity).energy;
   const double time = static_cast<double>(state.step) * scene.time.dt;
-  if (!(time > 0.0 && std::abs(energy - at_first) <= kLost * at_first)) return std::nullopt;
-  return 1.0 + collisions.virial / (2.0 * energy * time);
+  if (!(time > 0.0 && std::abs(energy - at_first) <= kLost * at_first) || collisions.pushed > 0)
+    return std::nullopt;
+  return 2.0 * energy * time;
+}
+
+}  // namespace
+
+std::optional<double> compressibility_factor(const Scene& scene, const State& state,
+                                             const Collisions& collisions) {
+  const std::optional<double> all = action(scene, state, collisions);
+  if (!all) return std::nullopt;
+  return 1.0 + collisions.virial / *all;
+}
+
+std::optional<double> compressibility_by_rate(const Scene& scene, const State& state,
+                                              const Collisions& collisions) {
+  const std::optional<double> all = action(scene, state, collisions);
+  if (!all) return std::nullopt;
+  return 1.0 + collisions.equilibrium * std::sqrt(temperature(scene, state)) / *all;
+}
+
+std::optional<double> compressibility_now(const Scene& scene, const State& state,
+                                          std::span<const ContactRow> contacts) {
+  const double energy = motion(scene, state.velocity).energy;
+  if (!(energy > 0.0)) return std::nullopt;
+  const Vec period = scene.domain.max - scene.domain.min;
+  double virial = 0.0;  // N m s
+  for (const ContactRow& row : contacts) {
+    if (row.b == 0) continue;
+    const Vec way = state.position[row.b - 1] - state.position[row.a - 1];
+    const bool repeats = scene.domain.kind == DomainKind::periodic;
+    virial += row.impulse * (repeats ? nearest_image(way, period) : way).norm();
+  }
+  return 1.0 + virial * scene.time.substeps / scene.time.dt / (2.0 * energy);
 }
 
 }  // namespace throng

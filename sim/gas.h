@@ -2,8 +2,10 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "sim/collisions.h"
+#include "sim/contact_row.h"
 #include "sim/state.h"
 
 /// What a gas of discs is, as a whole.
@@ -19,5 +21,16 @@ double temperature(const Scene& scene, const State& state);
 /// where something pulls, rubs or takes energy. O(n).
 std::optional<double> compressibility_factor(const Scene& scene, const State& state,
                                              const Collisions& collisions);
+
+/// The same by how often pairs collided, whatever their impulses were: 1 + v sqrt(k T) / (2 E t), v the
+/// virial that as many collisions have in equilibrium, over sqrt(k T). Of discs of one size and mass 1 + f d
+/// sqrt(pi m / (k T)) / 4, f the rate of a disc's collisions and d its diameter.
+std::optional<double> compressibility_by_rate(const Scene& scene, const State& state,
+                                              const Collisions& collisions);
+
+/// The same of soft discs at this instant: 1 + (sum of their distances times their forces) / (2 E), forces as
+/// impulses of `contacts` over a substep. Nothing where nothing moves. O(n + contacts).
+std::optional<double> compressibility_now(const Scene& scene, const State& state,
+                                          std::span<const ContactRow> contacts);
 
 }  // namespace throng

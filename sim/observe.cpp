@@ -8,6 +8,7 @@
 #include "narrowphase/distance.h"
 #include "sim/contact/candidates.h"
 #include "sim/crowd/walk.h"
+#include "sim/measure/measured_bodies.h"
 
 namespace throng {
 
@@ -115,10 +116,23 @@ Overlap overlap(const Scene& scene, const State& state) {
   return result;
 }
 
-bool operator==(const CrowdObservables& a, const CrowdObservables& b) {
-  return a.agents == b.agents && a.arrived == b.arrived &&
-         std::ranges::equal(a.measures, b.measures,
+namespace {
+
+bool same(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::ranges::equal(a, b,
                             [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); });
+}
+
+}  // namespace
+
+bool operator==(const CrowdObservables& a, const CrowdObservables& b) {
+  return a.agents == b.agents && a.arrived == b.arrived && same(a.measures, b.measures);
+}
+
+bool operator==(const Observables& a, const Observables& b) {
+  return a.kinetic_energy == b.kinetic_energy && a.potential_energy == b.potential_energy &&
+         a.momentum == b.momentum && a.contacts == b.contacts && a.max_overlap == b.max_overlap &&
+         a.mean_overlap == b.mean_overlap && a.crowd == b.crowd && same(a.asked, b.asked);
 }
 
 namespace {
@@ -137,15 +151,16 @@ std::optional<CrowdObservables> observe_crowd(const Scene& scene, const State& s
 
 }  // namespace
 
-Observables observe(const Scene& scene, const State& state, std::size_t contacts) {
+Observables observe(const Scene& scene, const State& state, std::span<const ContactRow> contacts) {
   const Overlap overlaps = overlap(scene, state);
   return {kinetic_energy(scene, state),
           potential_energy(scene, state),
           momentum(scene, state),
-          static_cast<double>(contacts),
+          static_cast<double>(contacts.size()),
           overlaps.max,
           overlaps.mean,
-          observe_crowd(scene, state)};
+          observe_crowd(scene, state),
+          measure_bodies(scene, state, contacts)};
 }
 
 double kinetic_energy(const Scene& scene, const State& state) {

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "sim/contact_row.h"
 #include "sim/scene.h"
 #include "sim/state.h"
 
@@ -36,13 +38,14 @@ struct Observables {
   double contacts = 0.0;                                ///< points that press
   double max_overlap = 0.0, mean_overlap = 0.0;         ///< m
   std::optional<CrowdObservables> crowd = {};           ///< where there are agents
+  std::vector<double> asked = {};                       ///< as measure_bodies() has them
 
-  friend bool operator==(const Observables&, const Observables&) = default;
+  friend bool operator==(const Observables& a, const Observables& b);  ///< NaN is NaN
 };
 
-/// Of all bodies; of a state's crowd what was measured and who arrived count. Dominated by `overlap`, which
-/// looks for its pairs anew: about what ten steps take.
-Observables observe(const Scene& scene, const State& state, std::size_t contacts);
+/// Of all bodies, whose contacts are given; of a state's crowd what was measured and who arrived count.
+/// Dominated by `overlap`, which looks for its pairs anew: about what ten steps take.
+Observables observe(const Scene& scene, const State& state, std::span<const ContactRow> contacts);
 
 double kinetic_energy(const Scene& scene, const State& state);    ///< J, of dynamic bodies
 double potential_energy(const Scene& scene, const State& state);  ///< J, -m g . x, of dynamic bodies

@@ -8,6 +8,7 @@
 
 #include "narrowphase/convex.h"
 #include "sim/crowd/crowd.h"
+#include "sim/measure/asked.h"
 #include "sim/record.h"
 #include "sim/sensing/sensor.h"
 
@@ -97,6 +98,7 @@ struct Scene {
   ContactModel contact = ContactModel::impulse;
   SoftContact soft;
   Record record;
+  Asked asked;  ///< to be observed of all bodies
   std::vector<Material> materials;
   std::vector<Shape> shapes;
   Bodies bodies;

@@ -45,6 +45,7 @@ class Native : public Simulation {
     throng::list_contacts(scene_, work_.contacts, state_, work_.bodies, rows);
     if (plan_.sleep) with_sleeping(state_, rows);
   }
+  const Collisions* collisions() const override { return plan_.flights ? &state_.collisions : nullptr; }
 
   std::span<const Sensed> sensed() const override { return work_.sensing.sensed(); }
 

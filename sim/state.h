@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "sim/collisions.h"
 #include "sim/scene.h"
 
 /// What changes from step to step. One array per quantity, a row per body.
@@ -65,6 +66,7 @@ struct State {
   SleepState sleep;
   CrowdState crowd;               ///< empty where there are no agents
   std::vector<SensedSum> sensed;  ///< as Scene::sensors
+  Collisions collisions;          ///< of discs that fly from one to the next; else all 0
 };
 
 /// Calls f(array) for each array of a crowd's state that has a row per agent.

@@ -204,8 +204,9 @@ void push(const Scene& scene, const Plan& plan, State& state, Workspace& work, S
 
 void step_bodies(const Scene& scene, const Plan& plan, State& state, Workspace& work) {
   StageClock clock;
+  bool flown = false;
   for (int attempt = 1;; ++attempt) {
-    const bool flown = plan.flights && fly(scene, state, work, clock);
+    flown = plan.flights && fly(scene, state, work, clock);
     if (!flown) push(scene, plan, state, work, clock);
     if (!plan.contacts()) break;
     const auto farthest = flown ? work.flights.farthest() : std::span<const double>();
@@ -213,6 +214,10 @@ void step_bodies(const Scene& scene, const Plan& plan, State& state, Workspace& 
     if (attempt == kAttempts) fail_at_chain(state);
   }
   ++state.step;
+  if (flown)
+    state.collisions += work.flights.collisions();
+  else if (plan.flights)
+    ++state.collisions.pushed;
   store(scene, plan, work.bodies, work.sleepers.bodies(), state);
   if (plan.contacts()) work.contacts.save(state);
   clock.lap(work.times.store);

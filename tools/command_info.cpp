@@ -135,6 +135,7 @@ Json describe(const Recording& recording) {
           {"rates", steps_apart(scene.record)},
           {"samples", samples(recording)},
           {"observables", scene.record.observables > 0 ? Json(scene.record.observables) : Json(nullptr)},
+          {"observed", recording.observed()},
           {"sensors", sensors(scene)},
           {"measures", measures(scene)},
           {"precision", scene.record.single ? "single" : "double"},

@@ -2,11 +2,13 @@
 #include "tools/summary.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <numeric>
 
 #include "sim/crowd/walk.h"
 #include "sim/gas.h"
+#include "sim/measure/measured_bodies.h"
 #include "sim/observe.h"
 
 namespace throng::tools {
@@ -96,6 +98,28 @@ Json gas_summary(const Scene& scene, const State& state, const Collisions& colli
           {"compressibility_factor", or_null(compressibility_factor(scene, state, collisions))}};
 }
 
+Json number_or_null(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+/// What the scene asks for: numbers, and histograms as lists.
+Json asked_summary(const Scene& scene, const Simulation& simulation) {
+  std::vector<ContactRow> contacts;
+  simulation.list_contacts(contacts);
+  const std::vector<double> values = measure_bodies(scene, simulation.state(), contacts);
+  Json result = Json::object();
+  std::size_t at = 0;
+  for (const AskedColumn& column : asked_columns(scene)) {
+    Json numbers = Json::array();
+    for (std::size_t i = 0; i < column.numbers; ++i) numbers.push_back(number_or_null(values[at++]));
+    if (column.bins)
+      result[column.name] = {{"up_to", column.bins.up_to}, {"values", numbers}};
+    else
+      result[column.name] = numbers[0];
+  }
+  return result;
+}
+
 }  // namespace
 
 void RunTimes::end_step() {
@@ -145,6 +169,7 @@ Json summary(const Scene& scene, const Simulation& simulation, const RunTimes& t
                  {"output", output.empty() ? Json(nullptr) : Json(output)}};
   if (scene.crowd.size() == 0) result.update(mechanics(scene, simulation));
   if (simulation.collisions()) result.update(gas_summary(scene, state, *simulation.collisions()));
+  if (scene.asked.any()) result["observables"] = asked_summary(scene, simulation);
   if (!state.sleep.island.empty()) result["asleep"] = asleep(state.sleep);
   if (scene.crowd.size() > 0) result.update(crowd_summary(scene, state));
   if (!scene.sensors.empty()) result["sensors"] = sensor_summary(scene, state);

@@ -148,7 +148,7 @@ std::string first_other_sensor(const Frame& frame, const Scene& scene, const Sim
 
 /// What the run has now; of a crowd only where that was recorded, as it wasn't before 1.5.
 Observables observed_as(const Observables& recorded, const Scene& scene, const Simulation& run,
-                        std::size_t contacts) {
+                        std::span<const ContactRow> contacts) {
   Observables now = observe(scene, run.state(), contacts);
   if (!recorded.crowd) now.crowd.reset();
   return now;
@@ -162,7 +162,7 @@ std::string other_difference(const Comparison& comparison, const Frame& frame, c
   if (!frame.contacts && !frame.observables) return "";
   std::vector<ContactRow> contacts;
   run.list_contacts(contacts);
-  if (frame.observables && *frame.observables != observed_as(*frame.observables, scene, run, contacts.size()))
+  if (frame.observables && *frame.observables != observed_as(*frame.observables, scene, run, contacts))
     return "the observables";
   return comparison.same_contacts(frame, contacts) ? "" : "the contacts";
 }

@@ -26,7 +26,7 @@ Flights::Flights(const Scene& scene, const Plan& plan)
     : scene_(scene), plan_(plan), half_period_(0.5 * (scene.domain.max - scene.domain.min)) {}
 
 bool Flights::fly(const Candidates& candidates, std::span<SolverBody> bodies, Workers& workers) {
-  candidates_ = &candidates, bodies_ = bodies;
+  candidates_ = &candidates, bodies_ = bodies, collisions_ = {};
   pairs_ = static_cast<std::uint32_t>(candidates.pairs().size());
   since_.assign(bodies.size(), 0.0), had_.assign(bodies.size(), 0), farthest_.assign(bodies.size(), 0.0);
   if (!foresee_all(workers)) return false;
@@ -177,7 +177,13 @@ void Flights::collide(std::uint32_t pair, double now) {
   const Vec n = normal(pair, now);
   stop(a, now);
   if (pair < pairs_) stop(b, now);
-  strike(bodies_[a], bodies_[b], {n, all.radius[colliders(pair).a], radius_b}, surface(pair));
+  const Touch touch{n, all.radius[colliders(pair).a], radius_b};
+  const double impulse = strike(bodies_[a], bodies_[b], touch, surface(pair));
+  if (pair < pairs_)
+    collisions_.add_pair(touch.radius_a + touch.radius_b, impulse,
+                         bodies_[a].inverse_mass + bodies_[b].inverse_mass);
+  else
+    ++collisions_.walls;
   foresee_of(a, pair, now);
   if (pair < pairs_) foresee_of(b, pair, now);
 }

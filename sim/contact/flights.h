@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "narrowphase/disc_flight.h"
+#include "sim/collisions.h"
 #include "sim/contact/candidates.h"
 #include "sim/contact/contact.h"
 #include "sim/workers.h"
@@ -25,6 +26,8 @@ class Flights {
   /// O(bodies + candidates + collisions log collisions). Collisions at one time come in the order of their
   /// pairs.
   bool fly(const Candidates& candidates, std::span<SolverBody> bodies, Workers& workers);
+
+  const Collisions& collisions() const { return collisions_; }  ///< of the last fly()
 
   /// m, how far from where the candidates were found each body was that collided, at its collisions; of
   /// others 0.
@@ -77,6 +80,7 @@ class Flights {
   std::vector<double> since_;           // s, when each body was where bodies_ says
   std::vector<std::uint32_t> had_;      // collisions of each body
   std::vector<double> farthest_;
+  Collisions collisions_;
 };
 
 }  // namespace throng

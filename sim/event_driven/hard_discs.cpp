@@ -231,8 +231,10 @@ void HardDiscs::collide(std::uint32_t disc, double now, std::vector<ContactRow>&
   const double impulse = strike(a, b, touch, surface(disc, other));
   discs_[disc].velocity = a.velocity, discs_[disc].spin = a.spin;
   if (pair) discs_[other].velocity = b.velocity, discs_[other].spin = b.spin;
-  (pair ? collisions_.pairs : collisions_.walls) += 1;
-  if (pair) collisions_.virial += (touch.radius_a + touch.radius_b) * impulse;
+  if (pair)
+    collisions_.add_pair(touch.radius_a + touch.radius_b, impulse, a.inverse_mass + b.inverse_mass);
+  else
+    ++collisions_.walls;
   rows.push_back(row(disc, other, n, impulse));
   foresee(disc, now, other);
   if (pair) foresee(other, now, disc);

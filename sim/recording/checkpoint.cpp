@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
@@ -30,7 +31,7 @@ namespace {
 using Bytes = std::span<const std::byte>;
 
 constexpr std::array<char, 8> kMagic{'t', 'h', 'r', 'o', 'n', 'g', 'C', 'K'};
-constexpr std::uint64_t kLayout = 8;  // grows with every change of State
+constexpr std::uint64_t kLayout = 9;  // grows with every change of State
 
 struct Header {
   std::array<char, 8> magic = kMagic;
@@ -43,6 +44,8 @@ struct Header {
   std::uint64_t sleepers = 0;  // rows of SleepState: as many as there are bodies, or none
   std::uint64_t sleeping_disc_contacts = 0, sleeping_point_contacts = 0;
   std::int64_t arrived = 0, last_arrival = 0, wall_corrections = 0, squeezed = 0;
+  std::int64_t pair_collisions = 0, wall_collisions = 0, pushed = 0;
+  std::uint64_t virial = 0, equilibrium = 0;  // bits of Collisions
   std::uint64_t frames = 0, frames_hash = 0;
   std::uint64_t content_hash = 0;
   std::uint64_t hash = 0;  // of all above
@@ -59,8 +62,8 @@ static_assert(sizeof(Measured) == 6 * sizeof(std::int64_t) + 2 * sizeof(double),
 
 template <class S, class F>
 void for_each_array(S& state, F visit) {
-  auto& [step, id, position, angle, velocity, spin, disc_contacts, point_contacts, sleep, crowd, sensed] =
-      state;  // all
+  auto& [step, id, position, angle, velocity, spin, disc_contacts, point_contacts, sleep, crowd, sensed,
+         collisions] = state;  // all
   visit(id), visit(position), visit(angle), visit(velocity), visit(spin);
 }
 
@@ -131,6 +134,11 @@ Header header_for(const CheckpointOrigin& origin, const State& state) {
   header.last_arrival = state.crowd.last_arrival;
   header.wall_corrections = state.crowd.wall_corrections;
   header.squeezed = state.crowd.squeezed;
+  header.pair_collisions = state.collisions.pairs;
+  header.wall_collisions = state.collisions.walls;
+  header.pushed = state.collisions.pushed;
+  header.virial = std::bit_cast<std::uint64_t>(state.collisions.virial);
+  header.equilibrium = std::bit_cast<std::uint64_t>(state.collisions.equilibrium);
   header.frames = origin.frames;
   header.frames_hash = origin.frames_hash;
   return header;
@@ -225,6 +233,8 @@ Checkpoint read_content(int fd, const std::string& path, const Header& header) {
   state.crowd.arrived = header.arrived, state.crowd.last_arrival = header.last_arrival;
   state.crowd.wall_corrections = header.wall_corrections;
   state.crowd.squeezed = header.squeezed;
+  state.collisions = {header.pair_collisions, header.wall_collisions, header.pushed,
+                      std::bit_cast<double>(header.virial), std::bit_cast<double>(header.equilibrium)};
   state.sleep.calm.resize(header.sleepers), state.sleep.island.resize(header.sleepers);
   read_array(state.sleep.calm), read_array(state.sleep.island);
   for_each_column(contacts, read_array);

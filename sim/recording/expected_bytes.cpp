@@ -27,7 +27,8 @@ constexpr Guess kAbout{1.0, 3.0 * 32.0, 3.0, true}, kLeast{0.0, 0.0, 0.0, false}
 
 double observable_bytes(const Scene& scene) {
   double numbers = 0.0;
-  for (const Observable& one : observables_of(scene.crowd.size() > 0, scene.crowd.measures))
+  for (const Observable& one :
+       observables_of(scene.crowd.size() > 0, scene.crowd.measures, asked_columns(scene)))
     numbers += static_cast<double>(one.components);
   return 8.0 * numbers;
 }

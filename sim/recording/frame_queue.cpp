@@ -32,6 +32,7 @@ void copy_frame(const State& from, State& to) {
   to.spin = from.spin;
   to.crowd.arrived = from.crowd.arrived;
   to.crowd.measured = from.crowd.measured;
+  to.collisions = from.collisions;
 }
 
 void copy_sensed(std::span<const Sensed> from, std::vector<Sensed>& to) {

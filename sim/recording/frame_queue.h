@@ -18,8 +18,8 @@ namespace throng::recording {
 /// What the loop hands to the writer.
 struct QueueEntry {
   State state;
-  bool checkpoint = false;  ///< all of the state, to go on from; else a frame: step, ids and motion, and what
-                            ///< of a crowd is observed
+  bool checkpoint = false;  ///< all of the state, to go on from; else a frame: step, ids, motion, collisions,
+                            ///< and what of a crowd is observed
   std::optional<std::uint64_t> hash = {};  ///< of a frame's state, where the producer had the time for it
   std::vector<ContactRow> contacts = {};   ///< of a frame, where it is to hold any
   std::vector<Sensed> sensed = {};         ///< of each recorded sensor, where a frame is to hold any

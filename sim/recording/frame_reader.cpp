@@ -197,7 +197,7 @@ void FrameReader::read_observables(std::size_t i, Frame& frame, FrameHash& hash)
     found.insert(found.end(), numbers.begin(), numbers.end());
     hash.add(std::as_bytes(numbers));
   }
-  frame.observables = observables_from(found);
+  frame.observables = observables_from(found, observables_.crowd);
 }
 
 }  // namespace throng::recording

@@ -29,6 +29,9 @@ class FrameReader {
   /// Which frames hold the field.
   const Schedule& schedule(RecordField field) const { return fields_[index(field)].when; }
 
+  /// What is observed, where anything is.
+  const std::vector<Observable>& observables() const { return observables_.observables; }
+
   /// Which frames hold what the k-th recorded sensor found.
   const Schedule& sensor_schedule(std::size_t sensor) const { return sensed_[sensor].when; }
 
@@ -65,6 +68,7 @@ class FrameReader {
   struct StoredObservables {
     Schedule when;
     std::vector<Observable> observables;
+    bool crowd = false;
     std::vector<std::vector<double>> values;  // of all frames, by observable
   };
 

@@ -187,10 +187,35 @@ h5::Handle open_path(hid_t at, std::string_view path) {
 
 }  // namespace
 
+namespace {
+
+/// Those that the file has of what scenes may ask for.
+std::vector<AskedColumn> asked_in(const h5::File& file, hid_t group) {
+  std::vector<AskedColumn> found;
+  for (AskedColumn column : known_columns()) {
+    if (!h5::exists(group, column.name)) continue;
+    if (column.bins) {
+      const h5::Handle element = h5::open_group(group, column.name);
+      column.numbers = h5::open_dataset<double>(file, element, "value", {kAny, kAny}).dims[1];
+      column.bins.up_to = h5::read_attribute<double>(element, "up_to");
+      if (column.numbers < 1 || column.numbers > kMostBins || !(column.bins.up_to > 0.0))
+        throw h5::Error(std::string(column.name) + " has bins that can't be");
+      column.bins.count = static_cast<int>(column.numbers);
+    }
+    found.push_back(column);
+  }
+  return found;
+}
+
+}  // namespace
+
 void FrameReader::open_observables(const Scene& scene, std::span<const std::int64_t> steps) {
   const h5::Handle group = h5::open_group(file_->handle, "observables");
   observables_.when = open_schedule(group, steps);
-  observables_.observables = observables_of(h5::exists(group, "agents"), scene.crowd.measures);
+  observables_.crowd = h5::exists(group, "agents");
+  const std::vector<AskedColumn> asked =
+      observables_.crowd ? std::vector<AskedColumn>() : asked_in(*file_, group);
+  observables_.observables = observables_of(observables_.crowd, scene.crowd.measures, asked);
   const std::uint64_t room = file_->room();
   std::uint64_t bytes = 0;
   for (const Observable& observable : observables_.observables) {

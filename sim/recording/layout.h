@@ -30,7 +30,10 @@
 /// /observables            (1.2) attribute every; kinetic_energy, potential_energy, contacts, max_overlap,
 ///                         mean_overlap with value f64[], momentum with value f64[,2]; each with step, time; of
 ///                         agents also (1.5) agents, arrived and measure/NAME/C, NAME as `path_part` of observables.h
-///                         and C as `columns` of crowd/measure.h have them, NaN where too little was measured
+///                         and C as `columns` of crowd/measure.h have them, NaN where too little was measured; of
+///                         bodies also (1.7) what the scenario asks for, as `known_columns` of
+///                         measure/measured_bodies.h, NaN where it isn't known: histograms, value f64[,B], have an
+///                         attribute up_to f64, where the last of their equal bins ends, the first at 0
 /// /throng                 attributes version int32[2] = {kMajor, kMinor}, name, description
 ///   finished              u64: 0 while the run goes on, then chain_hash of frames/frame_hash
 ///   frames                step i64[F], time f64[F] = step * dt, state_hash u64[F], frame_hash u64[F]
@@ -91,8 +94,9 @@ inline constexpr int kMajor = 1;  ///< a reader refuses a newer one
 /// positions of bodies that come and go may be quantized: readers of 3 refuse these.
 /// Since 5 there are sensors, and of a crowd its measures, which readers of 4 overlook: to them such frames
 /// are damaged. What wrote 5 before it was settled kept the "%41" in a measure's name as it stands: damaged,
-/// too. Since 6 areas and queues are there, which readers of 5 overlook.
-inline constexpr int kMinor = 6;
+/// too. Since 6 areas and queues are there, which readers of 5 overlook. Since
+/// 7 there is what scenarios ask to be observed: to readers of 6 such frames are damaged.
+inline constexpr int kMinor = 7;
 
 inline constexpr std::size_t kMaxChunk = std::size_t{1} << 20;  ///< bytes
 inline constexpr std::size_t kRegionChunk = 256;                ///< bodies, where frames hold few of them

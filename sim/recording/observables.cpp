@@ -27,9 +27,12 @@ std::string path_part(std::string_view name) {
   return part;
 }
 
-std::vector<Observable> observables_of(bool crowd, std::span<const Measure> measures) {
+std::vector<Observable> observables_of(bool crowd, std::span<const Measure> measures,
+                                       std::span<const AskedColumn> asked) {
   std::vector<Observable> all{{"kinetic_energy"}, {"potential_energy"}, {"momentum", 2},
                               {"contacts"},       {"max_overlap"},      {"mean_overlap"}};
+  for (const AskedColumn& column : asked)
+    all.push_back({column.name, column.numbers, true, column.bins.up_to});
   if (!crowd) return all;
   all.push_back({"agents"});
   all.push_back({"arrived"});
@@ -42,6 +45,7 @@ std::vector<Observable> observables_of(bool crowd, std::span<const Measure> meas
 std::vector<double> numbers_of(const Observables& of) {
   std::vector<double> numbers{of.kinetic_energy, of.potential_energy, of.momentum.x(), of.momentum.y(),
                               of.contacts,       of.max_overlap,      of.mean_overlap};
+  numbers.insert(numbers.end(), of.asked.begin(), of.asked.end());
   if (!of.crowd) return numbers;
   numbers.push_back(of.crowd->agents);
   numbers.push_back(of.crowd->arrived);
@@ -49,9 +53,11 @@ std::vector<double> numbers_of(const Observables& of) {
   return numbers;
 }
 
-Observables observables_from(std::span<const double> n) {
+Observables observables_from(std::span<const double> n, bool crowd) {
   Observables result{n[0], n[1], {n[2], n[3]}, n[4], n[5], n[6]};
-  if (n.size() > kOfBodies)
+  if (!crowd)
+    result.asked.assign(n.begin() + kOfBodies, n.end());
+  else
     result.crowd = CrowdObservables{n[kOfBodies], n[kOfBodies + 1], {n.begin() + kOfBodies + 2, n.end()}};
   return result;
 }

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/measure/measured_bodies.h"
 #include "sim/observe.h"
 
 namespace throng::recording {
@@ -18,6 +19,7 @@ struct Observable {
   std::string name;            ///< its path there
   std::size_t components = 1;  ///< numbers
   bool may_be_nan = false;     ///< unknown at times
+  double up_to = 0.0;          ///< where the last of a histogram's bins ends; 0 of what is none
 };
 
 /// A name as one part of a path, from which it can be told again as from an address of the web: %2F for '/',
@@ -25,11 +27,13 @@ struct Observable {
 std::string path_part(std::string_view name);
 
 /// What is observed of a run, in the order in which frame_hash covers it; of a crowd also who is there, and
-/// what is measured.
-std::vector<Observable> observables_of(bool crowd, std::span<const Measure> measures);
+/// what is measured; behind all else what is asked for.
+std::vector<Observable> observables_of(bool crowd, std::span<const Measure> measures,
+                                       std::span<const AskedColumn> asked);
 
-/// Their numbers end to end, and back. Expects as many as the observables of the run have.
+/// Their numbers end to end, and back. Expects as many as the observables of the run have; of a crowd nothing
+/// is asked.
 std::vector<double> numbers_of(const Observables& observables);
-Observables observables_from(std::span<const double> numbers);
+Observables observables_from(std::span<const double> numbers, bool crowd);
 
 }  // namespace throng::recording

@@ -196,7 +196,7 @@ void Recorder::Impl::write_entries(TrajectoryWriter& writer) {
 
 std::optional<Observables> Recorder::Impl::observables(const QueueEntry& entry) const {
   if (!observed || !is_due(observed->record.observables, entry.state.step)) return std::nullopt;
-  return observe(*observed, entry.state, entry.contacts.size());
+  return observe(*observed, entry.state, entry.contacts);
 }
 
 /// First the frames reach the disk, then what says that they are there.

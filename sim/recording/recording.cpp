@@ -275,6 +275,11 @@ std::size_t Recording::id_samples() const {
 std::size_t Recording::samples(RecordField field) const {
   return impl_->reader.schedule(field).samples();
 }
+std::vector<std::string> Recording::observed() const {
+  std::vector<std::string> names;
+  for (const Observable& one : impl_->reader.observables()) names.push_back(one.name);
+  return names;
+}
 std::span<const std::int64_t> Recording::steps() const {
   return impl_->steps;
 }

@@ -112,6 +112,8 @@ class Recording {
   /// The same of the k-th recorded sensor.
   std::optional<std::size_t> sensor_sample(std::size_t sensor, std::size_t i) const;
 
+  std::vector<std::string> observed() const;  ///< names of what is below /observables
+
   /// Samples of a field, where it is stored, in all frames of the file, chosen or not.
   std::size_t samples(RecordField field) const;
 

@@ -99,6 +99,7 @@ class ObservableWriter {
   void create(hid_t group, const Observable& observable, Link link) {
     const h5::Handle element = h5::create_groups(group, observable.name.c_str());
     logs_.push_back(RowLog::create<double>(element, "value", observable.components));
+    if (observable.up_to > 0.0) h5::write_attribute(element, "up_to", observable.up_to);
     link(element);
   }
 

@@ -51,6 +51,11 @@ bool is_sound(const SensedSum& sum) {
   return is_count(sum.looks) && is_count(sum.sensed) && sum.sensed >> 32 <= sum.looks;
 }
 
+bool is_sound(const Collisions& all) {
+  return is_count(all.pairs) && is_count(all.walls) && is_count(all.pushed) && std::isfinite(all.virial) &&
+         std::isfinite(all.equilibrium);
+}
+
 bool is_sound(const CrowdState& crowd, std::int64_t step) {
   const auto past = [step](std::int64_t s) { return s >= 0 && s <= step; };
   return std::all_of(crowd.stand.begin(), crowd.stand.end(), is_near) &&
@@ -70,7 +75,7 @@ bool is_sound(const State& state) {
   return state.step >= 0 && is_sound(state.crowd, state.step) && are_names(state.id, state.crowd) &&
          std::all_of(state.sensed.begin(), state.sensed.end(),
                      [](const SensedSum& sum) { return is_sound(sum); }) &&
-         is_sound(state.disc_contacts) && is_sound(state.point_contacts) &&
+         is_sound(state.collisions) && is_sound(state.disc_contacts) && is_sound(state.point_contacts) &&
          is_sound(state.sleep.disc_contacts) && is_sound(state.sleep.point_contacts);
 }
 

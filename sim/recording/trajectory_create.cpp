@@ -146,8 +146,9 @@ void TrajectoryWriter::create_sampled(const Scene& scene) {
   if (record_.observables == 0) return;
   const h5::Handle group = h5::create_group(file_, "observables");
   h5::write_attribute(group, "every", std::int64_t{record_.observables});
-  observables_ = ObservableWriter(group, observables_of(scene.crowd.size() > 0, scene.crowd.measures),
-                                  [&](hid_t element) { link_times(element, record_.observables); });
+  observables_ = ObservableWriter(
+      group, observables_of(scene.crowd.size() > 0, scene.crowd.measures, asked_columns(scene)),
+      [&](hid_t element) { link_times(element, record_.observables); });
 }
 
 /// To the rows of that rate; to those of all frames for 0.

@@ -22,7 +22,7 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 
 // Where things stand in the header: see sim/recording/checkpoint.cpp.
-constexpr std::size_t kHeader = 208, kCounts = 56, kContentHash = 192, kHash = 200;  // bytes
+constexpr std::size_t kHeader = 248, kCounts = 56, kContentHash = 232, kHash = 240;  // bytes
 
 std::uint64_t number_at(const Bytes& bytes, std::size_t at) {
   std::uint64_t number;

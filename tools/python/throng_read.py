@@ -13,7 +13,8 @@ Indices are frames of the recording. A field that has a rate of its own is not i
 recording.velocity.frames are those that have it, recording.velocity.index_at(2.5) and .between(1, 2) choose of
 these, and recording.velocity[recording.velocity.frames] is all there is. With record.within, bodies that were
 outside have NaN. recording.contacts(i) gives where bodies pressed, recording.observables the measurements, of
-agents also "agents", "arrived" and "measure/NAME/count" and so on; recording.sensed("NAME", i) whom a sensor found;
+agents also "agents", "arrived" and "measure/NAME/count" and so on, recording.bins("speeds") the edges of a histogram's
+bins; recording.sensed("NAME", i) whom a sensor found;
 recording.bodies, .shapes, .materials, .domain, .walls, of crowds .walkable (rings), .areas and .queues the scene.
 
 Whatever isn't there, be it a frame, a field, a sample, a sensor, an observable or a time, raises NotRecorded, which
@@ -467,6 +468,14 @@ class Recording:
                 if len(value) < len(time):
                     raise ValueError(f"{name} has too few rows")
         return Measured(self._path, {unquote(name): (value[:len(time)], time) for name, value in found.items()})
+
+    def bins(self, name):
+        """The edges of the bins of an observable that is a histogram, one more than it has numbers a row."""
+        value, _ = self.observables[name]
+        up_to = self._file[f"observables/{name}"].attrs.get("up_to")
+        if up_to is None:
+            raise NotRecorded(f"{self._path}: observable {name!r} is no histogram")
+        return np.linspace(0.0, float(up_to), value.shape[1] + 1)
 
     def _elements(self, path, before=""):
         """What holds values below a group: paths, those of measures in groups of their own."""

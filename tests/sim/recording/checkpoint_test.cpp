@@ -57,6 +57,7 @@ TEST(Checkpoint, GivesBackAllThatWasWritten) {
   const Folder folder;
   State state = touching_state(41);
   std::swap(state.id[2], state.id[5]);  // rows may move
+  state.collisions = {1, 2, 3, 0.25, 0.125};
   write_checkpoint(folder / "a.ckpt", origin(), state);
   const Checkpoint read = read_checkpoint(folder / "a.ckpt");
   EXPECT_EQ(read.origin.version, "0.1.0");
@@ -69,6 +70,7 @@ TEST(Checkpoint, GivesBackAllThatWasWritten) {
   EXPECT_EQ(read.state.angle, state.angle);
   EXPECT_EQ(read.state.velocity, state.velocity);
   EXPECT_EQ(read.state.spin, state.spin);
+  EXPECT_EQ(read.state.collisions, state.collisions);
   expect_equal(read.state.disc_contacts, state.disc_contacts);
   expect_equal(read.state.point_contacts, state.point_contacts);
 }
@@ -179,6 +181,9 @@ TEST(Checkpoint, RefusesStatesThatNoRunHas) {
   EXPECT_TRUE(refused([](State& s) { s.id[3] = 0; }));
   EXPECT_TRUE(refused([](State& s) { s.id[3] = 8; }));
   EXPECT_TRUE(refused([](State& s) { s.step = -1; }));
+  EXPECT_TRUE(refused([](State& s) { s.collisions.walls = -1; }));
+  EXPECT_TRUE(refused([](State& s) { s.collisions.virial = nan; }));
+  EXPECT_TRUE(refused([](State& s) { s.collisions.equilibrium = infinity; }));
 }
 
 /// It happened: a finite velocity of 1e200 m/s passed, its square did not, and the broadphase was asked for
