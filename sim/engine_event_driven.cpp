@@ -26,7 +26,8 @@ class EventDriven : public Simulation {
   void step() override {
     StageClock clock;
     const double time = static_cast<double>(state_.step + 1) * scene_.time.dt;
-    discs_.run_until(time, rows_);
+    if (!discs_.run_until(time, next_rows_, stop_)) throw Interrupted{};
+    rows_.swap(next_rows_);
     clock.lap(collide_);
     ++state_.step;
     discs_.store(time, state_);
@@ -36,6 +37,8 @@ class EventDriven : public Simulation {
     sensing_.sense(state_);
     clock.lap(sense_);
   }
+
+  void heed(bool (*stop)()) override { stop_ = stop; }
 
   const State& state() const override { return state_; }
 
@@ -59,7 +62,8 @@ class EventDriven : public Simulation {
   State state_;
   HardDiscs discs_;
   Sensing sensing_;
-  std::vector<ContactRow> rows_;                      ///< collisions of the last step
+  bool (*stop_)() = nullptr;
+  std::vector<ContactRow> rows_, next_rows_;  ///< collisions of the last step, and of one that goes on
   double collide_ = 0.0, store_ = 0.0, sense_ = 0.0;  ///< s
 };
 

@@ -16,13 +16,21 @@
 
 namespace throng {
 
+/// A step that was given up because somebody wants the run to end: the simulation has the state of the step
+/// before, and can't go on.
+struct Interrupted {};
+
 /// One run of a scene by the engine that the scene names.
 class Simulation {
  public:
   virtual ~Simulation() = default;
 
-  /// Advances by dt. Throws SimulationError where the run can't go on.
+  /// Advances by dt. Throws SimulationError where the run can't go on, and Interrupted as heed() says.
   virtual void step() = 0;
+
+  /// From now on a step that takes long asks `stop` now and then, and throws Interrupted where it says true.
+  /// Most engines' steps don't take long.
+  virtual void heed(bool (*)()) {}
 
   virtual const State& state() const = 0;
 

@@ -93,13 +93,17 @@ RunTimes advance(Simulation& simulation, const Scene& scene, const DriveOptions&
   const std::int64_t steps = scene.time.steps();
   const State& state = simulation.state();
   frames.take(simulation);
-  while (state.step < steps && !stop_signal) {
-    times.begin_step();
-    simulation.step();
-    times.end_step();
-    frames.take(simulation);
-    if (recorder && clock.is_due()) recorder->checkpoint(state);
-    progress.update(state.step);
+  simulation.heed(stop_requested);
+  try {
+    while (state.step < steps && !stop_signal) {
+      times.begin_step();
+      simulation.step();
+      times.end_step();
+      frames.take(simulation);
+      if (recorder && clock.is_due()) recorder->checkpoint(state);
+      progress.update(state.step);
+    }
+  } catch (const Interrupted&) {  // by a signal, within a step
   }
   return times;
 }

@@ -18,8 +18,9 @@ namespace throng {
 
 namespace {
 
-constexpr double kRounding = 1e-9;          // of the reach: deeper overlaps are the scene's
-constexpr std::uint32_t kMostStill = 1000;  // collisions in a row that lead nowhere
+constexpr double kRounding = 1e-9;            // of the reach: deeper overlaps are the scene's
+constexpr std::uint32_t kMostStill = 1000;    // collisions in a row that lead nowhere
+constexpr std::uint32_t kPatience = 1 << 14;  // events from one look at what wants the run to end to the next
 
 std::vector<std::uint32_t> dynamic_rows(const Bodies& bodies) {
   std::vector<std::uint32_t> rows;
@@ -126,9 +127,10 @@ const Surface& HardDiscs::surface(std::uint32_t disc, std::uint32_t other) const
   return plan_.surfaces[material[body(disc)] * scene_.materials.size() + second];
 }
 
-void HardDiscs::run_until(double time, std::vector<ContactRow>& rows) {
+bool HardDiscs::run_until(double time, std::vector<ContactRow>& rows, bool (*stop)()) {
   rows.clear();
-  while (soonest_.time() <= time) {
+  for (std::uint32_t events = 1; soonest_.time() <= time; ++events) {
+    if (stop && events % kPatience == 0 && stop()) return false;
     const double now = soonest_.time();
     const std::uint32_t disc = soonest_.row();
     const Next& next = next_[disc];
@@ -139,6 +141,7 @@ void HardDiscs::run_until(double time, std::vector<ContactRow>& rows) {
     else
       collide(disc, now, rows);
   }
+  return true;
 }
 
 /// Into the next cell: three more cells are near, and other obstacles.

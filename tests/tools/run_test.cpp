@@ -254,6 +254,15 @@ TEST_F(RunCommand, AStoppedRunClosesItsFileAndNamesIt) {
 
 /// `timeout` and batch systems send a signal to the process and to its group: a run that took the second for
 /// impatience died with its file open, now and then.
+TEST_F(RunCommand, ASignalIsHeardWithinAStepOfManyCollisions) {
+  const Result result =
+      throng("run " + write("a.toml", kTwoDiscs) + " --dt 1e6 --until 2e6 --set bodies.0.velocity=[1000,0]",
+             "timeout --preserve-status -k 20 -s INT 1 ");
+  EXPECT_EQ(result.exit_code, 130) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("stopped by a signal after step 0 of 2"));
+  EXPECT_EQ(json::parse(result.out)["collisions"], 0);
+}
+
 TEST_F(RunCommand, ASignalThatComesAgainStopsItOnce) {
   const std::string script =
       write("again.sh", "\"$@\" & run=$!; sleep 2; kill -TERM $run; sleep 0.05; kill -TERM $run; wait $run");

@@ -75,6 +75,18 @@ TEST(HardDiscs, MayBeNone) {
   }
 }
 
+// It happened: a step of a million collisions heard no signal.
+TEST(HardDiscs, GiveUpAStepWhereSomebodyWantsThemTo) {
+  Flown run("domain = { box = [[0, 0], [4, 4]] }\n" + setting(1, 0, 1e5) + ball(1, 1, 1, 0.5) +
+            ball(3, 2, -1, 0.2));
+  run.simulation->heed([] { return true; });
+  EXPECT_THROW(run.simulation->step(), Interrupted);
+  EXPECT_EQ(run.simulation->state().step, 0);
+  EXPECT_EQ(run.at(0), Vec(1, 1));
+  EXPECT_EQ(run.simulation->contacts(), 0u);
+  EXPECT_EQ(run.simulation->collisions()->pairs, 0);
+}
+
 TEST(HardDiscs, AgreeWithAllPairsLookedAtAfterEachCollision) {
   for (const double restitution : {1.0, 0.9}) {
     Flown run(
