@@ -23,7 +23,13 @@ Type uniform(Type bound, const std::string& doc) {
 
 Type time_table() {
   return table(
-      {{{"dt", number(kShortestStep, 1e6, "s"), "Length of a step, s.", "0.01"},
+      {{{"dt", either({number(kShortestStep, 1e6, "s"), choice({"auto"})}),
+         "Length of a step, s; auto: chosen with the substeps so that `error` is met, as `throng plan` "
+         "explains.",
+         "0.01"},
+        {"error", number(1e-12, 1),
+         "With dt = \"auto\": what is allowed, of the smallest body's radius, or of what `throng plan` "
+         "says."},
         {"until", number(0, 1e12, "s"), "When the simulation ends, s.", "10.0"},
         {"substeps", integer(1, 1000),
          "Substeps within a step; absent: so many that one takes 2.5 ms at most, 4 to 40, and with contacts "

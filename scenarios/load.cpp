@@ -68,9 +68,19 @@ void read_scene(const toml::table& root, Scene& scene, Report& report) {
   read_recorded_bodies(root, scene, report);
   if (report.errors() > 0) return;
   read_sensors(root, scene, report);
+  settle_auto_time(root, scene, report);
   settle_soft_contacts(root, scene, report);
   if (report.errors() == 0) check_engine(root, scene, report);
   if (report.errors() == 0) check_observe(root, scene, report);
+}
+
+/// What was chosen stands in the resolved scenario, so that it makes the same run wherever it ends.
+void write_chosen_time(toml::table& root, const Time& time) {
+  if (!(time.error > 0.0)) return;
+  toml::table& table = *root["time"].as_table();
+  table.insert_or_assign("dt", time.dt);
+  table.insert_or_assign("substeps", std::int64_t{time.substeps});
+  table.erase("error");
 }
 
 void load(Loaded& loaded, const std::string& name, std::span<const std::string> overrides) {
@@ -82,6 +92,7 @@ void load(Loaded& loaded, const std::string& name, std::span<const std::string> 
     report.error(*root->get("motion"), "motion", "this is a motion file; throng motion answers it");
   else
     read_scene(*root, loaded.scene, report);
+  write_chosen_time(*root, loaded.scene.time);
   loaded.resolved = print(*root);
   loaded.diagnostics = report.take();
 }

@@ -55,6 +55,10 @@ void read_contact(const toml::table& root, Scene& scene, Report& report);
 /// where it takes fewer than 20, and refuses steps that are unstable. Expects all bodies in the scene.
 void settle_soft_contacts(const toml::table& root, Scene& scene, Report& report);
 
+/// Where dt is "auto": chooses it and the substeps, or reports why nothing can be promised. Expects all
+/// bodies in the scene.
+void settle_auto_time(const toml::table& root, Scene& scene, Report& report);
+
 /// Rates, fields and form of the recording; part of read_settings.
 void read_record(const toml::table& root, Scene& scene, Report& report);
 

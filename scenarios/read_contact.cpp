@@ -107,7 +107,7 @@ void settle_soft_contacts(const toml::table& root, Scene& scene, Report& report)
   if (const std::string refusal = soft_refusal(scene); !refusal.empty())
     return report.error(*root["contact"]["model"].node(), "contact.model", refusal);
   const SoftTiming timing = soft_timing(scene);
-  if (!root["time"]["substeps"])
+  if (!root["time"]["substeps"] && !(scene.time.error > 0.0))
     scene.time.substeps =
         static_cast<int>(std::min(kMostSubsteps, fewest_substeps(scene, timing.contact / kPerContact)));
   check_step(root, scene, timing, report);

@@ -25,11 +25,25 @@ void warn_of_longer_end(const toml::table& table, const Time& time, Report& repo
                      std::to_string(time.steps()) + " of them");
 }
 
+/// Only the bodies tell how long steps may be: settle_auto_time() chooses.
+void read_wanted_error(const toml::table& table, Time& time, Report& report) {
+  time.until = number(table, "until", time.until);
+  time.error = number(table, "error", 0.0);
+  if (!table.contains("error"))
+    report.error(*table.get("dt"), "time.error", "is missing: dt = \"auto\" needs to know what to meet");
+  if (const toml::node* substeps = table.get("substeps"))
+    report.error(*substeps, "time.substeps", "is chosen, as dt is \"auto\"");
+}
+
 void read_time(const toml::table& root, Scene& scene, Report& report) {
   const toml::node* node = good(root, "time", report);
   if (!node) return;
   const toml::table& table = *node->as_table();
   Time& time = scene.time;
+  if (const toml::node* dt = table.get("dt"); dt && dt->is_string())
+    return read_wanted_error(table, time, report);
+  if (const toml::node* error = table.get("error"))
+    report.error(*error, "time.error", "needs dt = \"auto\", which is chosen for it");
   time.dt = number(table, "dt", time.dt);
   time.until = number(table, "until", time.until);
   time.substeps = static_cast<int>(number(table, "substeps", substeps_of(time.dt)));

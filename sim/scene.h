@@ -72,6 +72,7 @@ struct Time {
   double dt = 0.01;     ///< s, > 0
   double until = 10.0;  ///< s, >= 0
   int substeps = 4;     ///< >= 1
+  double error = 0.0;   ///< that dt and substeps were chosen for (auto_time.h); 0: they were given
 
   std::int64_t steps() const;  ///< the fewest steps that reach `until`, up to rounding; at most kMostSteps
   static constexpr double kMostSteps = 1e12;  ///< no run has more

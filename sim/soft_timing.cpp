@@ -74,11 +74,11 @@ double least_restitution(const Scene& scene) {
 }  // namespace
 
 SoftTiming soft_timing(const Scene& scene) {
-  const double ratio = damping_ratio(least_restitution(scene));
+  const double restitution = least_restitution(scene), ratio = damping_ratio(restitution);
   const SoftRatios tangential = soft_ratios(scene);
   const bool alone = std::ranges::count(scene.bodies.kind, BodyKind::dynamic) == 1;
   const double part = alone ? 1.0 : 0.5;  // of mass and radius, that two alike have
-  SoftTiming timing{meeting_speed(scene), kInfinite, kInfinite};
+  SoftTiming timing{meeting_speed(scene), kInfinite, restitution, kInfinite};
   for (std::size_t row = 0; row < scene.bodies.size(); ++row) {
     if (scene.bodies.kind[row] != BodyKind::dynamic) continue;
     const double reduced = part * mass(scene, row);
@@ -89,6 +89,11 @@ SoftTiming soft_timing(const Scene& scene) {
                                1.0 / (ratio * frequency * packed(tangential.damping))});
   }
   return timing;
+}
+
+double substeps_per_impact(double restitution, double error) {
+  const double ratio = damping_ratio(restitution);
+  return std::sqrt((0.05 + ratio * (1.7 + 18.0 * ratio)) / error);
 }
 
 std::string soft_refusal(const Scene& scene) {

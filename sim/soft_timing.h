@@ -10,8 +10,9 @@ namespace throng {
 
 /// How long soft contacts of a scene last, and how long a substep may be.
 struct SoftTiming {
-  double speed = 0.0;    ///< m/s, at which bodies may meet
-  double contact = 0.0;  ///< s, the shortest impact; infinite where none is to be expected
+  double speed = 0.0;        ///< m/s, at which bodies may meet
+  double contact = 0.0;      ///< s, the shortest impact; infinite where none is to be expected
+  double restitution = 1.0;  ///< the least of what may meet
   double longest = 0.0;  ///< s, the longest substep that is stable, in the densest packing; may be infinite
 };
 
@@ -22,6 +23,11 @@ struct SoftTiming {
 /// Stable are w h < 2 and z h < 2, w the highest frequency and z the highest damping rate of a packing in
 /// which each disc has six contacts.
 SoftTiming soft_timing(const Scene& scene);
+
+/// In how many substeps the shortest impact must take place for its restitution to be off by no more than
+/// `error`, of what it is (of 0.2 where it is less): as measured at 16 phases of a step for restitutions from
+/// 0.05 to 1, and a fifth more.
+double substeps_per_impact(double restitution, double error);
 
 /// What soft contacts can't do of the scene: "PATH: why", "" where they can do all of it. O(bodies).
 std::string soft_refusal(const Scene& scene);

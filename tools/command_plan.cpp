@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "sim/auto_time.h"
 #include "sim/plan.h"
 #include "sim/recording/expected_bytes.h"
 #include "sim/uses_substeps.h"
@@ -34,6 +35,11 @@ Json to_json(const Scene& scene, const Plan& plan) {
   Json stages = Json::array();
   for (const Stage& stage : plan.stages)
     stages.push_back({{"stage", stage.name}, {"runs", stage.runs}, {"reason", stage.reason}});
+  Json chosen = nullptr;
+  if (scene.time.error > 0.0) {
+    const AutoTime time = auto_time(scene);
+    chosen = {{"error", scene.time.error}, {"promise", time.promise}, {"why", time.why}};
+  }
   return {{"scenario", scene.name},
           {"engine", engine_name(scene.engine)},
           {"bodies", scene.bodies.size() - scene.crowd.size()},
@@ -45,6 +51,7 @@ Json to_json(const Scene& scene, const Plan& plan) {
           {"steps", scene.time.steps()},
           {"dt", scene.time.dt},
           {"substeps", uses_substeps(scene) ? Json(scene.time.substeps) : Json(nullptr)},
+          {"auto", chosen},
           {"stages", stages},
           {"frames", frames(scene)},
           {"output_bytes", std::llround(std::min(recording::expected_bytes(scene), 9e18))}};
@@ -74,8 +81,13 @@ void print(const Scene& scene, const Plan& plan) {
       counted(static_cast<std::int64_t>(scene.crowd.size()), "agent").c_str(),
       counted(static_cast<std::int64_t>(scene.walls.size()), "wall").c_str(), engine_name(scene.engine));
   const std::string substeps = uses_substeps(scene) ? " in " + counted(scene.time.substeps, "substep") : "";
-  std::printf("%s of %g s%s\n\n", counted(scene.time.steps(), "step").c_str(), scene.time.dt,
-              substeps.c_str());
+  std::printf("%s of %g s%s\n", counted(scene.time.steps(), "step").c_str(), scene.time.dt, substeps.c_str());
+  if (scene.time.error > 0.0) {
+    const AutoTime chosen = auto_time(scene);
+    std::printf("chosen for an error of %g: %s; %s\n", scene.time.error, chosen.promise.c_str(),
+                chosen.why.c_str());
+  }
+  std::puts("");
   if (scene.engine == Engine::box2d)
     std::puts("Box2D runs the whole step in one stage; the native engine would run:");
   if (scene.engine == Engine::event_driven)

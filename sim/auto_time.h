@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "sim/scene.h"
+
+/// How long steps may be for a wanted error, where that can be told before a run.
+namespace throng {
+
+/// `time.dt = "auto"`.
+struct AutoTime {
+  double dt = 0.01;  ///< s, a whole part of the run
+  int substeps = 4;
+  std::string promise;  ///< what the error is of, a clause
+  std::string why;      ///< how the steps follow from it, a clause
+  std::string refusal;  ///< why nothing can be promised; "" where it can, and all above is filled in
+};
+
+/// Chooses for scene.time.error and .until, whatever the scene's dt and substeps are. An error is of the
+/// radius of the smallest dynamic body, unless `promise` says otherwise:
+///
+/// * of what only falls, and of one body that slides, rolls or bounces on straight walls square to each
+/// other,
+///   how far off its exact way it is at the end: semi-implicit Euler is late by g h t / 2, h the substep;
+/// * of several that stand on one another at the beginning, how far from there they get; of several that fall
+///   and don't bounce, how deep those that press on one another overlap by the mean: a contact sags by F h² /
+///   (1.28 m), with F the weight of all above, spread over the floor;
+/// * of soft contacts, how far the restitution of an impact is off the formula: it falls with the square of
+/// the
+///   substeps in an impact (soft_law.h), as measured for all restitutions;
+/// * of discs that keep all their energy and that nothing pulls, and of engine event_driven, nothing but
+///   rounding is left at any step.
+///
+/// Nothing is promised of crowds, of Box2D, and where errors grow at each collision: among bodies that
+/// bounce. O(bodies + walls), and the pairs of bodies that touch.
+AutoTime auto_time(const Scene& scene);
+
+}  // namespace throng

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "sim/standing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sim/observe.h"
+
+namespace throng {
+
+namespace {
+
+constexpr double kTouching = 1e-3;  // radii
+constexpr double kSquare = 1e-9;    // sine of the angle up to which walls are parallel
+
+template <class F>
+void for_dynamic(const Scene& scene, F f) {
+  for (std::size_t row = 0; row < scene.bodies.size(); ++row)
+    if (scene.bodies.kind[row] == BodyKind::dynamic) f(row);
+}
+
+/// m, across gravity.
+double width(const Scene& scene) {
+  const Vec across(-scene.gravity.normalized().y(), scene.gravity.normalized().x());
+  if (scene.domain.kind != DomainKind::unbounded)
+    return std::abs(across.x()) * (scene.domain.max - scene.domain.min).x() +
+           std::abs(across.y()) * (scene.domain.max - scene.domain.min).y();
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for_dynamic(scene, [&](std::size_t row) {
+    const double at = across.dot(scene.bodies.position[row]), radius = scene.bodies.radius[row];
+    low = std::min(low, at - radius), high = std::max(high, at + radius);
+  });
+  return high - low;
+}
+
+bool square_to(const Vec& a, const Vec& b) {
+  const double cross = std::abs(a.x() * b.y() - a.y() * b.x()), dot = std::abs(a.dot(b));
+  return std::min(cross, dot) <= kSquare * a.norm() * b.norm();
+}
+
+/// The pieces of all straight walls, as directions.
+std::vector<Vec> directions(const Scene& scene) {
+  std::vector<Vec> all;
+  if (scene.domain.kind == DomainKind::box) all.push_back(Vec(1.0, 0.0));
+  for (const Wall& wall : scene.walls)
+    for (std::size_t i = 0; i + 1 < wall.points.size(); ++i)
+      all.push_back(wall.points[i + 1] - wall.points[i]);
+  return all;
+}
+
+}  // namespace
+
+Load load_of(const Scene& scene) {
+  double all = 0.0, lightest = std::numeric_limits<double>::infinity(), widest = 0.0;
+  for_dynamic(scene, [&](std::size_t row) {
+    all += mass(scene, row);
+    lightest = std::min(lightest, mass(scene, row));
+    widest = std::max(widest, 2.0 * scene.bodies.radius[row]);
+  });
+  const double total = all / lightest;
+  const double mean = std::clamp(total * widest / width(scene), 1.0, total);
+  return {std::min(2.0 * mean, total), mean};
+}
+
+bool stands(const Scene& scene) {
+  std::size_t dynamic = 0;
+  bool still = true;
+  double least = std::numeric_limits<double>::infinity();
+  for_dynamic(scene, [&](std::size_t row) {
+    still = still && scene.bodies.velocity[row] == Vec(0.0, 0.0) && scene.bodies.spin[row] == 0.0;
+    least = std::min(least, scene.bodies.radius[row]);
+    ++dynamic;
+  });
+  if (!still) return false;
+  Scene grown = scene;  // so that they overlap where they touch
+  const double gap = kTouching * least;
+  for (double& radius : grown.bodies.radius) radius += gap;
+  for (Shape& shape : grown.shapes)
+    for (narrowphase::Convex& part : shape.parts) part.radius += gap;
+  return overlap(grown, initial_state(scene)).pairs >= dynamic;
+}
+
+std::string doubt_of_one(const Scene& scene, bool bounces) {
+  const std::string sensitive = ": the way is sensitive to where it is met";
+  if (std::ranges::count(scene.bodies.kind, BodyKind::fixed) > 0)
+    return "static bodies have corners or are round" + sensitive;
+  const std::vector<Vec> walls = directions(scene);
+  for (const Vec& wall : walls)
+    if (!square_to(wall, walls[0])) return "walls are not square to each other" + sensitive;
+  if (!bounces) return "";
+  for (const Vec& wall : walls)
+    if (!square_to(wall, scene.gravity)) return "what bounces falls askew to the walls" + sensitive;
+  bool discs = true;
+  for_dynamic(scene, [&](std::size_t row) {
+    discs = discs && scene.shapes[scene.bodies.shape[row]].kind == ShapeKind::disc;
+  });
+  return discs ? "" : "what bounces isn't a disc" + sensitive;
+}
+
+}  // namespace throng

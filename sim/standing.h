@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "sim/scene.h"
+
+/// What can be told of a scene's rest before it runs.
+namespace throng {
+
+/// How many times the weight of the lightest body others may bear.
+struct Load {
+  double most;  ///< at the lowest contact: twice the mean of the floor, but not more than there is
+  double mean;  ///< over all of the floor under the bodies
+};
+
+/// Of dynamic bodies whose weight is spread over their width, or that of the box. Expects some, and gravity.
+/// O(bodies).
+Load load_of(const Scene& scene);
+
+/// Whether all dynamic bodies are at rest, and touch others or obstacles in as many places as there are
+/// bodies, up to a thousandth of the smallest radius: as those that stand on one another do. O(bodies and
+/// pairs).
+bool stands(const Scene& scene);
+
+/// Why the way of dynamic bodies that never meet each other may be sensitive to where they are, "" where it
+/// isn't: obstacles that aren't straight walls along one direction and across it, corners, and, where
+/// anything `bounces`, gravity askew to these and bodies that aren't discs.
+std::string doubt_of_one(const Scene& scene, bool bounces);
+
+}  // namespace throng

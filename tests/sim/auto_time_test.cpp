@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// time.dt = "auto": what is promised is kept, and not by far too short steps.
+#include "sim/auto_time.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "sim/observe.h"
+#include "tests/sim/trial.h"
+
+namespace throng {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string wanted(double error, double until) {
+  return "time = { dt = \"auto\", error = " + std::to_string(error) + ", until = " + std::to_string(until) +
+         " }\n";
+}
+
+const double kErrors[] = {0.1, 0.01, 1e-3};
+const std::string kFalls = "sleep = false\ngravity = [0, -9.81]\n";
+
+TEST(AutoTime, KeepsAThrowOnItsWay) {
+  for (const double error : kErrors) {
+    Trial run(wanted(error, 2) + kFalls + kDisc + ball(0, 1, 3, 8));
+    run.steps(static_cast<int>(run.scene.time.steps()));
+    EXPECT_NEAR(run.scene.time.dt * static_cast<double>(run.scene.time.steps()), 2.0, 1e-12) << "whole steps";
+    const double off = (run.state.position[0] - Vec(6, 1 + 16 - 0.5 * 9.81 * 4)).norm() / 0.5;
+    EXPECT_LE(off, error);
+    EXPECT_GE(off, 0.5 * error) << "and no shorter steps than it takes";
+  }
+}
+
+TEST(AutoTime, KeepsADiscThatRollsOnItsWay) {
+  const std::string slope =
+      "sleep = false\ngravity = [4.905, -8.4957]\n[[walls]]\nsegment = [[-9, 0], [99, 0]]\n";
+  for (const double error : kErrors) {
+    Trial run(wanted(error, 2) + slope + kDisc + ball(0, 0.5, 0, 0));
+    run.steps(static_cast<int>(run.scene.time.steps()));
+    EXPECT_LE(std::abs(run.state.position[0].x() - 2.0 / 3.0 * 0.5 * 4.905 * 4) / 0.5, error);
+  }
+}
+
+/// Of restitutions from those that stop nearly all to those that keep all, at eight phases of a step.
+TEST(AutoTime, KeepsTheRestitutionOfSoftImpacts) {
+  for (const char* model : {"model = \"spring\", stiffness = 1e4", "model = \"hertz\", youngs_modulus = 1e6"})
+    for (const double e : {0.05, 0.1, 0.2, 0.35, 0.5, 0.8, 0.95, 1.0})
+      for (const double error : {0.01, 1e-3, 1e-4}) {
+        double worst = 0.0;
+        for (int phase = 0; phase < 8; ++phase) {
+          Scene scene = scene_from(wanted(error, 0.6) + "contact = { " + model + " }\n" + material(e, 0) +
+                                   kDisc + ball(0, 0, 1, 0) + ball(1.1, 0, -1, 0));
+          scene.bodies.position[1].x() += 2.0 * scene.time.dt / scene.time.substeps * phase / 8;
+          Trial run(std::move(scene));
+          run.steps(static_cast<int>(run.scene.time.steps()));
+          EXPECT_LT(run.state.velocity[0].x(), 0.0);
+          worst = std::max(worst, std::abs(-run.state.velocity[0].x() - e) / std::max(e, 0.2));
+        }
+        EXPECT_LE(worst, error) << model << ", e " << e << ", " << error;
+      }
+}
+
+TEST(AutoTime, LetsAColumnStandWhereItStands) {
+  for (const double error : {0.1, 0.01}) {
+    Trial run(
+        wanted(error, 2) + kFalls +
+        "shapes.box.polygon = [[0, 0], [1, 0], [1, 1], [0, 1]]\n[[walls]]\nsegment = [[-9, 0], [9, 0]]\n"
+        "[[bodies]]\nshape = \"box\"\nplace.lattice = { origin = [0, 0.5], spacing = [1, 1], size = [1, 10] "
+        "}\n");
+    run.steps(static_cast<int>(run.scene.time.steps()));
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < 10; ++i)
+      farthest = std::max(farthest, (run.state.position[i] - run.scene.bodies.position[i]).norm());
+    EXPECT_LE(farthest / std::sqrt(0.5), error);
+    EXPECT_GE(farthest / std::sqrt(0.5), 0.02 * error);
+  }
+}
+
+TEST(AutoTime, LetsAPileOverlapByNoMore) {
+  for (const double error : {0.1, 0.01}) {
+    Trial run(
+        "seed = 3\n" + wanted(error, 3) + kFalls + "domain = { box = [[0, 0], [10, 30]] }\n" + kDisc +
+        "[[bodies]]\nshape = \"ball\"\ncount = 120\nplace = { random = { within = [[0, 0], [10, 29]] } }\n");
+    run.steps(static_cast<int>(run.scene.time.steps()));
+    const double mean = overlap(run.scene, run.state).mean / 0.5;
+    EXPECT_LE(mean, error);
+    EXPECT_GE(mean, 0.02 * error);
+  }
+}
+
+TEST(AutoTime, TakesLongStepsWhereTheyCostNothing) {
+  const Scene gas =
+      scene_from(wanted(1e-3, 2) + material(1, 0) + kDisc + ball(0, 0, 1, 0) + ball(3, 0, -1, 0));
+  EXPECT_EQ(gas.time.dt, 0.1);
+  EXPECT_THAT(auto_time(gas).promise, HasSubstr("rounding alone"));
+}
+
+/// What was chosen makes the same run again, wherever that ends.
+TEST(AutoTime, StandsInTheResolvedScenario) {
+  const Loaded chosen =
+      load_scenario_text("throng = 1\n" + wanted(1e-3, 2) + kFalls + kDisc + ball(0, 1, 3, 8), "a");
+  const Loaded again = load_scenario_text(chosen.resolved, "b");
+  EXPECT_EQ(again.errors(), 0) << chosen.resolved;
+  EXPECT_EQ(again.scene.time.dt, chosen.scene.time.dt);
+  EXPECT_EQ(again.scene.time.substeps, chosen.scene.time.substeps);
+  EXPECT_EQ(again.scene.time.error, 0.0);
+}
+
+TEST(AutoTime, RefusesWhatNobodyCanPromise) {
+  const auto said = [](const std::string& scene) {
+    return to_string(load_scenario_text("throng = 1\n" + scene, "a").diagnostics, "a");
+  };
+  const std::string good = wanted(1e-3, 2), floor = "[[walls]]\nsegment = [[-9, 0], [9, 0]]\n";
+  const std::string one = kDisc + ball(0, 1, 0, 0), two = one + ball(3, 1, 0, 0);
+  EXPECT_EQ(said(good + kFalls + one + floor), "");
+  EXPECT_THAT(said(good + kFalls + material(0.5, 0) + two + floor),
+              HasSubstr("errors grow at each collision"));
+  EXPECT_THAT(said(good + two), HasSubstr("errors grow at each collision"));
+  EXPECT_THAT(said(good + "engine = \"box2d\"\n" + one), HasSubstr("nothing is known of Box2D's error"));
+  EXPECT_THAT(said(good + kFalls + two + "kind = \"kinematic\"\n" + floor), HasSubstr("kinematic bodies"));
+  EXPECT_THAT(said(good + kFalls + one + ball(0, -3, 0, 0) + "kind = \"static\"\n"),
+              HasSubstr("corners or are round"));
+  EXPECT_THAT(said(good + kFalls + one + floor + "[[walls]]\nsegment = [[0, 0], [9, 3]]\n"),
+              HasSubstr("not square"));
+  EXPECT_THAT(said(good + "gravity = [1, -9]\n" + material(0.5, 0) + one + floor), HasSubstr("askew"));
+  EXPECT_THAT(said("time = { dt = \"auto\", until = 2 }\n" + one), HasSubstr("time.error: is missing"));
+  EXPECT_THAT(said("time = { error = 0.1, until = 2 }\n" + one), HasSubstr("needs dt = \"auto\""));
+  EXPECT_THAT(said("time = { dt = \"auto\", error = 0.1, substeps = 4 }\n" + one), HasSubstr("is chosen"));
+  EXPECT_THAT(said("time = { dt = \"auto\", error = 1e-12, until = 1e5 }\n" + kFalls + one + floor),
+              HasSubstr("allow a larger error"));
+}
+
+}  // namespace
+}  // namespace throng
