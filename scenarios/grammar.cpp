@@ -95,8 +95,9 @@ Type record_table() {
 }
 
 Type bins_table(Type up_to, const char* what) {
-  return table({{required({"up_to", std::move(up_to), std::string("Where the last bin ends, ") + what + "."}),
-                 {"bins", integer(1, kMostBins), "How many bins, all as wide, the first from 0 on.", "50"}}});
+  return table(
+      {{required({"up_to", std::move(up_to), std::string("Where the last bin ends, ") + what + "."}),
+        {"bins", integer(1, kMostBins), "How many bins, all as wide, the first from 0 on; absent: 50."}}});
 }
 
 Type observe_table() {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "narrowphase/trigonometry.h"
+
 namespace throng {
 
 namespace {
@@ -13,7 +15,7 @@ using std::numbers::pi;
 
 /// Twice the area between a chord of the unit disc, at t from its centre, and the centre's parallel to it.
 double strip(double t) {
-  return t * std::sqrt(1.0 - t * t) + std::asin(t);
+  return t * std::sqrt(1.0 - t * t) + 0.5 * pi - narrowphase::arc_cosine(t);
 }
 
 /// Of the unit disc the area where x <= a and y <= b.
