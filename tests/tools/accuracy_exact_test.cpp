@@ -10,6 +10,7 @@
 #include "tools/bench/accuracy/exact_impact.h"
 #include "tools/bench/accuracy/exact_incline.h"
 #include "tools/bench/accuracy/exact_row.h"
+#include "tools/bench/accuracy/exact_spring.h"
 #include "tools/bench/accuracy/exact_throw.h"
 
 namespace throng::bench {
@@ -220,6 +221,25 @@ TEST(ExactGas, CollidesAtTheRateOfBoltzmannWhereItIsThin) {
   const double number = fraction / (0.25 * M_PI * diameter * diameter);  // 1/m²
   EXPECT_NEAR(exact_collision_rate(fraction, diameter, square),
               2.0 * number * diameter * std::sqrt(M_PI * square / 2.0), 1e-9);
+}
+
+/// Newton's law in a million small steps, from touch to the end of the overlap.
+TEST(ExactSpring, IsTheOscillationOfItsEquation) {
+  const double k = 2e4, m = 0.3;
+  for (const double e : {0.2, 0.7, 1.0}) {
+    const double damping = exact_damping(k, m, e), h = 1e-8;
+    double depth = 0.0, speed = 1.0, time = 0.0;
+    do {
+      const double half = speed - 0.5 * h * (k * depth + damping * speed) / m;
+      depth += h * half;
+      speed -= h * (k * depth + damping * half) / m;
+      time += h;
+    } while (depth > 0.0);
+    const SpringImpact exact = exact_spring_impact(k, m, damping);
+    EXPECT_NEAR(exact.restitution, e, 1e-14);
+    EXPECT_NEAR(-speed, e, 1e-4);
+    EXPECT_NEAR(time / exact.duration, 1.0, 1e-4);
+  }
 }
 
 }  // namespace

@@ -70,6 +70,22 @@ TEST_F(BenchAccuracy, FindsNoErrorWhereCollisionsAreSolvedInClosedForm) {
   EXPECT_GT(worst(rows["throw"]["native"]), 0.1) << "radii: semi-implicit Euler falls too late";
 }
 
+TEST_F(BenchAccuracy, KeepsWhatIsPromisedWhereItChoosesTheSteps) {
+  auto rows = rows_of(
+      "--engine 'native auto' --only throw --only rolling --only slipping --only slide "
+      "--only bounce --only cradle --only illiard --only impact");
+  for (const auto& [name, engines] : rows)
+    for (const auto& row : engines.at("native auto")) {
+      if (name == "impact") {
+        EXPECT_THAT(row["note"].get<std::string>(), ::testing::HasSubstr("errors grow at each collision"));
+        continue;
+      }
+      ASSERT_TRUE(row["error"].is_number()) << name << row;
+      EXPECT_LE(row["error"], row["asked"]) << name << row;
+    }
+  EXPECT_EQ(rows["throw"]["native auto"].size(), 3u) << "a tenth, a hundredth, a thousandth of a radius";
+}
+
 TEST_F(BenchAccuracy, ConvergesAtTheOrderOfTheIntegrator) {
   auto rows = rows_of("--only throw --only rolling --only slipping --only slide");
   EXPECT_NEAR(order(rows["throw"]["native"]), 1.0, 0.01) << "semi-implicit Euler";

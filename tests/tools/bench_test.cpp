@@ -64,6 +64,31 @@ TEST_F(BenchCommand, PutsAPileToSleep) {
   EXPECT_TRUE(engines.contains("native") && engines.contains("native, sleeps"));
 }
 
+TEST_F(BenchCommand, TurnsEachKnobAndGetsTheSameBits) {
+  const Result result = throng("bench knobs --quick --only pile --blocks 1 --json " + path("rows.json"));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  std::map<std::string, std::set<std::string>> engines, checks;
+  for (const auto& row : nlohmann::json::parse(read(path("rows.json")))) {
+    engines[row["case"]].insert(row["engine"]);
+    checks[row["case"]].insert(row["check"]);
+  }
+  EXPECT_TRUE(engines["pile, settled"].contains("2 threads"));
+  EXPECT_GE(engines["pile, settled"].size(), 3u) << "and some vectors";
+  EXPECT_EQ(checks["pile, settled"].size(), 1u) << "the same hash";
+  EXPECT_EQ(engines["pile, settled, at rest"], (std::set<std::string>{"as it is", "sleeps"}));
+}
+
+TEST_F(BenchCommand, TimesSoftBeds) {
+  const Result result = throng("bench soft --quick --only n=10000$ --blocks 1 --json " + path("rows.json"));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  std::set<std::string> engines;
+  for (const auto& row : nlohmann::json::parse(read(path("rows.json")))) {
+    engines.insert(row["engine"]);
+    EXPECT_GT(row["error"]["us_per_disc_and_substep"], 0.0);
+  }
+  EXPECT_EQ(engines, (std::set<std::string>{"spring", "hertz"}));
+}
+
 TEST_F(BenchCommand, AsksAllEnginesTheSameQuestions) {
   const Result result =
       throng("bench broadphase --quick --only radius --only nearest --blocks 1 --json " + path("rows.json"));

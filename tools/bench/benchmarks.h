@@ -11,6 +11,9 @@ namespace throng::bench {
 /// Scenes of bodies step by step: native, Box2D, Chipmunk, and for discs the minimal loop of minimal_discs.h.
 std::vector<Row> bench_step(const Options& options);
 
+/// Settled beds of discs on springs and dashpots; `error` has the time of a disc and substep.
+std::vector<Row> bench_soft(const Options& options);
+
 /// One scene with features added one at a time: what each of them costs.
 std::vector<Row> bench_lean(const Options& options);
 
@@ -53,6 +56,15 @@ std::vector<Row> bench_accuracy(const Options& options);
 
 /// Their table, on stdout: a paragraph per scene, then the observed orders.
 void print_accuracy(const std::vector<Row>& rows);
+
+/// What beside dt and substeps may be chosen: width of vectors, threads, sleep; times, and that bits agree.
+std::vector<Row> bench_knobs(const Options& options);
+
+/// A stack, a pile and a gas under stress: stable, drifting or exploded, in `error`.
+std::vector<Row> bench_stability(const Options& options);
+
+/// Their table, on stdout: a paragraph per factor or two.
+void print_stability(const std::vector<Row>& rows);
 
 /// Steps of crowds of each model, beside two threads and their plain twins: scalar, neighbours from
 /// nanoflann.

@@ -77,6 +77,7 @@ std::vector<throng::bench::Row> run(
 void print(const std::string& name, const std::vector<throng::bench::Row>& rows) {
   if (name == "validation") return throng::bench::print_verdicts(rows);
   if (name == "accuracy") return throng::bench::print_accuracy(rows);
+  if (name == "stability") return throng::bench::print_stability(rows);
   throng::bench::print_table(rows);
 }
 
@@ -86,6 +87,7 @@ int main(int argc, char** argv) {
   using namespace throng::bench;
   const std::map<std::string, std::vector<Row> (*)(const Options&)> benchmarks = {
       {"step", bench_step},
+      {"soft", bench_soft},
       {"lean", bench_lean},
       {"recording", bench_recording},
       {"broadphase", bench_broadphase},
@@ -94,13 +96,17 @@ int main(int argc, char** argv) {
       {"motion", bench_motion},
       {"crowd", bench_crowd},
       {"validation", bench_validation},
-      {"accuracy", bench_accuracy}};
+      {"accuracy", bench_accuracy},
+      {"knobs", bench_knobs},
+      {"stability", bench_stability}};
   Options options;
   std::string name, json, target;
   CLI::App app{"The benchmarks of throng: time and error beside each other, engines in turn in one run."};
   app.name("throng bench");
-  app.add_option("NAME", name,
-                 "step, lean, recording, broadphase, narrowphase, bvh, motion, crowd, validation or accuracy")
+  app.add_option(
+         "NAME", name,
+         "step, soft, lean, recording, broadphase, narrowphase, bvh, motion, crowd, validation, accuracy, "
+         "knobs or stability")
       ->required()
       ->check(CLI::IsMember(benchmarks));
   app.add_option("--scenarios", options.scenarios, "folder of the gallery")->default_val(THRONG_SCENARIOS);

@@ -11,7 +11,7 @@ from matplotlib.ticker import NullLocator
 
 from accuracy_rows import USELESS, by_engine, front, played, rounded, setting, useless
 
-LOOKS = {"native": ("#1f5fa8", "o"), "event_driven": ("#2a9d6f", "D"), "spring": ("#8e5bb5", "P"),
+LOOKS = {"native": ("#1f5fa8", "o"), "native auto": ("#7fb2e5", "*"), "event_driven": ("#2a9d6f", "D"), "spring": ("#8e5bb5", "P"),
          "box2d": ("#d1603d", "s"), "chipmunk": ("#c99a1e", "^")}
 BAND = 0.15  # width of a band beyond a break, of the axis between the breaks
 
@@ -118,7 +118,8 @@ def draw(name, rows, file):
     axes.set_title(name, loc="left", fontsize=11, pad=18)
     axes.set_title("lower left wins", loc="right", fontsize=8, color="#777777", pad=18)
     axes.set_xlabel(rows[0]["error"]["what"])
-    axes.set_ylabel("ms per simulated second, one thread")
+    asked = all(row["error"]["dt"] is None for row in rows)
+    axes.set_ylabel("ms per thousand questions" if asked else "ms per simulated second, one thread")
     axes.grid(which="major", alpha=0.3)
     legend(axes, engines)
     for kind, extra in (("svg", {"metadata": {"Date": None}}), ("png", {})):

@@ -48,6 +48,8 @@ def span(values):
 
 
 def setting(row):
+    if row["error"]["dt"] is None:
+        return row["error"]["setting"] or row["engine"]
     dt = f"dt {1000 * row['error']['dt']:.3g} ms"
     return dt + (", " + row["error"]["setting"] if row["error"]["setting"] else "")
 

@@ -8,6 +8,7 @@
 #include "tools/bench/accuracy/convergence.h"
 #include "tools/bench/accuracy/equal_error.h"
 #include "tools/bench/accuracy/players.h"
+#include "tools/bench/accuracy/question_rows.h"
 #include "tools/bench/accuracy/race.h"
 #include "tools/bench/benchmarks.h"
 
@@ -17,13 +18,15 @@ namespace {
 
 std::vector<AccuracyCase> all_cases() {
   std::vector<AccuracyCase> all;
-  for (const auto& part : {flight_cases(), contact_cases(), collision_cases(), still_cases(), gas_cases()})
+  for (const auto& part :
+       {flight_cases(), contact_cases(), collision_cases(), spring_cases(), still_cases(), gas_cases()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }
 
 /// "dt 0.01, substeps 4".
 std::string setting_text(const nlohmann::ordered_json& error) {
+  if (error["dt"].is_null()) return error["setting"];
   char dt[32];
   std::snprintf(dt, sizeof dt, "dt %.5g", error["dt"].get<double>());
   const std::string knob = error["setting"];
@@ -38,6 +41,7 @@ void print_row(const Row& row) {
   }
   std::printf("  %-13s %-26s %11.4g %11.4g %11.3g", row.engine.c_str(), setting_text(e).c_str(),
               median(row.ms), minimum(row.ms), e["error"].get<double>());
+  if (e.contains("asked")) std::printf("  asked %.3g", e["asked"].get<double>());
   if (e.contains("native_ms") && e["native_ms"].is_number())
     std::printf("  native is %.3g times as fast", minimum(row.ms) / e["native_ms"].get<double>());
   else if (e.contains("native_ms"))
@@ -89,6 +93,10 @@ std::vector<Row> bench_accuracy(const Options& options) {
     add_native_ms(of_case);
     rows.insert(rows.end(), of_case.begin(), of_case.end());
   }
+  for_each_case(question_rows(options), [&](std::vector<Row> of_case) {
+    add_native_ms(of_case);
+    rows.insert(rows.end(), of_case.begin(), of_case.end());
+  });
   return rows;
 }
 

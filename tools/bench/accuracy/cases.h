@@ -20,12 +20,14 @@ struct AccuracyCase {
   JudgeMaker (*judges)(const Scene& scene);  ///< called once a case; may compute what is exact
   bool heavy = false;                        ///< --quick plays a tenth of its time
   bool smooth = false;    ///< nothing collides on the way: errors show the order of the integrator
+  bool promised = true;   ///< its error is what dt = "auto" promises, where it promises anything
   std::size_t knobs = 3;  ///< of how many of its knobs' settings each engine is seen at
 };
 
 std::span<const AccuracyCase> flight_cases();     ///< what nothing touches
 std::span<const AccuracyCase> contact_cases();    ///< what bounces, rolls and slides on a floor
 std::span<const AccuracyCase> collision_cases();  ///< what collides and flies on
+std::span<const AccuracyCase> spring_cases();     ///< what gives way where it touches
 std::span<const AccuracyCase> still_cases();      ///< what stands, and what settles
 std::span<const AccuracyCase> gas_cases();        ///< what flies and collides in crowds
 

@@ -2,6 +2,7 @@
 #include "tools/bench/accuracy/gas_judges.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -117,7 +118,63 @@ class EnergyJudge : public Judge {
   double first_, worst_ = 0.0;  // J, relative
 };
 
+class MomentumJudge : public Judge {
+ public:
+  explicit MomentumJudge(const Scene& scene) : scene_(scene), first_(momentum(scene, initial_state(scene))) {
+    for (std::size_t row = 0; row < scene.bodies.size(); ++row)
+      all_ += mass(scene, row) * scene.bodies.velocity[row].norm();
+  }
+
+  void look(double, const Simulation& simulation) override {
+    worst_ = std::max(worst_, (momentum(scene_, simulation.state()) - first_).norm() / all_);
+  }
+
+  Figures figures() const override { return {{"error", worst_}}; }
+
+ private:
+  const Scene& scene_;
+  Vec first_;         // kg m/s
+  double all_ = 0.0;  // kg m/s
+  double worst_ = 0.0;
+};
+
+class SpeedJudge : public Judge {
+ public:
+  void look(double, const Simulation& simulation) override {
+    const std::vector<Vec>& velocity = simulation.state().velocity;
+    double mean = 0.0;  // square
+    for (const Vec& v : velocity) mean += v.squaredNorm() / static_cast<double>(velocity.size());
+    for (const Vec& v : velocity) {
+      const double share = 1.0 - std::exp(-v.squaredNorm() / mean);  // of Maxwell's that is slower
+      ++count_[std::min(static_cast<std::size_t>(share * kBins), kBins - 1)];
+    }
+    all_ += static_cast<double>(velocity.size());
+  }
+
+  Figures figures() const override {
+    double worst = 0.0, slower = 0.0;
+    for (std::size_t i = 0; i < kBins; ++i) {
+      slower += count_[i] / all_;
+      worst = std::max(worst, std::abs(slower - static_cast<double>(i + 1) / kBins));
+    }
+    return {{"error", worst}};
+  }
+
+ private:
+  static constexpr std::size_t kBins = 200;
+  std::array<double, kBins> count_{};
+  double all_ = 0.0;
+};
+
 }  // namespace
+
+std::unique_ptr<Judge> momentum_judge(const Scene& scene) {
+  return std::make_unique<MomentumJudge>(scene);
+}
+
+std::unique_ptr<Judge> speed_judge(const Scene&) {
+  return std::make_unique<SpeedJudge>();
+}
 
 std::unique_ptr<Judge> rate_judge(const Scene& scene, std::function<double(double)> expected) {
   return std::make_unique<RateJudge>(scene, std::move(expected));

@@ -37,4 +37,11 @@ double counted_rate(const Scene& scene, const Simulation& simulation);
 /// The largest relative change of the kinetic energy at any step.
 std::unique_ptr<Judge> energy_judge(const Scene& scene);
 
+/// How much the momentum of all changes at most, over the sum of masses times speeds at first.
+std::unique_ptr<Judge> momentum_judge(const Scene& scene);
+
+/// How far the distribution of speeds, over all looks, is off Maxwell's of the same mean square: the largest
+/// difference of the two, summed up from 0 (Kolmogorov's distance).
+std::unique_ptr<Judge> speed_judge(const Scene& scene);
+
 }  // namespace throng::bench

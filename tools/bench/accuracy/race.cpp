@@ -53,15 +53,23 @@ std::string first_line(const std::string& text) {
   return text.substr(0, text.find('\n'));
 }
 
+std::string setting_of(const Player& player, int knob) {
+  const std::string number = std::to_string(knob);
+  return player.asked ? player.knob + number : *player.knob ? player.knob + (" " + number) : "";
+}
+
 /// The engine at that setting, looked at; nothing where the engine isn't there. Where it can't play the scene
 /// its error is null, and "note" says why.
 std::optional<Entry> seen(const Player& player, int knob, double dt, const Scene& base,
                           const JudgeMaker& judges) {
-  Entry entry{&player, knob, player.prepared(base, knob), {{"error", nullptr}, {"dt", dt}}};
-  entry.scene.time.dt = dt;
-  entry.error["setting"] = *player.knob ? std::string(player.knob) + " " + std::to_string(knob) : "";
+  Entry entry{&player, knob, base, {{"error", nullptr}, {"dt", dt}}};
+  entry.error["setting"] = setting_of(player, knob);
   if (player.peer) entry.error["peer"] = true;
+  if (player.asked) entry.error["asked"] = player.asked(knob);
   try {
+    entry.scene.time.dt = dt;
+    entry.scene = player.prepared(std::move(entry.scene), knob);
+    entry.error["dt"] = entry.scene.time.dt;
     if (!judge(entry, judges)) return {};
   } catch (const InputError& error) {
     entry.error["note"] = first_line(error.what());
@@ -83,9 +91,10 @@ std::vector<Entry> all_seen(const AccuracyCase& one, const Options& options) {
     if (!options.engines.empty() &&
         std::ranges::find(options.engines, player.engine) == options.engines.end())
       continue;
+    if (player.asked && !one.promised) continue;
     bool refused = false;
     for (const int knob : player.knobs.first(std::min(knobs, player.knobs.size())))
-      for (std::size_t i = 0; i < steps; ++i) {
+      for (std::size_t i = 0; i < (player.asked ? 1 : steps); ++i) {
         std::optional<Entry> entry = seen(player, knob, one.dts[i], base, judges);
         if (!entry || (refused && !entry->plays())) continue;
         refused = refused || !entry->plays();
