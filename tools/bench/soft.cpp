@@ -17,7 +17,7 @@ namespace {
 constexpr double kDt = 5e-3;         // s, from one search for pairs to the next
 constexpr double kPerImpact = 50.0;  // substeps
 constexpr double kSettle = 12.0;     // s, rigidly: springs would take days
-constexpr double kRing = 0.5;        // s, softly: until those that were rigid have found their springs
+constexpr double kRing = 1.5;        // s, softly: until those that were rigid have found their springs
 
 struct Bed {
   const char* name;
