@@ -48,11 +48,11 @@ double fewest_substeps(const Scene& scene, double longest) {
   return std::max(1.0, std::ceil(scene.time.dt / longest * (1.0 - 1e-9)));
 }
 
-/// "time.substeps = 20 is so many", or what dt is where no number of substeps is.
-std::string remedy(const Scene& scene, double longest) {
+/// How many substeps there `must` be, or how long dt, where no number of substeps would do.
+std::string remedy(const Scene& scene, double longest, const std::string& must) {
   const double fewest = fewest_substeps(scene, longest);
-  if (fewest <= kMostSubsteps) return "time.substeps must be at least " + to_text(fewest);
-  return "time.dt must be at most " + three_digits(0.99 * kMostSubsteps * longest) +
+  if (fewest <= kMostSubsteps) return "time.substeps " + must + " be at least " + to_text(fewest);
+  return "time.dt " + must + " be at most " + three_digits(0.99 * kMostSubsteps * longest) +
          " s, with time.substeps = " + to_text(kMostSubsteps);
 }
 
@@ -69,11 +69,12 @@ void check_step(const toml::table& root, const Scene& scene, const SoftTiming& t
   const std::string impact = "an impact lasts " + three_digits(timing.contact) + " s, " +
                              three_digits(per_contact) + " substeps of " + three_digits(h) + " s";
   if (h > timing.longest)
-    report.error(*node, path, impact + ": unstable in a dense packing; " + remedy(scene, timing.longest));
+    report.error(*node, path,
+                 impact + ": unstable in a dense packing; " + remedy(scene, timing.longest, "must"));
   else if (per_contact < kFewPerContact * (1.0 - 1e-9))
-    report.warning(
-        node->source(), path,
-        impact + ": fewer than 20 are not accurate; " + remedy(scene, timing.contact / kFewPerContact));
+    report.warning(node->source(), path,
+                   impact + ": fewer than 20 are not accurate; " +
+                       remedy(scene, timing.contact / kFewPerContact, "should"));
 }
 
 }  // namespace

@@ -255,7 +255,7 @@ TEST(Load, WarnsOfFewSubstepsInAnImpact) {
   EXPECT_EQ(faults(load_text(kSoft, {"time.substeps = 50"})),
             "--set time.substeps = 50: warning: time.substeps: an impact lasts 0.00394 s, 19.7 substeps of "
             "0.0002 s: "
-            "fewer than 20 are not accurate; time.substeps must be at least 51\n");
+            "fewer than 20 are not accurate; time.substeps should be at least 51\n");
 }
 
 }  // namespace throng
