@@ -41,6 +41,9 @@ struct Recorded {
   const char* name;
   const char* record;         ///< of the scenario
   const char* scene = kHeap;  ///< the rest of it
+  double dt = 0.01;           ///< s, of the scene
+
+  std::string until(int steps) const { return " --until " + std::to_string(steps * dt) + " "; }
 };
 inline constexpr Recorded kRecorded[] = {{"whole", ""},
                                          {"packed", R"([record]
@@ -106,7 +109,8 @@ fov_degrees = 170
 sight = true
 every = 4
 record = true
-)TOML"};
+)TOML",
+                                         0.02};
 
 inline void PrintTo(const Recorded& recorded, std::ostream* out) {
   *out << recorded.name;

@@ -46,7 +46,8 @@ class FailingDisk : public DurableRun, public ::testing::WithParamInterface<Fail
 /// Frames that were committed when the end failed were once removed by the sentence that called them
 /// readable.
 TEST_P(FailingDisk, EndsARunWithASentenceThatIsTrueOfWhatIsLeftAndResumeGoesOnWithIt) {
-  const std::string scene = this->scene(), options = "--until 0.05 --checkpoint 1000 --force";
+  const std::string scene = this->scene(),
+                    options = GetParam().recorded.until(5) + "--checkpoint 1000 --force";
   const std::vector<std::uint64_t> whole = reference(scene, options);
   int kept = 0, nothing = 0, checkpoints = 0;
   for (int write = 1;; ++write) {
@@ -81,17 +82,18 @@ TEST_P(FailingDisk, EndsARunWithASentenceThatIsTrueOfWhatIsLeftAndResumeGoesOnWi
 /// What was there before stays, whatever write fails while it is copied and continued.
 TEST_P(FailingDisk, AResumeThatFailsLosesNoFrame) {
   const std::string scene = this->scene(), file = path("a.h5");
-  const std::vector<std::uint64_t> whole = reference(scene, "--until 0.06"),
-                                   half = reference(scene, "--until 0.03 --checkpoint 1000", "half.h5");
+  const std::string end = GetParam().recorded.until(6);
+  const std::vector<std::uint64_t> whole = reference(scene, end),
+                                   half = reference(scene, GetParam().recorded.until(3) + "--checkpoint 1000",
+                                                    "half.h5");
   for (int write = 1;; ++write) {
     SCOPED_TRACE("write " + std::to_string(write));
     ASSERT_LT(write, 1000) << "no write fails";
     std::filesystem::remove(file + ".part");
-    for (const char* end : {"", ".ckpt"})
-      std::filesystem::copy_file(path(std::string("half.h5") + end), file + end,
+    for (const char* kind : {"", ".ckpt"})
+      std::filesystem::copy_file(path(std::string("half.h5") + kind), file + kind,
                                  std::filesystem::copy_options::overwrite_existing);
-    const Result result =
-        throng("resume --progress none --checkpoint 1000 --until 0.06 " + file, failing_at(write));
+    const Result result = throng("resume --progress none --checkpoint 1000 " + end + file, failing_at(write));
     if (result.exit_code == 0) {
       expect_whole(whole, file);
       break;
@@ -100,7 +102,7 @@ TEST_P(FailingDisk, AResumeThatFailsLosesNoFrame) {
     expect_whole(half, file);
     EXPECT_FALSE(std::filesystem::exists(file + ".part.new"));
     if (std::filesystem::exists(file + ".part")) expect_beginning_of(whole, file + ".part");
-    const Result again = throng("resume --progress none --until 0.06 " + file);
+    const Result again = throng("resume --progress none " + end + file);
     ASSERT_EQ(again.exit_code, 0) << again.err;
     expect_whole(whole, file);
   }
@@ -109,7 +111,8 @@ TEST_P(FailingDisk, AResumeThatFailsLosesNoFrame) {
 INSTANTIATE_TEST_SUITE_P(H3, FailingDisk,
                          ::testing::Values(Failure{"eio", kRecorded[0]}, Failure{"enospc", kRecorded[0]},
                                            Failure{"full", kRecorded[0]}, Failure{"once", kRecorded[0]},
-                                           Failure{"enospc", kRecorded[1]}, Failure{"eio", kRecorded[2]}),
+                                           Failure{"enospc", kRecorded[1]}, Failure{"eio", kRecorded[2]},
+                                           Failure{"full", kRecordedCrowd}),
                          [](const auto& failure) {
                            return std::string(failure.param.how) + "_" + failure.param.recorded.name;
                          });

@@ -58,8 +58,8 @@ class WriteOrder : public DurableRun, public ::testing::WithParamInterface<Recor
 
 TEST_P(WriteOrder, NoCrashBetweenTwoWritesLosesAFrameAndNoneInsideAWriteShowsAWrongOne) {
   const std::string scene = write("a.toml", heap(GetParam())), log = path("log");
-  const std::string options =
-      "--substeps 400 --checkpoint 0.001 --until " + std::to_string(0.01 * cases(500, 100));
+  const int steps = cases(500, 100) * (GetParam().scene == kHeap ? 1 : 2);  // those of agents are quick
+  const std::string options = "--substeps 400 --checkpoint 0.001" + GetParam().until(steps);
   const std::vector<std::uint64_t> whole = reference(scene, options);
   const Result result = throng(
       "run " + scene + " --progress none -o " + path("a.h5") + " " + options,
@@ -92,7 +92,8 @@ TEST_P(WriteOrder, NoCrashBetweenTwoWritesLosesAFrameAndNoneInsideAWriteShowsAWr
   RecordProperty("torn_writes_that_cost_frames", refused_halves);
 }
 
-INSTANTIATE_TEST_SUITE_P(H2, WriteOrder, ::testing::ValuesIn(kRecorded),
+INSTANTIATE_TEST_SUITE_P(H2, WriteOrder,
+                         ::testing::Values(kRecorded[0], kRecorded[1], kRecorded[2], kRecordedCrowd),
                          [](const auto& one) { return std::string(one.param.name); });
 
 }  // namespace
