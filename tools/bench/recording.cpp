@@ -108,6 +108,7 @@ std::vector<Row> bench_run(const std::string& name, const Options& options, cons
   const int steps = options.quick ? 20 : 1200;  // as many as the scenario has
   Scene scene = settled(gallery_scene(options.scenarios, "pile"), options.quick ? 0.5 : 5.0);
   scene.record.velocity = false;
+  scene.sleep = false;  // a step of sleepers costs less than to copy them
   std::vector<Contestant> contestants = {{"unrecorded", [&] { run(scene, steps, nullptr); }},
                                          {"recorded", [&] {
                                             Recorder recorder(file, scene, {}, true);
@@ -178,33 +179,53 @@ std::vector<Row> bench_quantized(const std::string& name, const Options& options
   return rows;
 }
 
+constexpr std::size_t kSeeks = 50;
+
+void write_again(const std::string& file, const Scene& scene, const std::vector<State>& states,
+                 std::size_t frames) {
+  Recorder recorder(file, scene, {}, true);
+  for (std::size_t i = 0; i < frames; ++i) {
+    State state = states[i % states.size()];
+    state.step = static_cast<std::int64_t>(i);
+    recorder.record(state);
+  }
+  recorder.finish();
+}
+
 /// Frames in an order in which none follows its neighbour, each read on its own and held against its hash.
+void seek(const Recording& recording) {
+  Frame frame;
+  for (std::size_t k = 0; k < kSeeks; ++k) recording.read((k + 1) * 7919 % recording.frames(), frame);
+}
+
 std::vector<Row> bench_seek(const std::string& name, const Options& options, const std::string& file) {
-  const std::size_t bodies = options.quick ? 1000 : 50'000, frames = options.quick ? 20 : 400, seeks = 50;
+  const std::size_t bodies = options.quick ? 1000 : 50'000, frames = options.quick ? 20 : 400;
   Scene scene = crowd_scene(bodies);
   scene.record.velocity = false;
   Scene quantized = scene;
   quantized.record.quantum = 1e-3;
   const std::vector<State> states = crowd_motion(scene, options.quick ? 20 : 40);
-  const auto write = [&](const std::string& to, const Scene& of) {
-    Recorder recorder(to, of, {}, true);
-    for (std::size_t i = 0; i < frames; ++i) {
-      State state = states[i % states.size()];
-      state.step = static_cast<std::int64_t>(i);
-      recorder.record(state);
-    }
-    recorder.finish();
-  };
-  write(file, scene), write(file + ".quantized", quantized);
+  write_again(file, scene, states, frames);
+  write_again(file + ".quantized", quantized, states, frames);
   const Recording plain(file), packed(file + ".quantized");
-  const auto seek = [&](const Recording& recording) {
-    Frame frame;
-    for (std::size_t k = 0; k < seeks; ++k) recording.read((k + 1) * 7919 % frames, frame);
-  };
   std::vector<Contestant> contestants = {{"throng", [&] { seek(plain); }},
                                          {"quantized", [&] { seek(packed); }}};
-  interleave(contestants, options.blocks, static_cast<double>(seeks));
-  return rows_of(name, contestants, static_cast<double>(seeks), 0.0);
+  interleave(contestants, options.blocks, static_cast<double>(kSeeks));
+  return rows_of(name, contestants, static_cast<double>(kSeeks), 0.0);
+}
+
+/// The same in a file of ten gigabytes.
+std::vector<Row> bench_large_seek(const std::string& name, const Options& options, const std::string& file) {
+  constexpr std::size_t kBodies = 50'000, kFrames = 8'300;
+  Scene scene = crowd_scene(kBodies);
+  scene.record.velocity = false;
+  write_again(file, scene, crowd_motion(scene, 40), kFrames);
+  const Recording recording(file);
+  std::vector<Contestant> contestants = {{"throng", [&] { seek(recording); }}};
+  interleave(contestants, options.blocks, static_cast<double>(kSeeks));
+  std::vector<Row> rows = rows_of(name, contestants, static_cast<double>(kSeeks), 0.0);
+  rows[0].error["GB"] = 1e-9 * recording.bytes();
+  return rows;
 }
 
 }  // namespace
@@ -224,6 +245,9 @@ std::vector<Row> bench_recording(const Options& options) {
       [&](const std::string& name) { return bench_quantized(name, options, file); });
   add(options.quick ? "seek n=1000" : "seek n=50000",
       [&](const std::string& name) { return bench_seek(name, options, file); });
+  if (options.large)
+    add("seek n=50000 frames=8300",
+        [&](const std::string& name) { return bench_large_seek(name, options, file); });
   add("read " + size, [&](const std::string& name) { return bench_frames(name, options, file, true); });
   return rows;
 }
