@@ -8,10 +8,12 @@
 #define THRONG_CONTACT_LANES_INL
 #endif
 
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "sim/contact/block_order.h"
 #include "sim/contact/solve.h"
@@ -31,6 +33,24 @@ HWY_INLINE Reals load(const double* row) {
 }
 HWY_INLINE void store(Reals v, double* row) {
   hn::Store(v, D(), row);
+}
+
+/// Bodies are asked for so many blocks before they are needed: they don't stand together as blocks do.
+constexpr std::size_t kAhead = 3;
+
+template <class Block>
+HWY_INLINE void ask_for_bodies(const Block& block, const SolverBody* bodies) {
+  for (const std::uint32_t a : block.a) hwy::Prefetch(bodies + a);
+  for (const std::uint32_t b : block.b) hwy::Prefetch(bodies + b);
+}
+
+/// Calls f(block, first lane) for all lanes of all blocks.
+template <class Block, class F>
+HWY_INLINE void for_each_part(std::span<Block> blocks, const SolverBody* bodies, F f) {
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    if (i + kAhead < blocks.size()) ask_for_bodies(blocks[i + kAhead], bodies);
+    for (std::size_t k = 0; k < BlockOrder::kWidth; k += kLanes) f(blocks[i], k);
+  }
 }
 
 /// Four numbers of one body in each lane.

@@ -12,13 +12,6 @@ HWY_BEFORE_NAMESPACE();
 namespace throng::HWY_NAMESPACE {
 namespace {
 
-/// Calls f(block, first lane) for all lanes of all blocks.
-template <class F>
-HWY_INLINE void for_each_part(std::span<DiscBlock> blocks, F f) {
-  for (DiscBlock& block : blocks)
-    for (std::size_t k = 0; k < BlockOrder::kWidth; k += kLanes) f(block, k);
-}
-
 /// Impulses on both bodies of each lane: along the normal, and across at the arms that discs have.
 HWY_INLINE void apply(Motion& a, Motion& b, const DiscBlock& c, std::size_t k, Reals normal, Reals tangent) {
   const Reals nx = load(c.normal_x + k), ny = load(c.normal_y + k);
@@ -84,7 +77,7 @@ HWY_INLINE void prepare(DiscBlock& c, std::size_t k, const SolverBody* bodies, c
 }
 
 void prepare_and_start(std::span<DiscBlock> blocks, SolverBody* bodies, const Vec* period) {
-  for_each_part(blocks, [=](DiscBlock& c, std::size_t k) HWY_ATTR {
+  for_each_part(blocks, bodies, [=](DiscBlock& c, std::size_t k) HWY_ATTR {
     prepare(c, k, bodies, period);
     const Reals impulse = load(c.normal_impulse + k);
     const Mask pressing = hn::Gt(impulse, hn::Zero(D()));
@@ -99,7 +92,7 @@ void prepare_and_start(std::span<DiscBlock> blocks, SolverBody* bodies, const Ve
 void push_apart(std::span<DiscBlock> blocks, SolverBody* bodies, const SolverSettings& settings) {
   const Pusher pusher(settings);
   const Mask all = hn::FirstN(D(), kLanes);
-  for_each_part(blocks, [=, friction = settings.friction](DiscBlock& c, std::size_t k) HWY_ATTR {
+  for_each_part(blocks, bodies, [=, friction = settings.friction](DiscBlock& c, std::size_t k) HWY_ATTR {
     Motion a = motion(bodies, c.a + k), b = motion(bodies, c.b + k);
     if (!respond(c, k, a, b, pusher.wish(load(c.separation + k)), all, friction)) return;
     keep(a, bodies, c.a + k), keep(b, bodies, c.b + k);
@@ -108,7 +101,7 @@ void push_apart(std::span<DiscBlock> blocks, SolverBody* bodies, const SolverSet
 
 void relax(std::span<DiscBlock> blocks, SolverBody* bodies, const SolverSettings& settings, bool periodic) {
   const Reals rate = hn::Set(D(), 1.0 / settings.h);
-  for_each_part(blocks, [=, friction = settings.friction](DiscBlock& c, std::size_t k) HWY_ATTR {
+  for_each_part(blocks, bodies, [=, friction = settings.friction](DiscBlock& c, std::size_t k) HWY_ATTR {
     const D d;
     const Mask pressing = hn::Ne(load(c.normal_impulse + k), hn::Zero(d));
     if (hn::AllFalse(d, pressing)) return;

@@ -12,13 +12,6 @@ HWY_BEFORE_NAMESPACE();
 namespace throng::HWY_NAMESPACE {
 namespace {
 
-/// Calls f(block, first lane) for all lanes of all blocks.
-template <class F>
-HWY_INLINE void for_each_part(std::span<FaceBlock> blocks, F f) {
-  for (FaceBlock& block : blocks)
-    for (std::size_t k = 0; k < BlockOrder::kWidth; k += kLanes) f(block, k);
-}
-
 HWY_INLINE Reals cross(Reals ax, Reals ay, Reals bx, Reals by) {
   return hn::Sub(hn::Mul(ax, by), hn::Mul(ay, bx));
 }
@@ -107,7 +100,7 @@ HWY_INLINE void start(FaceBlock::Point& p, std::size_t k, const FaceBlock& c, Pa
 }
 
 void prepare_and_start(std::span<FaceBlock> blocks, SolverBody* bodies) {
-  for_each_part(blocks, [=](FaceBlock& c, std::size_t k) HWY_ATTR {
+  for_each_part(blocks, bodies, [=](FaceBlock& c, std::size_t k) HWY_ATTR {
     const Place a = place(bodies, c.a + k), b = place(bodies, c.b + k);
     Pair bound = pair(c, k, bodies, a, b);
     for (FaceBlock::Point& point : std::span(c.points, c.count)) start(point, k, c, bound, a, b);
@@ -118,7 +111,7 @@ void prepare_and_start(std::span<FaceBlock> blocks, SolverBody* bodies) {
 void push_apart(std::span<FaceBlock> blocks, SolverBody* bodies, const SolverSettings& settings) {
   const Pusher pusher(settings);
   const Mask all = hn::FirstN(D(), kLanes);
-  for_each_part(blocks, [=, friction = settings.friction](FaceBlock& c, std::size_t k) HWY_ATTR {
+  for_each_part(blocks, bodies, [=, friction = settings.friction](FaceBlock& c, std::size_t k) HWY_ATTR {
     Pair bound = pair(c, k, bodies, place(bodies, c.a + k), place(bodies, c.b + k));
     bool changed = false;
     for (FaceBlock::Point& point : std::span(c.points, c.count))
@@ -130,7 +123,7 @@ void push_apart(std::span<FaceBlock> blocks, SolverBody* bodies, const SolverSet
 
 void relax(std::span<FaceBlock> blocks, SolverBody* bodies, const SolverSettings& settings) {
   const Reals rate = hn::Set(D(), 1.0 / settings.h);
-  for_each_part(blocks, [=, friction = settings.friction](FaceBlock& c, std::size_t k) HWY_ATTR {
+  for_each_part(blocks, bodies, [=, friction = settings.friction](FaceBlock& c, std::size_t k) HWY_ATTR {
     const D d;
     const Place a = place(bodies, c.a + k), b = place(bodies, c.b + k);
     Pair bound = pair(c, k, bodies, a, b);
