@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "sim/contact/find_contacts.h"
 
-#include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 
 #include "narrowphase/half_plane.h"
 #include "sim/contact/contact_key.h"
 #include "sim/contact/find_rolls.h"
+#include "sim/contact/kept_impulses.h"
 
 namespace throng {
 
@@ -20,44 +19,6 @@ using narrowphase::Pose;
 using narrowphase::Reference;
 
 namespace {
-
-/// Seats of discs are made for pairs that are nearer than this beyond what a step asks for; where they are
-/// not of use for kSeatGain steps, none are kept for so many.
-constexpr double kSeatRoom = 0.02;  // of the two radii
-constexpr int kSeatWait = 30;
-constexpr std::size_t kFewSeats = 100;  // don't matter if they are empty
-
-/// The contacts of the last step that pressed. They and the questions ascend by key: the search never goes
-/// back.
-class Memory {
- public:
-  /// Keys below `first` won't be asked for.
-  explicit Memory(std::span<const ContactImpulse> kept, std::uint64_t first = 0) : kept_(kept) {
-    const auto below = [](const ContactImpulse& contact, std::uint64_t key) { return contact.key < key; };
-    next_ = static_cast<std::size_t>(std::lower_bound(kept.begin(), kept.end(), first, below) - kept.begin());
-  }
-
-  /// The first contact under that key; null where nothing pressed.
-  const ContactImpulse* find(std::uint64_t key) {
-    while (next_ < kept_.size() && kept_[next_].key < key) ++next_;
-    return next_ < kept_.size() && kept_[next_].key == key ? &kept_[next_] : nullptr;
-  }
-
-  void recall(std::uint64_t key, std::uint32_t feature, ContactBase& contact) {
-    contact.normal_impulse = contact.tangent_impulse = 0.0;
-    if (!find(key)) return;
-    const std::uint32_t touch = narrowphase::without_reference(feature);
-    for (std::size_t i = next_; i < kept_.size() && kept_[i].key == key; ++i)
-      if (narrowphase::without_reference(kept_[i].feature) == touch) {
-        contact.normal_impulse = kept_[i].normal;
-        contact.tangent_impulse = kept_[i].tangent;
-      }
-  }
-
- private:
-  std::span<const ContactImpulse> kept_;
-  std::size_t next_;
-};
 
 /// The face that described the contact of a and b in the last step.
 Reference reference(const ContactImpulse* kept, const Convex& a, const Convex& b) {
@@ -112,13 +73,17 @@ std::uint64_t ContactFinder::Touch::key() const {
   return key_of(pair, obstacle);
 }
 
-ContactFinder::ContactFinder(const Scene& scene, const Plan& plan) : scene_(scene), plan_(plan) {}
+ContactFinder::ContactFinder(const Scene& scene, const Plan& plan)
+    : scene_(scene), plan_(plan), discs_(scene, plan) {}
 
 void ContactFinder::find(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
                          Rows awake, Contacts& contacts, Workers& workers) {
   contacts.start(bodies.size());
   sort_out(candidates, contacts);
-  find_disc_contacts(candidates, state, bodies, contacts);
+  discs_.find(candidates, state, bodies, contacts.disc_key, contacts.discs);
+  if (plan_.restitution)
+    for (const std::uint64_t key : contacts.disc_key)
+      contacts.disc_bounces.push_back(discs_.contact_of(candidates.colliders(), pair_of(key), bodies));
   find_touches(candidates, state, bodies, awake, contacts, workers);
   if (plan_.rolling) find_rolls(scene_, plan_, candidates, state, bodies, contacts);
 }
@@ -136,7 +101,7 @@ void ContactFinder::find_touches(const Candidates& candidates, const State& stat
     });
   }
   workers.for_ranges(touches_.size(), [&](std::size_t begin, std::size_t end) {
-    Memory memory(state.point_contacts, touches_[begin].key());
+    KeptImpulses memory(state.point_contacts, touches_[begin].key());
     for (std::size_t i = begin; i < end; ++i)
       manifolds_[i] = manifold(candidates, state, touches_[i], memory.find(touches_[i].key()));
   });
@@ -155,66 +120,6 @@ void ContactFinder::sort_out(const Candidates& candidates, Contacts& contacts) {
   }
   for (const Pair& pair : candidates.obstacle_pairs())
     touches_.push_back({pair, true, candidates.obstacle_shift(pair.a)});
-}
-
-/// The contact of two discs about their bodies' centres; its normal is found in each substep.
-DiscContact ContactFinder::disc_contact(const Colliders& colliders, Pair pair,
-                                        std::span<const SolverBody> bodies) const {
-  DiscContact contact;
-  contact.a = colliders.body[pair.a], contact.b = colliders.body[pair.b];
-  contact.radius_a = colliders.radius[pair.a], contact.radius_b = colliders.radius[pair.b];
-  const std::vector<std::uint32_t>& material = scene_.bodies.material;
-  const Surface& surface =
-      plan_.surfaces[material[contact.a] * scene_.materials.size() + material[contact.b]];
-  contact.friction = surface.friction, contact.restitution = surface.restitution;
-  const SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
-  const double masses = a.inverse_mass + b.inverse_mass;
-  contact.normal_mass = 1.0 / masses;
-  contact.tangent_mass = 1.0 / (masses + a.inverse_inertia * contact.radius_a * contact.radius_a +
-                                b.inverse_inertia * contact.radius_b * contact.radius_b);
-  return contact;
-}
-
-void ContactFinder::find_disc_contacts(const Candidates& candidates, const State& state,
-                                       std::span<const SolverBody> bodies, Contacts& contacts) {
-  const bool crowded = 2 * contacts.discs.seats() <= 3 * contacts.disc_key.size() + kFewSeats;
-  if (wait_ > 0 || !crowded || !contacts.discs.take(contacts.disc_key))
-    seat_discs(candidates, bodies, contacts);
-  ++age_;
-  Memory memory(state.disc_contacts);
-  ContactBase kept;
-  for (std::size_t i = 0; i < contacts.disc_key.size(); ++i) {
-    memory.recall(contacts.disc_key[i], 0, kept);
-    contacts.discs.set_impulses(i, kept.normal_impulse, kept.tangent_impulse);
-    if (!plan_.restitution) continue;
-    contacts.disc_bounces.push_back(
-        disc_contact(candidates.colliders(), pair_of(contacts.disc_key[i]), bodies));
-  }
-}
-
-/// Seats for the discs that may touch now, and where the last ones were of use also for those that may soon.
-void ContactFinder::seat_discs(const Candidates& candidates, std::span<const SolverBody> bodies,
-                               Contacts& contacts) {
-  const Colliders& colliders = candidates.colliders();
-  if (wait_ > 0)
-    --wait_;
-  else if (age_ < kSeatGain)
-    wait_ = kSeatWait;
-  age_ = 0;
-  std::span<const Pair> pairs = candidates.pairs();
-  if (wait_ == 0) {
-    candidates.list_near(kSeatRoom, near_);
-    pairs = near_;
-  }
-  contacts.discs.start(bodies.size());
-  for (const Pair& pair : pairs)
-    if (is_disc(colliders, pair.a) && is_disc(colliders, pair.b)) {
-      const DiscContact contact = disc_contact(colliders, pair, bodies);
-      contacts.discs.add(key_of(pair, false), contact, bodies[contact.a], bodies[contact.b]);
-    }
-  contacts.discs.finish();
-  [[maybe_unused]] const bool all = contacts.discs.take(contacts.disc_key);
-  assert(all);
 }
 
 /// A disc looks the same from all sides: where there is nothing else, nobody has turned.
@@ -255,11 +160,12 @@ Manifold ContactFinder::manifold(const Candidates& candidates, const State& stat
                          {a, pose_a}, {part, pose_b}, obstacles.rim[row_b - sides], reach);
 }
 
-/// What all points of one manifold share but the normal.
-PointContact ContactFinder::point_contact(const Colliders& colliders, const Obstacles& obstacles,
-                                          const Touch& touch, std::uint32_t obstacle_row) const {
+/// Sets what all points of one manifold share. Number after number: to copy it from one point to the other
+/// would wait until all that was written before has left the processor.
+void ContactFinder::describe(const Colliders& colliders, const Obstacles& obstacles, const Touch& touch,
+                             const Vec& normal, std::uint32_t obstacle_row, PointContact& contact) const {
   const auto [row_a, row_b] = touch.pair;
-  PointContact contact;
+  contact.normal = normal;
   contact.a = colliders.body[row_a];
   contact.b = touch.obstacle ? obstacle_row : colliders.body[row_b];
   contact.turns_a = is_disc(colliders, row_a) ? 0.0 : 1.0;
@@ -268,35 +174,36 @@ PointContact ContactFinder::point_contact(const Colliders& colliders, const Obst
       touch.obstacle ? obstacles.material[row_b] : scene_.bodies.material[contact.b];
   const Surface& surface =
       plan_.surfaces[scene_.bodies.material[contact.a] * scene_.materials.size() + material_b];
-  contact.friction = surface.friction, contact.restitution = surface.restitution;
-  return contact;
+  contact.friction = surface.friction;
+  contact.restitution = surface.restitution;
 }
 
 void ContactFinder::add_points(const Candidates& candidates, const State& state,
                                std::span<const SolverBody> bodies, Contacts& contacts) const {
   const Colliders& colliders = candidates.colliders();
-  Memory memory(state.point_contacts);
+  const auto obstacle_row = static_cast<std::uint32_t>(bodies.size() - 1);
+  KeptImpulses memory(state.point_contacts);
+  std::array<PointContact, 2> face;
   for (std::size_t i = 0; i < touches_.size(); ++i) {
     const Touch& touch = touches_[i];
-    if (manifolds_[i].count == 0) continue;
+    const Manifold& m = manifolds_[i];
+    if (m.count == 0) continue;
     const std::uint64_t key = touch.key();
-    PointContact contact = point_contact(colliders, candidates.obstacles(), touch,
-                                         static_cast<std::uint32_t>(bodies.size() - 1));
-    contact.normal = manifolds_[i].normal;
     const double radius_a = colliders.radius[touch.pair.a];
     const double radius_b = touch.obstacle ? 0.0 : colliders.radius[touch.pair.b];
-    std::array<PointContact, 2> face;
-    const auto count = static_cast<std::size_t>(manifolds_[i].count);
+    const auto count = static_cast<std::size_t>(m.count);
     for (std::size_t p = 0; p < count; ++p) {
-      const ManifoldPoint& point = manifolds_[i].points[p];
-      face[p] = contact;
-      place(face[p], point, bodies[contact.a], bodies[contact.b], touch.shift, radius_a, radius_b);
-      memory.recall(key, point.feature, face[p]);
+      PointContact& contact = face[p];
+      describe(colliders, candidates.obstacles(), touch, m.normal, obstacle_row, contact);
+      place(contact, m.points[p], bodies[contact.a], bodies[contact.b], touch.shift, radius_a, radius_b);
+      const ContactImpulse* kept = memory.find(key, m.points[p].feature);
+      contact.normal_impulse = kept ? kept->normal : 0.0;
+      contact.tangent_impulse = kept ? kept->tangent : 0.0;
       contacts.point_key.push_back(key);
-      contacts.point_feature.push_back(point.feature);
-      if (plan_.restitution) contacts.point_bounces.push_back(face[p]);
+      contacts.point_feature.push_back(m.points[p].feature);
+      if (plan_.restitution) contacts.point_bounces.push_back(contact);
     }
-    contacts.faces.add({face.data(), count}, bodies[contact.a], bodies[contact.b]);
+    contacts.faces.add({face.data(), count}, bodies[face[0].a], bodies[face[0].b]);
   }
   contacts.faces.finish();
 }

@@ -9,6 +9,7 @@
 #include "sim/contact/contact.h"
 #include "sim/contact/disc_blocks.h"
 #include "sim/contact/face_blocks.h"
+#include "sim/contact/find_discs.h"
 #include "sim/contact/roll.h"
 #include "sim/rows.h"
 #include "sim/workers.h"
@@ -44,8 +45,6 @@ class ContactFinder {
             Contacts& contacts, Workers& workers);
 
  private:
-  static constexpr int kSeatGain = 3;
-
   struct Touch {  // candidates of which one is no disc about its body's centre
     broadphase::Pair pair;
     bool obstacle;  // the pair's b is an obstacle
@@ -57,26 +56,19 @@ class ContactFinder {
   void find_touches(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
                     Rows awake, Contacts& contacts, Workers& workers);
   void sort_out(const Candidates& candidates, Contacts& contacts);
-  void find_disc_contacts(const Candidates& candidates, const State& state,
-                          std::span<const SolverBody> bodies, Contacts& contacts);
-  void seat_discs(const Candidates& candidates, std::span<const SolverBody> bodies, Contacts& contacts);
-  DiscContact disc_contact(const Colliders& colliders, broadphase::Pair pair,
-                           std::span<const SolverBody> bodies) const;
   narrowphase::Pose pose(const State& state, std::uint32_t body) const;
   narrowphase::Manifold manifold(const Candidates& candidates, const State& state, const Touch& touch,
                                  const ContactImpulse* kept) const;
   void add_points(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
                   Contacts& contacts) const;
-  PointContact point_contact(const Colliders& colliders, const Obstacles& obstacles, const Touch& touch,
-                             std::uint32_t obstacle_row) const;
+  void describe(const Colliders& colliders, const Obstacles& obstacles, const Touch& touch, const Vec& normal,
+                std::uint32_t obstacle_row, PointContact& contact) const;
 
   const Scene& scene_;
   const Plan& plan_;
+  DiscFinder discs_;
   std::vector<narrowphase::Pose> pose_;  // of each body; only where some are no discs
   std::vector<Touch> touches_;
-  std::vector<broadphase::Pair> near_;            // who gets seats
-  int age_ = kSeatGain;                           // steps in which those seats were enough
-  int wait_ = 0;                                  // steps in which none are kept
   std::vector<narrowphase::Manifold> manifolds_;  // of each touch
 };
 

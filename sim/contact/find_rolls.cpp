@@ -2,6 +2,7 @@
 #include "sim/contact/find_rolls.h"
 
 #include "sim/contact/contact_key.h"
+#include "sim/contact/kept_impulses.h"
 #include "sim/contact/roll.h"
 
 namespace throng {
@@ -17,23 +18,9 @@ double rolling_radius(const Obstacles& obstacles, std::uint32_t row) {
   return row < sides ? 0.0 : throng::rolling_radius(obstacles.part[row - sides]);
 }
 
-/// The impulses that the last step kept of one kind of contact. They and the questions ascend by key.
-class KeptRolls {
- public:
-  explicit KeptRolls(std::span<const ContactImpulse> contacts) : contacts_(contacts) {}
-
-  double find(std::uint64_t key, std::uint32_t feature) {
-    while (next_ < contacts_.size() && contacts_[next_].key < key) ++next_;
-    const std::uint32_t touch = narrowphase::without_reference(feature);
-    for (std::size_t i = next_; i < contacts_.size() && contacts_[i].key == key; ++i)
-      if (narrowphase::without_reference(contacts_[i].feature) == touch) return contacts_[i].rolling;
-    return 0.0;
-  }
-
- private:
-  std::span<const ContactImpulse> contacts_;
-  std::size_t next_ = 0;
-};
+double rolling(const ContactImpulse* kept) {
+  return kept ? kept->rolling : 0.0;
+}
 
 class RollFinder {
  public:
@@ -71,14 +58,14 @@ class RollFinder {
 void find_rolls(const Scene& scene, const Plan& plan, const Candidates& candidates, const State& state,
                 std::span<const SolverBody> bodies, Contacts& contacts) {
   const RollFinder finder(scene, plan, candidates, bodies);
-  KeptRolls kept_discs(state.disc_contacts), kept_points(state.point_contacts);
+  KeptImpulses kept_discs(state.disc_contacts), kept_points(state.point_contacts);
   for (std::uint32_t i = 0; i < contacts.disc_key.size(); ++i) {
     const std::uint64_t key = contacts.disc_key[i];
-    finder.add(key, i, kept_discs.find(key, 0), contacts.disc_rolls);
+    finder.add(key, i, rolling(kept_discs.find(key)), contacts.disc_rolls);
   }
   for (std::uint32_t i = 0; i < contacts.point_key.size(); ++i) {
     const std::uint64_t key = contacts.point_key[i];
-    finder.add(key, i, kept_points.find(key, contacts.point_feature[i]), contacts.point_rolls);
+    finder.add(key, i, rolling(kept_points.find(key, contacts.point_feature[i])), contacts.point_rolls);
   }
 }
 

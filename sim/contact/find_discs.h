@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sim/contact/candidates.h"
+#include "sim/contact/disc_blocks.h"
+
+namespace throng {
+
+/// Which contacts of two discs the solver looks at, and where in its blocks they sit. Seats outlive the step
+/// where bodies are slow: that saves most of the work, and changes no bit.
+class DiscFinder {
+ public:
+  DiscFinder(const Scene& scene, const Plan& plan);
+
+  /// The contacts in `discs` are now those with these keys, ascending, with the impulses that `state` keeps.
+  /// Expects that only this function changes the seats of `discs`. O(pairs near each other).
+  void find(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
+            std::span<const std::uint64_t> keys, DiscBlocks& discs);
+
+  /// Of two discs about their bodies' centres; normal and offset are found in each substep.
+  DiscContact contact_of(const Colliders& colliders, broadphase::Pair pair,
+                         std::span<const SolverBody> bodies) const;
+
+ private:
+  static constexpr int kGain = 3;  // steps that seats must serve to be worth some room
+
+  void choose(const Candidates& candidates);
+  void seat(const Colliders& colliders, std::span<const SolverBody> bodies, DiscBlocks& discs);
+
+  const Scene& scene_;
+  const Plan& plan_;
+  std::vector<broadphase::Pair> seated_;  // who has a seat, ascending
+  int age_ = kGain;                       // steps that these seats served
+  int wait_ = 0;                          // steps in which seats are for one step alone
+};
+
+}  // namespace throng
