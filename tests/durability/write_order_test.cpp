@@ -69,16 +69,20 @@ TEST_P(WriteOrder, NoCrashBetweenTwoWritesLosesAFrameAndNoneInsideAWriteShowsAWr
   const std::vector<Write> writes = writes_in(read(log));
   ASSERT_GT(writes.size(), 100u);
 
+  // a crowd's file is of so many parts that its writes are some thousands
+  const std::size_t stride = full_length() ? 1 : 1 + writes.size() / 1500;
   std::string file;
   int most = -1, commits = 0, refused_halves = 0;
   for (std::size_t k = 0; k < writes.size() && !HasFailure(); ++k) {
     SCOPED_TRACE("write " + std::to_string(k) + " of " + std::to_string(writes.size()));
-    if (writes[k].bytes.size() > 1) {
+    const bool looks = k % stride == 0 || k + 1 == writes.size();
+    if (looks && writes[k].bytes.size() > 1) {
       std::string torn = file;
       apply(torn, writes[k], writes[k].bytes.size() / 2);
       refused_halves += frames_in(torn, whole) < most;
     }
     apply(file, writes[k], writes[k].bytes.size());
+    if (!looks) continue;
     const int frames = frames_in(file, whole);
     EXPECT_GE(frames, most) << "frames that could be read are lost";
     commits += frames > most;

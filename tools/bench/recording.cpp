@@ -109,9 +109,10 @@ std::vector<Row> bench_run(const std::string& name, const Options& options, cons
   Scene scene = settled(gallery_scene(options.scenarios, "pile"), options.quick ? 0.5 : 5.0);
   scene.record.velocity = false;
   scene.sleep = false;  // a step of sleepers costs less than to copy them
+  int files = 0;        // a file of its own for each: to replace one takes as long as to remove it
   std::vector<Contestant> contestants = {{"unrecorded", [&] { run(scene, steps, nullptr); }},
                                          {"recorded", [&] {
-                                            Recorder recorder(file, scene, {}, true);
+                                            Recorder recorder(file + std::to_string(files++), scene, {});
                                             run(scene, steps, &recorder);
                                           }}};
   interleave(contestants, options.blocks, steps);
