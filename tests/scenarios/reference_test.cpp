@@ -12,8 +12,8 @@ using ::testing::HasSubstr;
 
 TEST(Reference, TellsOfAFieldItsMeaningItsRangeAndItsPreset) {
   const std::string text = reference();
-  EXPECT_THAT(text, HasSubstr("time.dt                           Length of a step, s.\n"));
-  EXPECT_THAT(text, HasSubstr("a number from 1e-12 to 1e+06 s; 0.01 when absent\n"));
+  EXPECT_THAT(text, HasSubstr("materials.NAME.density            Mass per area, kg/m^2.\n"));
+  EXPECT_THAT(text, HasSubstr("a number from 1e-09 to 1e+12 kg/m^2; 1.0 when absent\n"));
   EXPECT_THAT(text, HasSubstr("shapes.NAME.disc.radius.uniform "));
   EXPECT_THAT(text, HasSubstr("bodies[].shape                    Name of a shape. Required.\n"));
   EXPECT_THAT(text, HasSubstr("round this box, m. Just one of box, periodic.\n"));
