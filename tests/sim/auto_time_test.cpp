@@ -79,7 +79,7 @@ TEST(AutoTime, LetsAColumnStandWhereItStands) {
 }
 
 TEST(AutoTime, LetsAPileOverlapByNoMore) {
-  for (const double error : {0.1, 0.01}) {
+  for (const double error : {0.1, 0.01, 0.001}) {
     Trial run(
         "seed = 3\n" + wanted(error, 3) + kFalls + "domain = { box = [[0, 0], [10, 30]] }\n" + kDisc +
         "[[bodies]]\nshape = \"ball\"\ncount = 120\nplace = { random = { within = [[0, 0], [10, 29]] } }\n");

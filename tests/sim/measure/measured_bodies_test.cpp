@@ -26,12 +26,12 @@ TEST(CoordinationNumber, CountsWhoPressesOnWhom) {
       "[[bodies]]\nshape = \"ball\"\nat = [0, 0]\n[[bodies]]\nshape = \"ball\"\nat = [3, 0]\n"
       "[[bodies]]\nshape = \"box\"\nat = [6, 0]\n[[bodies]]\nshape = \"box\"\nat = [9, 0]\n"
       "[[bodies]]\nshape = \"box\"\nat = [12, 0]\nkind = \"kinematic\"\n");
-  // A disc on two walls and on the other; that one on a box; two points between the boxes, two on the floor,
-  // one on the kinematic box.
-  const std::vector<ContactRow> contacts{{1, 0, 1, {}}, {1, 0, 1, {}}, {1, 2, 1, {}},
-                                         {2, 3, 1, {}}, {3, 4, 1, {}}, {3, 4, 1, {}},
-                                         {3, 0, 1, {}}, {3, 0, 1, {}}, {4, 5, 1, {}}};
-  EXPECT_EQ(coordination_number(scene, contacts), (3 + 2 + 3 + 2) / 4.0);
+  // A disc on three walls and on the other; that one on a box; two points between the boxes, two on the
+  // floor, one on the kinematic box.
+  const std::vector<ContactRow> contacts{{1, 0, 1, {}}, {1, 0, 1, {}}, {1, 0, 1, {}}, {1, 2, 1, {}},
+                                         {2, 3, 1, {}}, {3, 4, 1, {}}, {3, 4, 1, {}}, {3, 0, 1, {}},
+                                         {3, 0, 1, {}}, {4, 5, 1, {}}};
+  EXPECT_EQ(coordination_number(scene, contacts), (4 + 2 + 3 + 2) / 4.0);
   EXPECT_EQ(coordination_number(scene, {}), 0.0);
 }
 
