@@ -148,9 +148,8 @@ void add_replay(CLI::App& app, int& exit_code) {
       "          throng replay pile.h5 --png pile.png --at 2.5 --html pile.html\n"
       "          throng replay pile.h5 --video pile.mp4 --speed 2 --width 1280\n"
       "--verify holds every frame, and names, seed, engine, steps, shapes, masses, walls, areas and what is\n"
-      "measured, against the scenario in the file. Author, command line, compiler, threads, the texts of "
-      "the\n"
-      "scenario as it was given and who has a sensor are what the file says of itself: held against "
+      "measured, against the scenario in the file. Author, command line, compiler, threads, the text of the\n"
+      "scenario as it was given and who has a sensor are what the file says of itself: held against\n"
       "nothing.\n"
       "Exit codes: 0 done or verified, 1 the run diverges from the recording, 2 the file is unusable,\n"
       "130 stopped by a signal.");

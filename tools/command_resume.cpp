@@ -62,7 +62,11 @@ bool go_to(const Checkpoint& checkpoint, const Scene& scene, Simulation& simulat
   }
   say("this engine's state can't be saved: computing again, and checking, up to the checkpoint at",
       goal.step);
-  while (simulation.state().step < goal.step && !stop_requested()) simulation.step();
+  simulation.heed(stop_requested);
+  try {
+    while (simulation.state().step < goal.step && !stop_requested()) simulation.step();
+  } catch (const Interrupted&) {  // by a signal, within a step
+  }
   if (simulation.state().step < goal.step) return false;
   if (hash(simulation.state()) != hash(goal))
     throw SimulationError("step " + std::to_string(goal.step) +
@@ -136,15 +140,11 @@ void add_resume(CLI::App& app, int& exit_code, const std::string& command_line) 
   add_drive_options(*command, options->drive);
   command->footer(
       "Example: throng resume pile.h5 --until 20\n"
-      "Goes on from OUT.h5.ckpt, or from the checkpoint before where that is damaged, or from the start "
-      "where\n"
-      "there is none (as box2d and event_driven always must): steps whose frames are recorded are then "
-      "checked\n"
-      "against them.\n"
-      "Checkpoints are made as often as the run made them, or each --checkpoint SECONDS; where one was "
-      "there, "
-      "there\n"
-      "is one of the end, too.\n"
+      "Goes on from OUT.h5.ckpt, or from the checkpoint before where that is damaged, or from the start\n"
+      "where there is none (as box2d and event_driven always must): steps whose frames are recorded are\n"
+      "then checked against them.\n"
+      "Checkpoints are made as often as the run made them, or each --checkpoint SECONDS; where one was\n"
+      "there, there is one of the end, too.\n"
       "The frames so far are copied first, so there must be room for them once more.");
   command->callback([options, &exit_code] { exit_code = resume(*options); });
 }

@@ -185,10 +185,6 @@ h5::Handle open_path(hid_t at, std::string_view path) {
   return slash == path.npos ? std::move(group) : open_path(group, path.substr(slash + 1));
 }
 
-}  // namespace
-
-namespace {
-
 /// Those that the file has of what scenes may ask for.
 std::vector<AskedColumn> asked_in(const h5::File& file, hid_t group) {
   std::vector<AskedColumn> found;
@@ -198,7 +194,8 @@ std::vector<AskedColumn> asked_in(const h5::File& file, hid_t group) {
       const h5::Handle element = h5::open_group(group, column.name);
       column.numbers = h5::open_dataset<double>(file, element, "value", {kAny, kAny}).dims[1];
       column.bins.up_to = h5::read_attribute<double>(element, "up_to");
-      if (column.numbers < 1 || column.numbers > kMostBins || !(column.bins.up_to > 0.0))
+      if (column.numbers < 1 || column.numbers > kMostBins || !(column.bins.up_to > 0.0) ||
+          !std::isfinite(column.bins.up_to))
         throw h5::Error(std::string(column.name) + " has bins that can't be");
       column.bins.count = static_cast<int>(column.numbers);
     }

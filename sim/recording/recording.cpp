@@ -325,6 +325,7 @@ void Recording::expect_tables(const Scene& scene) const {
   try {
     h5::prepare();
     recording::expect_tables(impl_->file, impl_->scene, impl_->reader.ids(), scene, impl_->origin.minor);
+    expect_bins(impl_->reader.observables(), scene);
   } catch (const h5::Error& error) {
     throw InputError(impl_->path + " is damaged: " + error.what());
   }

@@ -102,8 +102,8 @@ class Recording {
   std::size_t frames_of_file() const;
 
   /// Holds the file's tables against the scene that its scenario makes: name, seed, engine, substeps and
-  /// end of the run, materials, shapes, bodies, walls, floor, also the masses and the box that only other
-  /// programs read. O(scene). Throws InputError where any is damaged or otherwise.
+  /// end of the run, materials, shapes, bodies, walls, floor, ends of histograms, also the masses and the box
+  /// that only other programs read. O(scene). Throws InputError where any is damaged or otherwise.
   void expect_tables(const Scene& scene) const;
 
   /// In which sample of a field's own, where it is stored, frame i stands; nothing where it does not.

@@ -111,4 +111,10 @@ void expect_tables(const h5::File& file, const Scene& found, std::span<const std
   expect_box(file, found.domain, scene.domain);
 }
 
+void expect_bins(std::span<const Observable> found, const Scene& scene) {
+  for (const AskedColumn& asked : asked_columns(scene))
+    for (const Observable& one : found)
+      expect(one.name != asked.name || one.up_to == asked.bins.up_to, "end of a histogram");
+}
+
 }  // namespace throng::recording

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "sim/recording/h5_read.h"
+#include "sim/recording/observables.h"
 #include "sim/scene.h"
 
 namespace throng::recording {
@@ -15,5 +16,8 @@ namespace throng::recording {
 /// have them. O(scene). Throws h5::Error where anything is unreadable or otherwise.
 void expect_tables(const h5::File& file, const Scene& found, std::span<const std::uint32_t> ids,
                    const Scene& scene, int minor);
+
+/// Do histograms among what a file observed end where the scenario wants them to? Throws h5::Error.
+void expect_bins(std::span<const Observable> found, const Scene& scene);
 
 }  // namespace throng::recording

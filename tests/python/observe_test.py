@@ -86,6 +86,8 @@ class Observe(Program):
     def test_damage_is_seen(self):
         for change, said in ((lambda file: file["observables/speeds/value"].__setitem__((3, 2), 7.0), "frame"),
                              (lambda file: file["observables/speeds"].attrs.__setitem__("up_to", -1.0), "bins that can't be"),
+                             (lambda file: file["observables/speeds"].attrs.__setitem__("up_to", np.inf), "bins that can't be"),
+                             (lambda file: file["observables/speeds"].attrs.__setitem__("up_to", 6.0), "end of a histogram"),
                              (lambda file: file.__delitem__("observables/speeds"), "damaged|observables")):
             path = self.run_gas()
             with h5py.File(path, "r+") as file:

@@ -2,6 +2,7 @@
 // throng resume, as its users run it.
 #include <gmock/gmock.h>
 
+#include <chrono>
 #include <functional>
 #include <nlohmann/json.hpp>
 
@@ -142,6 +143,29 @@ TEST_F(Resume, ALongerRunGoesOnFromTheEndAlsoWhereAStopLeftTheOnlyCheckpoint) {
   const Result longer = resume_to(step + 30);
   EXPECT_EQ(longer.exit_code, 0);
   EXPECT_THAT(longer.err, HasSubstr("from the checkpoint at step " + std::to_string(step + 20)));
+}
+
+/// It happened: a step of many collisions, computed again up to the checkpoint, heard no signal.
+TEST_F(Resume, ASignalIsHeardWithinAStepThatIsComputedAgain) {
+  using Clock = std::chrono::steady_clock;
+  const std::string scene = write("a.toml", R"(throng = 1
+engine = "event_driven"
+time = { dt = 3e4, until = 3e4 }
+domain = { box = [[0, 0], [4, 4]] }
+materials.default = { restitution = 1, friction = 0 }
+shapes.ball.disc.radius = 0.5
+bodies = [{ shape = "ball", at = [2, 2], velocity = [1000, 700] }]
+)");
+  const Clock::time_point start = Clock::now();
+  ASSERT_EQ(throng("run --progress none --checkpoint 1000 -o " + path("a.h5") + " " + scene).exit_code, 0);
+  const Clock::duration step = Clock::now() - start;
+  const Clock::time_point again = Clock::now();
+  const Result stopped =
+      throng("resume --progress none --until 6e4 " + path("a.h5"), "timeout --preserve-status -s INT 1 ");
+  EXPECT_EQ(stopped.exit_code, 130);
+  EXPECT_THAT(stopped.err, HasSubstr("computing again, and checking, up to the checkpoint at step 1"));
+  EXPECT_LT(Clock::now() - again, step / 2) << "the step was gone on with";
+  EXPECT_EQ(throng("info " + path("a.h5")).exit_code, 0);
 }
 
 TEST_F(Resume, SaysThatNothingGoesOnFromCheckpointsOfOtherEngines) {

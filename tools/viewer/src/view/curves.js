@@ -25,7 +25,7 @@ export function charts(d, slow, lowest) {
     { title: "Energy", unit: joule, curves: d.bodies.kind.includes(DYNAMIC) ? energies : [] },
     { title: "Overlap", unit: length, decades: true, curves: [{ name: "largest", colour: "var(--curve-2)", value: p => p.largest }, { name: "mean", colour: "var(--curve-1)", value: p => p.mean }] },
     { title: "Counts", unit: number, curves: [...(d.bodies.changes ? [{ name: "here", colour: "var(--ink)", value: (/** @type {Point} */ p) => p.present }] : []), { name: "pairs that touch", colour: "var(--curve-1)", value: p => p.contacts },
-      ...(pressing >= 0 ? [{ name: "points that press", colour: "var(--ink)", value: (/** @type {Point} */ p) => p.observed[pressing] }] : []),
+      ...(pressing >= 0 ? [{ name: "points that press", colour: "var(--stay)", value: (/** @type {Point} */ p) => p.observed[pressing] }] : []),
       ...(moves ? [{ name: `faster than ${short(slow, 2)} m/s`, colour: "var(--curve-2)", value: (/** @type {Point} */ p) => p.moving }] : [])] },
   ];
   return [...all, ...crowdCharts(d)].filter(chart => chart.curves.length > 0);
