@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "scenarios/grammar_parts.h"
+#include "scenarios/limits.h"
+#include "scenarios/types.h"
+#include "sim/measure/asked.h"
+
+namespace throng::scenarios::parts {
+
+using namespace types;
+
+namespace {
+
+Type record_fields() {
+  return list(choice({"position", "angle", "velocity", "spin", "contacts"}), 0, "a list of fields", 16);
+}
+
+/// One or several of what `part` is.
+Type some(const Type& part, std::string called) {
+  return either({part, list(part, 1, std::move(called))});
+}
+
+Type recorded_bodies_table() {
+  return table(
+      {{{"shape", some(name_in("shapes"), "a list of names of shapes"), "Of these shapes."},
+        {"material", some(name_in("materials"), "a list of names of materials"), "Of these materials."},
+        {"kind", some(choice({"dynamic", "static", "kinematic", "agent"}), "a list of kinds"),
+         "Of these kinds."},
+        {"ids", list(integer(1, kMostBodies), 1, "a list of ids"), "These alone."}}});
+}
+
+Type bins_table(Type up_to, const char* what) {
+  return table(
+      {{required({"up_to", std::move(up_to), std::string("Where the last bin ends, ") + what + "."}),
+        {"bins", integer(1, kMostBins), "How many bins, all as wide, the first from 0 on; absent: 50."}}});
+}
+
+}  // namespace
+
+Type record_table() {
+  const Table also{{required({"every", integer(1, 1e9), "Steps from one to the next."}),
+                    required({"fields", record_fields(), "What is recorded at this rate."})}};
+  return table(
+      {{{"every", integer(1, 1e9), "Steps from one recorded frame to the next.", "1"},
+        {"fields", record_fields(),
+         "What a frame holds; contacts: where bodies press on each other or on obstacles.",
+         "[\"position\", \"angle\", \"velocity\"]"},
+        {"also", tables(also), "Further fields, at rates of their own.", "[]"},
+        {"observables", integer(1, 1e9),
+         "Steps from one measurement to the next of energies, momentum, contacts, overlaps, and of what "
+         "measures count; absent: none."},
+        {"precision", choice({"double", "single"}), "Width of recorded numbers.", "\"double\""},
+        {"quantize", number(1e-9, 1e3, "m"),
+         "Store positions rounded to whole multiples of this, m, and packed; absent: as they are."},
+        {"of", recorded_bodies_table(), "Which bodies are recorded: those that all of it fits; absent: all."},
+        {"within", box(), "Record bodies only while their centre is in this box, m."}}});
+}
+
+Type observe_table() {
+  const Type quantity = choice(
+      {"temperature", "packing_fraction", "coordination_number", "collisions", "compressibility_factor"});
+  return table(
+      {{{"quantities", list(quantity, 0, "a list of quantities", 16),
+         "temperature: k T, J, of the centres. packing_fraction: which part of the area dynamic bodies take. "
+         "coordination_number: on how many others one presses. collisions: how many so far, of pairs and "
+         "with "
+         "walls. compressibility_factor: P A / (n k T), by the virial and by how often pairs collide, both "
+         "since the beginning; of soft contacts by their forces at the instant.",
+         "[]"},
+        {"packing_within", box(), "Box, m, in which packing_fraction is taken; absent: the domain."},
+        {"speeds", bins_table(number(1e-12, 1e9, "m/s"), "m/s"),
+         "How speeds are distributed: part of the bodies over the width of the bin, s/m."},
+        {"pair_correlation", bins_table(length(), "m"),
+         "g(r): pairs of bodies whose centres are r apart, over those of as many points anywhere."}}});
+}
+
+Table sensor_table() {
+  return {{required({"name", text(64), "What the summary and the recording call it."}),
+           {"of", either({choice({"all"}), recorded_bodies_table()}),
+            "Who has it: bodies and agents that all of this fits.", "\"all\""},
+           required({"radius", number(0, kFarthest, "m"), "How far it reaches, m, from centre to centre."}),
+           {"fov_degrees", number(1e-6, 360, "degrees"),
+            "How wide the view is, degrees, its borders included: about an agent's velocity, about a body's "
+            "angle; an agent who stands looks all around.",
+            "360.0"},
+           {"sight", either({boolean(), choice({"walls", "bodies"})}),
+            "Whom it doesn't find: true or \"walls\": who is behind a wall; \"bodies\": or behind another "
+            "body or agent.",
+            "false"},
+           {"every", integer(1, 1e9), "Steps from one look to the next; the first is at the start.", "1"},
+           {"record", boolean(), "Whether a recording holds who senses whom, at each look.", "false"}}};
+}
+
+}  // namespace throng::scenarios::parts
