@@ -60,15 +60,16 @@ std::string bounds_text(const Json& error) {
 }  // namespace
 
 std::vector<Row> bench_validation(const Options& options) {
+  std::vector<Trials> all;
+  for (const Walker& walker : walkers())
+    if (options.engines.empty() || std::ranges::find(options.engines, walker.name()) != options.engines.end())
+      all.emplace_back(walker, THRONG_VALIDATION, options.set);
   std::vector<Row> rows;
   for (const ValidationCase& one : all_cases()) {
     if (!chosen(one.name, options) || (options.quick && !one.quick)) continue;
-    for (const Walker& walker : walkers()) {
-      if (!options.engines.empty() &&
-          std::ranges::find(options.engines, walker.name()) == options.engines.end())
-        continue;
-      std::fprintf(stderr, "%s: %s\n", one.name, walker.name().c_str());
-      rows.push_back(judge(one, Trials(walker, THRONG_VALIDATION, options.set)));
+    for (const Trials& trials : all) {
+      std::fprintf(stderr, "%s: %s\n", one.name, trials.walker().name().c_str());
+      rows.push_back(judge(one, trials));
     }
   }
   return rows;

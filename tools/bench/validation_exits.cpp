@@ -49,8 +49,7 @@ std::string seyfried_floor(double width) {
          high + ", 8 " + high + ", 8 8, 0 8, 0 0))";
 }
 
-/// 1/s, for each of kWidths, over kDraws of the crowd; stops short where people don't get through.
-std::vector<double> bottleneck_flows(const Trials& trials) {
+std::vector<double> measured_flows(const Trials& trials) {
   std::vector<double> flows;
   for (const double width : kWidths) {
     double sum = 0.0;
@@ -64,6 +63,11 @@ std::vector<double> bottleneck_flows(const Trials& trials) {
   return flows;
 }
 
+/// 1/s, for each of kWidths, over kDraws of the crowd; stops short where people don't get through.
+const std::vector<double>& bottleneck_flows(const Trials& trials) {
+  return trials.once("bottleneck flows", [&] { return measured_flows(trials); });
+}
+
 Json curve(const std::vector<double>& flows) {
   return {{"width", kWidths}, {"flow", flows}, {"seyfried_2009", kSeyfried}};
 }
@@ -73,7 +77,7 @@ std::string stuck_at(const std::vector<double>& flows) {
 }
 
 Finding off_seyfried(const Trials& trials) {
-  const std::vector<double> flows = bottleneck_flows(trials);
+  const std::vector<double>& flows = bottleneck_flows(trials);
   if (flows.size() < std::size(kWidths)) return {{}, stuck_at(flows), curve(flows)};
   double worst = 0.0;
   for (std::size_t i = 0; i < flows.size(); ++i) worst = std::max(worst, std::abs(flows[i] - kSeyfried[i]));
@@ -82,7 +86,7 @@ Finding off_seyfried(const Trials& trials) {
 
 /// The share of the flows' variance that a straight line over the width explains, with the line's sign.
 Finding linear_in_width(const Trials& trials) {
-  const std::vector<double> flows = bottleneck_flows(trials);
+  const std::vector<double>& flows = bottleneck_flows(trials);
   if (flows.size() < std::size(kWidths)) return {{}, stuck_at(flows)};
   double mean = 0.0, xy = 0.0, xx = 0.0, yy = 0.0;
   for (const double each : flows) mean += each / static_cast<double>(flows.size());

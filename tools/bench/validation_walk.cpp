@@ -92,6 +92,13 @@ double Walked::last_arrival() const {
   return *std::ranges::max_element(arrival);
 }
 
+const std::vector<double>& Trials::once(const std::string& name,
+                                        const std::function<std::vector<double>()>& measure) const {
+  const auto [at, is_new] = known_.try_emplace(name);
+  if (is_new) at->second = measure();
+  return at->second;
+}
+
 Walked Trials::walk(const std::string& scenario, std::vector<std::string> overrides, const Look& look) const {
   const std::string file = folder_ + "/" + scenario + ".toml";
   const std::size_t groups = scene_of(file, {}).crowd.groups.size();
