@@ -23,7 +23,7 @@ const pair = { name: "pair", kind: 2, radius: 1, gyration2: 1, outline: new Floa
 
 function scene(shapes, rows, kinds = rows.map(() => 0)) {
   const n = rows.length, column = values => Float64Array.from(values);
-  return { name: "s", description: "", version: "", domain: UNBOUNDED, gravity: [0, -1], shapes, materials: ["default"], walls: [], areas: [], queues: [], groups: [], fields: ["position", "velocity"], times: column([0, 1]), steps: column([0, 1]), complete: true,
+  return { name: "s", description: "", version: "", domain: UNBOUNDED, gravity: [0, -1], shapes, materials: ["default"], walls: [], walkable: [], areas: [], queues: [], groups: [], fields: ["position", "velocity"], times: column([0, 1]), steps: column([0, 1]), complete: true,
            bodies: { count: n, changes: false, id: column(rows.map((_, i) => i + 1)), shape: column(rows), material: new Float64Array(n), kind: column(kinds), radius: new Float64Array(n).fill(0.5), mass: new Float64Array(n).fill(1) } };
 }
 
@@ -285,6 +285,14 @@ test("the first view is the domain where bodies are spread over it, else the bod
   assert.deepEqual(at(0, 0, 100, 100, 50, 50).map(Math.round), [-2, -2, 102, 102]);
   const [left, bottom, right, top] = at(40, 1, 60, 1);
   assert.ok(left > 38 && left < 39 && right > 61 && right < 62 && bottom < 0 && top > 2 && top < 4);
+});
+
+test("the first view of agents is all of their floor, as in pictures", () => {
+  const walking = { ...scene([disc], [0], [3]), domain: { kind: "box", min: [-50, -50], max: [50, 50] }, walkable: [Float64Array.of(0, 0, 40, 0, 40, 10, 0, 10)] };
+  const shown = { places: Float64Array.of(5, 5), radii: Float64Array.of(1) };
+  assert.deepEqual(framing(walking, shown).map(Math.round), [-1, -1, 41, 11]);
+  const beside = { ...walking, walls: [{ points: Float64Array.of(-10, 0, -10, 10), closed: false }] };
+  assert.deepEqual(framing(beside, shown).map(Math.round), [-11, -1, 41, 11]);
 });
 
 test("curves are those that can be computed", () => {

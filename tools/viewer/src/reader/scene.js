@@ -16,7 +16,7 @@ import { areasOf, gravityOf, groupsOf, sections } from "./scenario.js";
  * @typedef {{name: string, line: Float64Array}} Queue  x, y, x, y (m), from its head
  * @typedef {{kind: "unbounded" | "box" | "periodic", min: number[], max: number[]}} Domain
  * @typedef {{name: string, description: string, version: string, domain: Domain, gravity: number[] | null, shapes: Shape[],
- *   materials: string[], bodies: Bodies, walls: Wall[], areas: import("./scenario.js").Area[], queues: Queue[], groups: import("./scenario.js").Group[]}} Scene
+ *   materials: string[], bodies: Bodies, walls: Wall[], walkable: Float64Array[], areas: import("./scenario.js").Area[], queues: Queue[], groups: import("./scenario.js").Group[]}} Scene
  */
 
 /** @param {any} value @returns {string} */
@@ -106,6 +106,11 @@ function readWalls(file) {
   return lines.map((points, i) => ({ points, closed: closed[i] !== 0 }));
 }
 
+/** Rings of points. @param {File} file */
+function readWalkable(file) {
+  return file.get("throng/walkable") ? ragged(file, "throng/walkable/offset", "throng/walkable/points") : [];
+}
+
 const USES = /** @type {const} */ (["none", "goal", "wait"]);
 
 /** Their table, which is there since layout 1.6, or null. @param {File} file @returns {import("./scenario.js").Area[] | null} */
@@ -142,6 +147,6 @@ export function readScene(file) {
   const bodies = readBodies(file, shapes.length, materials.length);
   return { name: text(attribute(throng, "name")), description: text(attribute(throng, "description")),
            version: text(attribute(parameters, "version")), domain: readDomain(file), gravity: gravityOf(scenario),
-           shapes, materials, bodies, walls: readWalls(file), areas: readAreas(file) ?? areasOf(scenario), queues: readQueues(file),
+           shapes, materials, bodies, walls: readWalls(file), walkable: readWalkable(file), areas: readAreas(file) ?? areasOf(scenario), queues: readQueues(file),
            groups: groupsOf(scenario, Number(attribute(parameters, "bodies") ?? bodies.count)) };
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the page shows at first: as tools/framing.cpp, so that a picture and a page of one recording show the same.
+import { AGENT } from "../reader/scene.js";
 
 const SPREAD = 0.6;  // of the domain, in both directions: then show all of it
 
@@ -30,22 +31,23 @@ function withMargin(box) {
   return [box[0] - lack[0], box[1] - lack[1], box[2] + lack[0], box[3] + lack[1]];
 }
 
-/** @param {import("../reader/scene.js").Wall[]} walls */
-function ofWalls(walls) {
+/** The floor that agents walk on, and all walls. @param {import("../reader/scene.js").Scene} scene */
+function ofFloor({ walkable, walls }) {
   const box = [Infinity, Infinity, -Infinity, -Infinity];
-  for (const { points } of walls)
+  for (const points of [...walkable, ...walls.map(wall => wall.points)])
     for (let i = 0; i < points.length; ++i) { box[i % 2] = Math.min(box[i % 2], points[i]); box[2 + i % 2] = Math.max(box[2 + i % 2], points[i]); }
   return box[0] <= box[2] ? box : [0, 0, 1, 1];
 }
 
 /**
- * left, bottom, right, top (m): all of a bounded domain where bodies are spread over it, else the bodies and the walls near them;
+ * left, bottom, right, top (m): of agents all of their floor; else all of a bounded domain where bodies are spread over it, else the bodies and the walls near them;
  * a few bodies far from all others don't count. Never empty.
  * @param {import("../reader/scene.js").Scene} scene @param {{places: Float64Array, radii: Float64Array}} overview
  */
 export function framing(scene, overview) {
   const { kind, min, max } = scene.domain, bounded = kind !== "unbounded", domain = [...min, ...max];
-  if (overview.radii.length === 0) return withMargin(bounded ? domain : ofWalls(scene.walls));
+  if (overview.radii.length === 0) return withMargin(bounded ? domain : ofFloor(scene));
+  if (scene.bodies.kind.includes(AGENT)) return withMargin(ofFloor(scene));
   const box = tight(scene, overview);
   if (!bounded) return withMargin(box);
   const wide = [0, 1].map(axis => box[axis + 2] - box[axis] >= SPREAD * (max[axis] - min[axis]));
