@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <numeric>
 
-#include "sim/crowd/walk.h"
+#include "sim/crowd/stuck.h"
 #include "sim/gas.h"
 #include "sim/measure/measured_bodies.h"
 #include "sim/observe.h"

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <map>
 
 #include "sim/crowd/entrance.h"
+#include "sim/crowd/stuck.h"
 #include "sim/simulation_error.h"
 
 namespace throng {
@@ -28,31 +30,6 @@ double least_radius(const Scene& scene, const AgentGroup& group) {
 constexpr int kSqueezes = 4;     // of bodies against barriers, before the agent gives in
 constexpr double kSettle = 0.5;  // s: who wants to stand somewhere comes to a stop within about so long
 
-constexpr double kHesitation = 1.0;  // s: who stood so long wants what he wants up to kDoubt
-constexpr double kDoubt = 1e-3;      // of his desired speed
-constexpr double kMostDoubt = 5.0;   // beside a way that is 1
-
-/// s, for which the agent in this row of the crowd's state has wanted to walk and got nowhere.
-double time_stood(const Scene& scene, const State& state, std::size_t i) {
-  const double dt = scene.time.dt, now = static_cast<double>(state.step) * dt;
-  const double stood = now - static_cast<double>(state.crowd.stand_step[i]) * dt;
-  if (stood < kHesitation) return stood;
-  const double leg = now - static_cast<double>(state.crowd.since[i]) * dt;
-  return std::min({stood, leg, now - scene.crowd.start[agent_of(scene, state, scene.crowd.first + i)]});
-}
-
-/// Where one who has stood for so long (s) wants to go: at random by (seed, step, id) a little beside his
-/// way, else two who meet head on would stand before each other for ever; and once he is stuck anywhere, the
-/// more so the longer, else three who hold one another in an arch before a door would.
-Vec in_doubt(const Scene& scene, const State& state, std::uint32_t id, const Vec& towards, double stood) {
-  const bool is_stuck = stood >= kStuckTime;
-  const double most = is_stuck ? std::min(stood / kStuckTime, kMostDoubt) : kDoubt;
-  Random random(scene.seed, static_cast<std::uint64_t>(state.step), id, Purpose::hesitation);
-  const double x = random.uniform(-most, most);
-  const Vec wanted = towards + Vec(x, random.uniform(-most, most));
-  return is_stuck && wanted != Vec(0.0, 0.0) ? Vec(wanted / wanted.norm()) : wanted;
-}
-
 }  // namespace
 
 std::vector<BarrierLine> barrier_lines(const Scene& scene) {
@@ -74,7 +51,12 @@ Walk::Walk(const Scene& scene)
       entrances_(scene.crowd.groups.size()),
       largest_radius_(largest_radius(scene)) {
   if (scene.crowd.size() == 0) return;
+  std::map<std::pair<std::uint32_t, std::vector<double>>, std::uint32_t> known;
   for (const AgentGroup& group : scene.crowd.groups) {
+    const auto [at, is_new] =
+        known.try_emplace({group.model, group.parameters}, static_cast<std::uint32_t>(models_.size()));
+    model_.push_back(at->second);
+    if (!is_new) continue;
     models_.push_back(walking_models()[group.model].make(group.parameters));
     cores_.push_back(models_.back()->core());
     reach_ = std::max(reach_, models_.back()->reach(largest_radius_));
@@ -95,7 +77,7 @@ void Walk::Ranks::resize(std::size_t n) {
   for (std::vector<double>* all :
        {&x, &y, &velocity_x, &velocity_y, &towards_x, &towards_y, &radius, &desired_speed, &id, &clear})
     all->resize(n + CrowdView::kPadding);
-  group.resize(n);
+  model.resize(n);
 }
 
 /// Has the memory brought near that ranking who has that place reads.
@@ -122,7 +104,7 @@ void Walk::rank(const State& state, std::size_t place) {
   ranks_.x[place] = p.x(), ranks_.y[place] = p.y();
   ranks_.velocity_x[place] = v.x(), ranks_.velocity_y[place] = v.y();
   ranks_.towards_x[place] = towards.x(), ranks_.towards_y[place] = towards.y();
-  ranks_.group[place] = scene_.crowd.group[its];
+  ranks_.model[place] = model_[scene_.crowd.group[its]];
   ranks_.radius[place] = scene_.bodies.radius[scene_.crowd.first + its];
   const bool stands = now < scene_.crowd.start[its];
   ranks_.desired_speed[place] = stands ? 0.0 : std::min(scene_.crowd.desired_speed[its], distance / kSettle);
@@ -156,8 +138,10 @@ void Walk::steer(const State& state, Workers& workers) {
     std::size_t last = begin;
     for (std::size_t model = 0; model < models_.size(); ++model) {
       const std::size_t first = last;
-      for (std::size_t place = begin; place < end; ++place)
-        if (ranks_.group[place] == model) places_[last++] = static_cast<std::uint32_t>(place);
+      for (std::size_t place = begin; place < end && last < end; ++place) {
+        places_[last] = static_cast<std::uint32_t>(place);
+        last += ranks_.model[place] == model;  // no branch, which nobody could foretell
+      }
       models_[model]->steer(view, std::span(places_).subspan(first, last - first), velocity_);
     }
   });
@@ -181,7 +165,7 @@ Moved Walk::go_among_bodies(const Vec& from, const Vec& by, double core, bool& s
 
 Moved Walk::go(std::size_t place, const Vec& by, bool& squeezed) const {
   const Vec from(ranks_.x[place], ranks_.y[place]);
-  const double core = ranks_.radius[place] * cores_[ranks_.group[place]];
+  const double core = ranks_.radius[place] * cores_[ranks_.model[place]];
   if (seen_) return go_among_bodies(from, by, core, squeezed);
   if (ranks_.clear[place] > core + std::abs(by.x()) + std::abs(by.y())) return {from + by, false};
   return slide(barriers_, from, by, core);
@@ -295,17 +279,6 @@ void Walk::appear(State& state) {
     }
     while (is_due(state, group) && bring_in(state, group)) continue;
   }
-}
-
-std::vector<StuckAgent> stuck_agents(const Scene& scene, const State& state) {
-  std::vector<StuckAgent> stuck;
-  for (std::size_t i = 0; i < state.crowd.stand.size(); ++i) {
-    if (state.crowd.place[i] > 0 || state.crowd.option[i] == kUndecided) continue;
-    const std::size_t row = scene.crowd.first + i, agent = agent_of(scene, state, row);
-    if (time_stood(scene, state, i) >= kStuckTime && scene.crowd.desired_speed[agent] > 0.0)
-      stuck.push_back({state.id[row], state.position[row]});
-  }
-  return stuck;
 }
 
 }  // namespace throng

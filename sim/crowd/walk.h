@@ -50,7 +50,7 @@ class Walk {
   /// Of the agents, by place in the cells.
   struct Ranks {
     std::vector<double> x, y, velocity_x, velocity_y, towards_x, towards_y, radius, desired_speed, id, clear;
-    std::vector<std::uint32_t> group;
+    std::vector<std::uint32_t> model;  // row of models_
 
     void resize(std::size_t n);
   };
@@ -76,9 +76,10 @@ class Walk {
   Movers movers_;
   std::optional<Barriers> seen_;                       // with the bodies that move, where there are such
   std::optional<Journeys> journeys_;                   // where there are agents
-  std::vector<std::unique_ptr<WalkingModel>> models_;  // as Crowd::groups
+  std::vector<std::unique_ptr<WalkingModel>> models_;  // each once, with its parameters
   std::vector<double> cores_;                          // likewise: WalkingModel::core
-  std::vector<std::unique_ptr<Sampler>> entrances_;    // likewise, where agents appear
+  std::vector<std::uint32_t> model_;                   // row of models_, as Crowd::groups
+  std::vector<std::unique_ptr<Sampler>> entrances_;    // as Crowd::groups, where agents appear
   double largest_radius_ = 0.0, reach_ = 0.0;          // m
   CrowdCells cells_;
   Ranks ranks_;
@@ -89,17 +90,5 @@ class Walk {
   std::vector<Stride> strides_;                           // by place; where anything is measured
   std::vector<std::unique_ptr<VoronoiDensity>> voronoi_;  // as Crowd::measures, where wanted
 };
-
-/// An agent that wanted to walk and hasn't got anywhere for kStuckTime.
-struct StuckAgent {
-  std::uint32_t id;
-  Vec position;  ///< m
-};
-inline constexpr double kStuckTime = 10.0;  ///< s
-
-/// Those of the state, by row: agents with a desired speed and on their way somewhere, that for kStuckTime
-/// weren't farther than their radius from one place. Not those who stand in line, want to a queue that is
-/// full, or wait.
-std::vector<StuckAgent> stuck_agents(const Scene& scene, const State& state);
 
 }  // namespace throng

@@ -2,6 +2,7 @@
 // Awkward crowds: a clear error, or a behaviour that is defined.
 #include <gtest/gtest.h>
 
+#include "sim/crowd/stuck.h"
 #include "sim/crowd/walk.h"
 #include "sim/input_error.h"
 #include "sim/simulation.h"

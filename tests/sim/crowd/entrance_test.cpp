@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "sim/crowd/stuck.h"
 #include "sim/crowd/walk.h"
 #include "sim/input_error.h"
 #include "sim/recording/checkpoint.h"

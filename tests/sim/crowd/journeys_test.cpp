@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "sim/crowd/stuck.h"
 #include "sim/crowd/walk.h"
 #include "sim/recording/checkpoint.h"
 #include "tests/sim/crowd/hall.h"

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/crowd/stuck.h"
 #include "sim/crowd/walk.h"
 #include "tests/sim/crowd/hall.h"
 #include "tests/sim/trial.h"

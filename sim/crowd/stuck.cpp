@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "sim/crowd/stuck.h"
+
+#include <algorithm>
+
+#include "sim/random.h"
+
+namespace throng {
+
+namespace {
+
+constexpr double kDoubt = 1e-3;     // of his desired speed: who is in doubt wants what he wants up to this
+constexpr double kMostDoubt = 5.0;  // beside a way that is 1
+
+}  // namespace
+
+Vec in_doubt(const Scene& scene, const State& state, std::uint32_t id, const Vec& towards, double stood) {
+  const bool is_stuck = stood >= kStuckTime;
+  const double most = is_stuck ? std::min(stood / kStuckTime, kMostDoubt) : kDoubt;
+  Random random(scene.seed, static_cast<std::uint64_t>(state.step), id, Purpose::hesitation);
+  const double x = random.uniform(-most, most);
+  const Vec wanted = towards + Vec(x, random.uniform(-most, most));
+  return is_stuck && wanted != Vec(0.0, 0.0) ? Vec(wanted / wanted.norm()) : wanted;
+}
+
+std::vector<StuckAgent> stuck_agents(const Scene& scene, const State& state) {
+  std::vector<StuckAgent> stuck;
+  for (std::size_t i = 0; i < state.crowd.stand.size(); ++i) {
+    if (state.crowd.place[i] > 0 || state.crowd.option[i] == kUndecided) continue;
+    const std::size_t row = scene.crowd.first + i, agent = agent_of(scene, state, row);
+    if (time_stood(scene, state, i) >= kStuckTime && scene.crowd.desired_speed[agent] > 0.0)
+      stuck.push_back({state.id[row], state.position[row]});
+  }
+  return stuck;
+}
+
+}  // namespace throng

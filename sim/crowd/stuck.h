@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "sim/scene.h"
+#include "sim/state.h"
+
+/// Who wants to walk and gets nowhere.
+namespace throng {
+
+/// An agent that wanted to walk and hasn't got anywhere for kStuckTime.
+struct StuckAgent {
+  std::uint32_t id;
+  Vec position;  ///< m
+};
+inline constexpr double kStuckTime = 10.0;  ///< s
+
+/// Those of the state, by row: agents with a desired speed and on their way somewhere, that for kStuckTime
+/// weren't farther than their radius from one place. Not those who stand in line, want to a queue that is
+/// full, or wait.
+std::vector<StuckAgent> stuck_agents(const Scene& scene, const State& state);
+
+/// s: who stood so long is in doubt.
+inline constexpr double kHesitation = 1.0;
+
+/// s, for which the agent in this row of the crowd's state has wanted to walk and got nowhere.
+inline double time_stood(const Scene& scene, const State& state, std::size_t row) {
+  const double dt = scene.time.dt, now = static_cast<double>(state.step) * dt;
+  const double stood = now - static_cast<double>(state.crowd.stand_step[row]) * dt;
+  if (stood < kHesitation) return stood;
+  const double leg = now - static_cast<double>(state.crowd.since[row]) * dt;
+  return std::min({stood, leg, now - scene.crowd.start[agent_of(scene, state, scene.crowd.first + row)]});
+}
+
+/// Where one who has stood for so long (s) wants to go: at random by (seed, step, id) a little beside his
+/// way, else two who meet head on would stand before each other for ever; and once he is stuck anywhere, the
+/// more so the longer, else three who hold one another in an arch before a door would.
+Vec in_doubt(const Scene& scene, const State& state, std::uint32_t id, const Vec& towards, double stood);
+
+}  // namespace throng
