@@ -67,8 +67,10 @@ bool is_on_its_way(const State& state, const Scene& scene, std::size_t row) {
   if (crowd.stage[row] >= group.journey.size()) return false;
   const Leg& leg = group.journey[crowd.stage[row]];
   if (crowd.option[row] == kUndecided) return leg.options.size() > 1 && crowd.place[row] == 0;
-  return crowd.option[row] < leg.options.size() && (leg.kind != Leg::Kind::pass || crowd.place[row] == 0) &&
-         (leg.kind != Leg::Kind::wait || crowd.place[row] <= 1);
+  if (crowd.option[row] >= leg.options.size()) return false;
+  const bool may_wait =
+      leg.kind == Leg::Kind::wait || !of.goals[of.goal(leg, crowd.option[row])].phases.empty();
+  return leg.kind == Leg::Kind::queue || crowd.place[row] <= (may_wait ? 1u : 0u);
 }
 
 /// Whether those in line have places 1 to as many as they are. Expects that all are on their way.

@@ -59,21 +59,25 @@ std::uint32_t Journeys::drawn(const State& state, Row row) const {
                                     weights.begin());
 }
 
-/// Makes those undecided whose goal is closed where another option of theirs is open.
-void Journeys::give_up_closed(State& state) const {
-  for (Row row = 0; row < state.crowd.option.size(); ++row) {
-    if (!is_decided(state, row) || is_open(leg(state, row), state.crowd.option[row])) continue;
+/// Lets those go on who waited before what is open now. Makes those undecided whose goal is closed where
+/// another option of theirs is open.
+void Journeys::heed_openings(State& state) const {
+  CrowdState& crowd = state.crowd;
+  for (Row row = 0; row < crowd.option.size(); ++row) {
     const Leg& its = leg(state, row);
-    for (std::size_t option = 0; option < its.options.size(); ++option)
-      if (is_open(its, option)) state.crowd.option[row] = kUndecided;
+    if (its.kind != Leg::Kind::pass || !is_decided(state, row)) continue;
+    const bool goes_on = is_open(its, crowd.option[row]);
+    for (std::size_t option = 0; !goes_on && option < its.options.size(); ++option)
+      if (is_open(its, option)) crowd.option[row] = kUndecided;
+    if (goes_on || !is_decided(state, row)) crowd.place[row] = 0;
   }
 }
 
 void Journeys::look(State& state) {
   ways_.look(state.step);
   if (!queues_.empty()) queues_.look(state);
+  if (ways_.change()) heed_openings(state);
   if (!chooses_) return;
-  if (ways_.change()) give_up_closed(state);
   std::vector<std::uint32_t>& option = state.crowd.option;
   bool counted = false;
   for (Row row = 0; row < option.size(); ++row) {
@@ -96,7 +100,7 @@ Heading Journeys::heading(const State& state, Row row) const {
 void Journeys::gather_spots(const State& state) {
   for (Standing& spots : spots_) spots.clear();
   for (Row row = 0; row < state.crowd.place.size(); ++row)
-    if (state.crowd.place[row] > 0 && leg(state, row).kind == Leg::Kind::wait)
+    if (state.crowd.place[row] > 0 && leg(state, row).kind != Leg::Kind::queue)
       spots_[goal(state, row)].add(state.crowd.spot[row], radius(state, row));
   spots_known_ = true;
 }
@@ -121,12 +125,16 @@ Vec Journeys::free_spot(const State& state, Row row) {
   return p;
 }
 
+/// Whether he is among those who wait for his goal already.
+bool Journeys::is_among_waiting(const State& state, Row row) {
+  if (!spots_known_) gather_spots(state);
+  return spots_[goal(state, row)].meets(position(state, row), kBeside * radius(state, row));
+}
+
 /// Whether he stands before the area, among those who wait there already.
 bool Journeys::is_kept_out(const State& state, Row row) {
   const std::int64_t stood = std::max(state.crowd.stand_step[row], state.crowd.since[row]);
-  if (since(state, stood) < kPatience || stands_yet(state, row)) return false;
-  if (!spots_known_) gather_spots(state);
-  return spots_[goal(state, row)].meets(position(state, row), kBeside * radius(state, row));
+  return since(state, stood) >= kPatience && !stands_yet(state, row) && is_among_waiting(state, row);
 }
 
 void Journeys::stay(State& state, Row row, const Vec& spot) {
@@ -147,14 +155,19 @@ void Journeys::begin_to_wait(State& state, Row row) {
   }
 }
 
+/// Whether he isn't where he wants to stand.
+bool Journeys::is_off_spot(const State& state, Row row) const {
+  const double near = 2.0 * radius(state, row);
+  return (position(state, row) - state.crowd.spot[row]).squaredNorm() > near * near;
+}
+
 /// Whether the agent's time is over.
 bool Journeys::wait(State& state, Row row) {
   CrowdState& crowd = state.crowd;
   if (crowd.place[row] == 0) begin_to_wait(state, row);
   if (crowd.place[row] == 0) return false;
   const Vec& p = position(state, row);
-  const double near = 2.0 * radius(state, row), there = since(state, crowd.since[row]);
-  if ((p - crowd.spot[row]).squaredNorm() > near * near) {
+  if (const double there = since(state, crowd.since[row]); is_off_spot(state, row)) {
     const bool stands = std::min(there, since(state, crowd.stand_step[row])) >= kPatience;
     if (stands || (there >= kLongest && ways_.is_in(goal(state, row), p))) crowd.spot[row] = p;
   }
@@ -166,12 +179,26 @@ bool Journeys::wait(State& state, Row row) {
   return state.step >= from + Time{scene_.time.dt, its.times[in_group], 1}.steps();
 }
 
+/// Before a closed exit he stands where he gets to it, or to others who wait for it; he isn't stuck.
+void Journeys::wait_for_opening(State& state, Row row) {
+  const Vec& p = position(state, row);
+  if (state.crowd.place[row] > 0) {
+    if (is_off_spot(state, row) && since(state, state.crowd.stand_step[row]) >= kPatience)
+      state.crowd.spot[row] = p;
+  } else if (!stands_yet(state, row) &&
+             (ways_.to(goal(state, row)).distance(p) <= radius(state, row) || is_among_waiting(state, row))) {
+    stay(state, row, p);
+  }
+  state.crowd.since[row] = state.step;
+}
+
 bool Journeys::is_there(State& state, Row row) {
   if (!is_decided(state, row)) return false;
   switch (leg(state, row).kind) {
     case Leg::Kind::pass:
-      if (!ways_.is_open(goal(state, row))) state.crowd.since[row] = state.step;  // waits, and isn't stuck
-      return ways_.is_in(goal(state, row), position(state, row));
+      if (ways_.is_open(goal(state, row))) return ways_.is_in(goal(state, row), position(state, row));
+      wait_for_opening(state, row);
+      return false;
     case Leg::Kind::wait:
       return wait(state, row);
     case Leg::Kind::queue:

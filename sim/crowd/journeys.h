@@ -66,7 +66,7 @@ class Journeys {
   bool stands_yet(const State& state, Row row) const;
   std::uint32_t choice(const State& state, Row row);
   std::uint32_t drawn(const State& state, Row row) const;
-  void give_up_closed(State& state) const;
+  void heed_openings(State& state) const;
   bool is_open(const Leg& leg, std::size_t option) const {
     return ways_.is_open(scene_.crowd.goal(leg, option));
   }
@@ -74,7 +74,10 @@ class Journeys {
   bool is_there(State& state, Row row);
   bool wait(State& state, Row row);
   void begin_to_wait(State& state, Row row);
+  bool is_among_waiting(const State& state, Row row);
   bool is_kept_out(const State& state, Row row);
+  bool is_off_spot(const State& state, Row row) const;
+  void wait_for_opening(State& state, Row row);
   Vec free_spot(const State& state, Row row);
   void stay(State& state, Row row, const Vec& spot);
   void gather_spots(const State& state);

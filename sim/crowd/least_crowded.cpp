@@ -29,9 +29,10 @@ void LeastCrowded::count(const State& state) {
   for (std::size_t i = 0; i < state.crowd.stage.size(); ++i) {
     if (state.crowd.option[i] == kUndecided) continue;
     const std::size_t agent = agent_of(scene_, state, crowd.first + i);
-    const std::uint32_t goal = crowd.goal(crowd.leg(agent, state.crowd.stage[i]), state.crowd.option[i]);
+    const Leg& leg = crowd.leg(agent, state.crowd.stage[i]);
+    const std::uint32_t goal = crowd.goal(leg, state.crowd.option[i]);
     if (!is_counted_[goal]) continue;
-    const bool there = state.crowd.place[i] > 0;
+    const bool there = state.crowd.place[i] > 0 && leg.kind != Leg::Kind::pass;
     going_[goal].push_back(there ? 0.0 : ways_.to(goal).distance(state.position[crowd.first + i]));
   }
   for (std::vector<double>& ways : going_) std::ranges::sort(ways);

@@ -57,6 +57,31 @@ TEST(Opening, LetsWaitBeforeTheOnlyExitUntilItOpens) {
   EXPECT_EQ(run.state.crowd.arrived, 8);
 }
 
+// Who wanted in and couldn't turned this way and that at 0.3 m/s, and those behind with him.
+TEST(Opening, LetsThemStandStillBeforeAClosedExit) {
+  const std::string narrow =
+      "[[walls]]\nsegment = [[6, 2], [30, 2]]\n";  // those in a column can't gather round the exit
+  for (const char* model : {"collision_free_speed", "social_force", "orca"})
+    for (const std::string& walls : {std::string(), narrow}) {
+      SCOPED_TRACE(model + walls);
+      Trial run(
+          hall("count = 20\nradius = 0.2\ngoal = 'low'\n[open]\nlow = { from = 100 }\n" + walls, model));
+      run.steps(4000);
+      const std::vector<Vec> before = run.state.position;
+      std::vector<double> way(before.size(), 0.0);
+      for (int i = 0; i < 500; ++i) {
+        run.steps(1);
+        for (std::size_t row = 0; row < way.size(); ++row) way[row] += 0.02 * run.state.velocity[row].norm();
+      }
+      for (const double each : way) EXPECT_LT(each, 0.1) << "m in 10 s";
+      EXPECT_TRUE(stuck_agents(run.scene, run.state).empty());
+      EXPECT_TRUE(fits(run.state, run.scene)) << "it can be resumed";
+      for (const Vec& p : run.state.position) EXPECT_GT(p.x(), 18.0) << "near the exit";
+      run.steps(2500);
+      EXPECT_EQ(run.state.crowd.arrived, 20);
+    }
+}
+
 TEST(Opening, KeepsThemAtAClosedExitUntilAnotherOpens) {
   Trial run(
       hall("count = 8\nradius = 0.2\ngoal.least_crowded = ['low', 'high']\n[open]\nlow = { from = 70 }\n"
@@ -93,7 +118,7 @@ TEST(Opening, IsResumedToTheSameBits) {
   Trial whole(scene), two(scene, 2);
   whole.steps(1300), two.steps(1300);
   EXPECT_EQ(hash(two.state), hash(whole.state));
-  for (const int at : {150, 500, 501, 760}) {
+  for (const int at : {150, 500, 501, 740, 760}) {
     Trial first(scene);
     first.steps(at);
     const std::string file = ::testing::TempDir() + "opening.ckpt";
