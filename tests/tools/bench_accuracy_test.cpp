@@ -87,11 +87,12 @@ TEST_F(BenchAccuracy, KeepsWhatIsPromisedWhereItChoosesTheSteps) {
 }
 
 TEST_F(BenchAccuracy, ConvergesAtTheOrderOfTheIntegrator) {
-  auto rows = rows_of("--only throw --only rolling --only slipping --only slide");
+  auto rows = rows_of("--only throw --only rolling --only slipping --only slide --only spring");
   EXPECT_NEAR(order(rows["throw"]["native"]), 1.0, 0.01) << "semi-implicit Euler";
   for (const char* name : {"rolling", "slipping", "from slipping to rolling", "slide to rest"})
     EXPECT_NEAR(order(rows[name]["native"]), 1.0, 0.05) << name;
   EXPECT_NEAR(order(rows["throw"]["box2d"]), 1.0, 0.01);
+  EXPECT_NEAR(order(rows["spring and dashpot"]["native"]), 2.0, 0.25) << "Verlet, eight phases of a step";
   EXPECT_TRUE(rows["throw"]["event_driven"][0].contains("exact"));
 }
 

@@ -19,7 +19,7 @@ struct AccuracyCase {
   std::vector<double> dts;                   ///< s, the longest first; --quick takes three of them
   JudgeMaker (*judges)(const Scene& scene);  ///< called once a case; may compute what is exact
   bool heavy = false;                        ///< --quick plays a tenth of its time
-  bool smooth = false;    ///< nothing collides on the way: errors show the order of the integrator
+  bool smooth = false;    ///< nothing hard collides on the way: errors show the order of the integrator
   bool promised = true;   ///< its error is what dt = "auto" promises, where it promises anything
   std::size_t knobs = 3;  ///< of how many of its knobs' settings each engine is seen at
 };

@@ -51,10 +51,11 @@ double reduced_mass(const Scene& scene) {
   return 0.5 * least;
 }
 
-/// With springs as stiff as the steps bear.
+/// With springs as stiff as the steps bear, where the scene has none of its own.
 Scene with_springs(Scene scene, int substeps) {
   scene.engine = Engine::native;
   scene.time.substeps = substeps;
+  if (is_soft(scene.contact)) return scene;
   scene.contact = ContactModel::spring;
   const double impact = kPerImpact * scene.time.dt / substeps;  // s
   scene.soft.stiffness = reduced_mass(scene) * std::pow(std::numbers::pi / impact, 2);

@@ -66,7 +66,8 @@ std::span<const AccuracyCase> spring_cases() {
        .error = "restitution, relative, the worst",
        .scene = "spring_impact",
        .dts = halvings(0.01, 6),
-       .judges = met},
+       .judges = met,
+       .smooth = true},
   };
   return all;
 }
