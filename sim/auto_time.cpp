@@ -19,11 +19,11 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kSoftness = 1.28;  // a contact sags by F h² / (kSoftness m): see README, of 16 substeps
-constexpr double kLongest = 1.0 / 60.0;   // s, of steps in which contacts are found once
-constexpr int kSubsteps = 16;             // as cheap as fewer, longer steps of as many substeps are dear
-constexpr int kFewest = 4, kMost = 1000;  // of them
-constexpr double kMostSubsteps = 1e10;    // of a run
-constexpr double kFewPerImpact = 20.0;    // substeps
+constexpr double kLongest = 1.0 / 60.0;  // s, of steps in which contacts are found once
+constexpr int kSubsteps = 16;            // as cheap as fewer, longer steps of as many substeps are dear
+constexpr int kFewest = 4;               // of them
+constexpr double kMostSubsteps = 1e10;   // of a run
+constexpr double kFewPerImpact = 20.0;   // substeps
 
 std::string text(const char* format, double a, double b = 0.0, double c = 0.0) {
   char out[240];
@@ -48,7 +48,7 @@ AutoTime steps(const Scene& scene, double longest, double substep) {
   const double wanted = std::min(longest, substep * kSubsteps);
   result.dt = whole_part(scene.time.until, wanted);
   const double substeps = std::ceil(result.dt / substep * (1.0 - 1e-12));
-  result.substeps = static_cast<int>(std::clamp(substeps, double(kFewest), double(kMost)));
+  result.substeps = std::max(static_cast<int>(substeps), kFewest);
   if (scene.time.until / substep > kMostSubsteps)
     return refused(
         text("would take more than %.2g substeps of %.2g s: allow a larger error", kMostSubsteps, substep));
@@ -64,7 +64,7 @@ double smallest_radius(const Scene& scene) {
 
 /// s, in which nobody moves by more than a radius.
 double time_of_a_radius(const Scene& scene) {
-  return smallest_radius(scene) / (0.5 * soft_timing(scene).speed);
+  return smallest_radius(scene) / top_speed(scene);
 }
 
 /// Nothing but rounding; steps are there to be looked at.

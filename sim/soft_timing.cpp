@@ -44,14 +44,13 @@ class Height {
   double low_ = kInfinite, high_ = -kInfinite;
 };
 
-double meeting_speed(const Scene& scene) {
+/// m/s, of the fastest point of a body at the beginning.
+double first_speed(const Scene& scene) {
   double fastest = 0.0;
   for (std::size_t row = 0; row < scene.bodies.size(); ++row)
     fastest = std::max(fastest, scene.bodies.velocity[row].norm() +
                                     std::abs(scene.bodies.spin[row]) * scene.bodies.radius[row]);
-  const double gravity = scene.gravity.norm();
-  const double fall = gravity > 0.0 ? std::sqrt(2.0 * gravity * Height(scene).size()) : 0.0;
-  return 2.0 * fastest + fall;
+  return fastest;
 }
 
 /// The least restitution of what a dynamic body may meet.
@@ -73,12 +72,18 @@ double least_restitution(const Scene& scene) {
 
 }  // namespace
 
+double top_speed(const Scene& scene) {
+  const double gravity = scene.gravity.norm();
+  const double fall = gravity > 0.0 ? std::sqrt(2.0 * gravity * Height(scene).size()) : 0.0;
+  return first_speed(scene) + fall;
+}
+
 SoftTiming soft_timing(const Scene& scene) {
   const double restitution = least_restitution(scene), ratio = damping_ratio(restitution);
   const SoftRatios tangential = soft_ratios(scene);
   const bool alone = std::ranges::count(scene.bodies.kind, BodyKind::dynamic) == 1;
   const double part = alone ? 1.0 : 0.5;  // of mass and radius, that two alike have
-  SoftTiming timing{meeting_speed(scene), kInfinite, restitution, kInfinite};
+  SoftTiming timing{first_speed(scene) + top_speed(scene), kInfinite, restitution, kInfinite};
   for (std::size_t row = 0; row < scene.bodies.size(); ++row) {
     if (scene.bodies.kind[row] != BodyKind::dynamic) continue;
     const double reduced = part * mass(scene, row);

@@ -16,6 +16,10 @@ struct SoftTiming {
   double longest = 0.0;  ///< s, the longest substep that is stable, in the densest packing; may be infinite
 };
 
+/// m/s, beyond which no point of a body gets: that of the fastest at the beginning and what a fall from the
+/// top of the scene to its bottom adds. O(bodies + walls).
+double top_speed(const Scene& scene);
+
 /// Of all discs that are dynamic, as if each met its like, or an obstacle where it is alone. `speed` is twice
 /// that of the fastest body and what a fall from the top of the scene to its bottom adds. Impacts of `spring`
 /// last as long at any speed; those of `hertz` are the shorter the faster. O(bodies).

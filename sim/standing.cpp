@@ -44,8 +44,8 @@ std::vector<Vec> directions(const Scene& scene) {
   std::vector<Vec> all;
   if (scene.domain.kind == DomainKind::box) all.push_back(Vec(1.0, 0.0));
   for (const Wall& wall : scene.walls)
-    for (std::size_t i = 0; i + 1 < wall.points.size(); ++i)
-      all.push_back(wall.points[i + 1] - wall.points[i]);
+    for (std::size_t i = 0; i + (wall.closed ? 0 : 1) < wall.points.size(); ++i)
+      all.push_back(wall.points[(i + 1) % wall.points.size()] - wall.points[i]);
   return all;
 }
 

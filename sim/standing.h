@@ -24,8 +24,8 @@ Load load_of(const Scene& scene);
 bool stands(const Scene& scene);
 
 /// Why the way of dynamic bodies that never meet each other may be sensitive to where they are, "" where it
-/// isn't: obstacles that aren't straight walls along one direction and across it, corners, and, where
-/// anything `bounces`, gravity askew to these and bodies that aren't discs.
+/// isn't: static bodies, walls that aren't along one direction and across it, and, where anything `bounces`,
+/// gravity askew to these and bodies that aren't discs. Whether they get to the ends of walls isn't asked.
 std::string doubt_of_one(const Scene& scene, bool bounces);
 
 }  // namespace throng

@@ -90,6 +90,13 @@ TEST(AutoTime, LetsAPileOverlapByNoMore) {
   }
 }
 
+// It happened: what a fall adds to a body's speed was counted half.
+TEST(AutoTime, LetsNobodyMoveByMoreThanARadiusInAStep) {
+  const Scene scene = scene_from(wanted(0.5, 2) + kFalls + "[[walls]]\nsegment = [[-9, 0], [9, 0]]\n" +
+                                 kDisc + ball(0, 20, 0, 0));
+  EXPECT_LE(scene.time.dt * std::sqrt(2 * 9.81 * 19.5), 0.5) << "as it meets the floor";
+}
+
 TEST(AutoTime, TakesLongStepsWhereTheyCostNothing) {
   const Scene gas =
       scene_from(wanted(1e-3, 2) + material(1, 0) + kDisc + ball(0, 0, 1, 0) + ball(3, 0, -1, 0));
@@ -124,6 +131,10 @@ TEST(AutoTime, RefusesWhatNobodyCanPromise) {
               HasSubstr("corners or are round"));
   EXPECT_THAT(said(good + kFalls + one + floor + "[[walls]]\nsegment = [[0, 0], [9, 3]]\n"),
               HasSubstr("not square"));
+  EXPECT_EQ(said(good + kFalls + one + "[[walls]]\npolygon = [[-9, 0], [9, 0], [9, 9], [-9, 9]]\n"), "");
+  EXPECT_THAT(said(good + kFalls + one + "[[walls]]\npolygon = [[-9, 0], [9, 0], [9, 9]]\n"),
+              HasSubstr("not square"))
+      << "its third side leads back";
   EXPECT_THAT(said(good + "gravity = [1, -9]\n" + material(0.5, 0) + one + floor), HasSubstr("askew"));
   EXPECT_THAT(said("time = { dt = \"auto\", until = 2 }\n" + one), HasSubstr("time.error: is missing"));
   EXPECT_THAT(said("time = { error = 0.1, until = 2 }\n" + one), HasSubstr("needs dt = \"auto\""));
