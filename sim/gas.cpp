@@ -32,15 +32,6 @@ Motion motion(const Scene& scene, const std::vector<Vec>& velocity) {
   return {all.energy - 0.5 * momentum.squaredNorm() / weight, all.bodies - 1.0};
 }
 
-}  // namespace
-
-double temperature(const Scene& scene, const State& state) {
-  const Motion all = motion(scene, state.velocity);
-  return all.energy / all.bodies;
-}
-
-namespace {
-
 /// 2 E t; nothing where the gas isn't the one that it was, or not all of its collisions are known.
 std::optional<double> action(const Scene& scene, const State& state, const Collisions& collisions) {
   const double energy = motion(scene, state.velocity).energy;
@@ -52,6 +43,11 @@ std::optional<double> action(const Scene& scene, const State& state, const Colli
 }
 
 }  // namespace
+
+double temperature(const Scene& scene, const State& state) {
+  const Motion all = motion(scene, state.velocity);
+  return all.energy / all.bodies;
+}
 
 std::optional<double> compressibility_factor(const Scene& scene, const State& state,
                                              const Collisions& collisions) {

@@ -29,7 +29,8 @@ std::optional<double> compressibility_by_rate(const Scene& scene, const State& s
                                               const Collisions& collisions);
 
 /// The same of soft discs at this instant: 1 + (sum of their distances times their forces) / (2 E), forces as
-/// impulses of `contacts` over a substep. Nothing where nothing moves. O(n + contacts).
+/// impulses of `contacts` over a substep: of those that press, without what dashpots hold back of those that
+/// part. Nothing where nothing moves. O(n + contacts).
 std::optional<double> compressibility_now(const Scene& scene, const State& state,
                                           std::span<const ContactRow> contacts);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/measure/packing_fraction.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -13,7 +14,7 @@ namespace {
 using Box = Eigen::AlignedBox2d;
 using std::numbers::pi;
 
-/// Twice the area between a chord of the unit disc, at t from its centre, and the centre's parallel to it.
+/// Area of the unit disc between a chord at t from its centre and the diameter along it; below 0 for t < 0.
 double strip(double t) {
   return t * std::sqrt(1.0 - t * t) + 0.5 * pi - narrowphase::arc_cosine(t);
 }

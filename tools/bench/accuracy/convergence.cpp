@@ -20,6 +20,14 @@ std::string line_of(const Row& row) {
   return row.engine + " " + row.error["setting"].get<std::string>();
 }
 
+std::string order_text(const Row& row) {
+  if (row.error.contains("exact")) return "exact";
+  if (!row.error.contains("order") || row.error["order"].is_null()) return "-";
+  char text[16];
+  std::snprintf(text, sizeof text, "%.2f", row.error["order"].get<double>());
+  return text;
+}
+
 }  // namespace
 
 std::optional<double> observed_order(std::span<const std::pair<double, double>> points) {
@@ -46,18 +54,6 @@ void add_orders(std::vector<Row>& rows) {
       row.error["exact"] = true;
   }
 }
-
-namespace {
-
-std::string order_text(const Row& row) {
-  if (row.error.contains("exact")) return "exact";
-  if (!row.error.contains("order") || row.error["order"].is_null()) return "-";
-  char text[16];
-  std::snprintf(text, sizeof text, "%.2f", row.error["order"].get<double>());
-  return text;
-}
-
-}  // namespace
 
 void print_convergence(const std::vector<Row>& rows) {
   std::vector<std::string> scenes, engines;
