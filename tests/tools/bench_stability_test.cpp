@@ -19,8 +19,10 @@ class BenchStability : public Program {
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_THAT(result.out, testing::HasSubstr("are stable"));
     std::map<std::string, std::map<double, nlohmann::json>> rows;
-    for (const auto& row : nlohmann::json::parse(read(path("rows.json"))))
+    for (const auto& row : nlohmann::json::parse(read(path("rows.json")))) {
       rows[row["case"]][row["error"]["x_value"]] = row["error"];
+      rows[row["case"]][row["error"]["x_value"]]["steps"] = row["work"];
+    }
     return rows;
   }
 };
@@ -37,6 +39,7 @@ TEST_F(BenchStability, JudgesEachSceneUnderEachFactor) {
     EXPECT_EQ(rows[scene + "scale"][1.0]["verdict"], "stable") << rows[scene + "scale"][1.0];
     EXPECT_EQ(rows[scene + "dt (s)"][1.0 / 240]["verdict"], "stable") << rows[scene + "dt (s)"][1.0 / 240];
     EXPECT_EQ(rows[scene + "substeps"][16.0]["verdict"], "stable") << rows[scene + "substeps"][16.0];
+    EXPECT_EQ(rows[scene + "substeps"][16.0]["steps"], 360) << "six seconds";
   }
   EXPECT_NE(rows["stack: dt (s)"][0.1]["verdict"], "exploded");
   EXPECT_NE(rows["stack: substeps"][1.0]["verdict"], "stable") << "steps of 17 ms are too long for it";

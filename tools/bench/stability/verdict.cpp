@@ -83,6 +83,7 @@ Endured endure(Stressed which, const Stress& stress) {
   }
   seen.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
   const State& state = run->state();
+  seen.steps = state.step;
   if (seen.end.empty()) seen.overlap = overlap(scene, state).max / (0.45 * scale);
   seen.speed = root_mean_square_speed(state) / pace;
   if (which == Stressed::stack) seen.moved = farthest(scene, state) / scale;

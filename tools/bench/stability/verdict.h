@@ -13,13 +13,15 @@ const char* verdict_name(Verdict verdict);
 
 /// What became of a scene under stress.
 struct Endured {
-  double energy = 0.0;  ///< largest gain over what there was at first; where nothing rubs nor damps also loss
+  /// Largest gain over what there was at first; where nothing rubs nor damps also loss.
+  double energy = 0.0;
   double overlap = 0.0;  ///< deepest at the end, radii
-  double speed =
-      0.0;  ///< root mean square at the end, over sqrt(g size); of the gas over what it has at first
-  double moved = 0.0;    ///< of the stack how far a box is off its place at the end, sides
-  double ms = 0.0;       ///< of all steps
-  std::string end = "";  ///< why the run ended before its time; "" where it didn't
+  /// Root mean square at the end, over sqrt(g size); of the gas over what each component has at first.
+  double speed = 0.0;
+  double moved = 0.0;      ///< of the stack how far a box is off its place at the end, sides
+  std::int64_t steps = 0;  ///< that it went
+  double ms = 0.0;         ///< of all of them
+  std::string end = "";    ///< why the run ended before its time; "" where it didn't
   Verdict verdict = Verdict::stable;
 };
 
