@@ -12,9 +12,10 @@ namespace throng::bench {
 /// null.
 ///
 /// * "when do octagons meet": of `throng bench motion`; error: how far apart, or deep in each other, two are
-/// at
-///   the worst first contact that was told, of their size. Of samples `setting` says how far apart they are.
+///   at the worst first contact that was told, of their size. Of samples `setting` says how far apart they
+///   are.
 /// * "how far apart are octagons": of `throng bench narrowphase`; error: the worst distance, of their scale.
+/// * "distances to a tolerance": of `throng bench bvh`; error: the worst distance, relative.
 std::vector<Row> question_rows(const Options& options);
 
 }  // namespace throng::bench
