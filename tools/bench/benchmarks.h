@@ -11,7 +11,7 @@ namespace throng::bench {
 /// Scenes of bodies step by step: native, Box2D, Chipmunk, and for discs the minimal loop of minimal_discs.h.
 std::vector<Row> bench_step(const Options& options);
 
-/// Settled beds of discs on springs and dashpots; `error` has the time of a disc and substep.
+/// Settled beds of discs on springs and dashpots, beside LAMMPS; `error` has the time of a disc and substep.
 std::vector<Row> bench_soft(const Options& options);
 
 /// One scene with features added one at a time: what each of them costs.

@@ -17,19 +17,23 @@ Scene gallery_scene(const std::string& folder, const std::string& name,
   return std::move(loaded.scene);
 }
 
+Scene begun_at(Scene scene, const State& state) {
+  scene.bodies.position = state.position;
+  scene.bodies.angle = state.angle;
+  scene.bodies.velocity = state.velocity;
+  scene.bodies.spin = state.spin;
+  return scene;
+}
+
 Scene settled(Scene scene, double seconds) {
   std::fprintf(stderr, "settling %s for %g s of its time\n", scene.name.c_str(), seconds);
   const Engine engine = scene.engine;
   scene.engine = Engine::native;
   const auto simulation = throng::simulation(scene);
   while (static_cast<double>(simulation->state().step) * scene.time.dt < seconds) simulation->step();
-  const State& state = simulation->state();
-  scene.engine = engine;
-  scene.bodies.position = state.position;
-  scene.bodies.angle = state.angle;
-  scene.bodies.velocity = state.velocity;
-  scene.bodies.spin = state.spin;
-  return scene;
+  Scene result = begun_at(scene, simulation->state());
+  result.engine = engine;
+  return result;
 }
 
 }  // namespace throng::bench

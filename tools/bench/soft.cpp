@@ -2,12 +2,15 @@
 // throng bench soft: a settled bed of discs on springs and dashpots, as granular physics has it.
 #include <cmath>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "sim/input_error.h"
 #include "sim/simulation.h"
 #include "sim/soft_timing.h"
 #include "tools/bench/benchmarks.h"
 #include "tools/bench/interleave.h"
+#include "tools/bench/peers/lammps.h"
 #include "tools/bench/scenes.h"
 
 namespace throng::bench {
@@ -18,6 +21,7 @@ constexpr double kDt = 5e-3;         // s, from one search for pairs to the next
 constexpr double kPerImpact = 50.0;  // substeps
 constexpr double kSettle = 12.0;     // s, rigidly: springs would take days
 constexpr double kRing = 1.5;        // s, softly: until those that were rigid have found their springs
+constexpr int kPeerSteps = 5;        // steps of kDt behind a figure of LAMMPS, which begins anew each time
 
 struct Bed {
   const char* name;
@@ -52,39 +56,72 @@ struct Runner {
   std::unique_ptr<Simulation> run;
 };
 
+/// LAMMPS on the bed as a runner of spring has it by then.
+class Peer {
+ public:
+  Peer(const Runner& runner, int steps)
+      : scene_(begun_at(runner.scene, runner.run->state())), bed_(scene_, steps * scene_.time.substeps) {}
+
+  /// One figure more, unless it couldn't play before.
+  void play() {
+    if (!last_.fault.empty()) return;
+    last_ = bed_.run();
+    if (last_.fault.empty()) ms_.push_back(1e3 * last_.seconds / last_.steps * scene_.time.substeps);
+  }
+  const Scene& scene() const { return scene_; }
+  const std::vector<double>& ms() const { return ms_; }
+  const LammpsRun& last() const { return last_; }
+
+ private:
+  Scene scene_;
+  LammpsBed bed_;
+  LammpsRun last_;
+  std::vector<double> ms_;  // of as many of its steps as a step here has substeps
+};
+
+Row row_of(const Bed& bed, const std::string& engine, const Scene& scene, const std::vector<double>& ms,
+           double contacts) {
+  const double discs = static_cast<double>(scene.bodies.size()), substeps = scene.time.substeps;
+  return {"soft",
+          bed.name,
+          engine,
+          1,
+          ms,
+          substeps,
+          "",
+          {{"us_per_disc_and_substep", 1e3 * minimum(ms) / (discs * substeps)},
+           {"contacts_per_disc", contacts / discs}}};
+}
+
+Row row_of(const Bed& bed, const Peer& peer) {
+  const LammpsRun& last = peer.last();
+  if (last.fault.empty()) return row_of(bed, "lammps", peer.scene(), peer.ms(), last.touching);
+  return {"soft", bed.name, "lammps", 1, {0.0}, 0.0, "", {{"note", last.fault}}};
+}
+
+void play(const Bed& bed, const Options& options, std::vector<Row>& rows) {
+  const double part = options.quick ? 0.05 : 1.0;
+  const Scene rigid = settled(gallery_scene(options.scenarios, "pile", bed.overrides), part * kSettle);
+  Runner spring(rigid, ContactModel::spring), hertz(rigid, ContactModel::hertz);
+  for (int i = 0; i < part * kRing / kDt; ++i) spring.run->step(), hertz.run->step();
+  Peer lammps(spring, options.quick ? 1 : kPeerSteps);
+  std::vector<Contestant> contestants{{"spring", [&] { spring.run->step(); }, {}, [&] { lammps.play(); }},
+                                      {"hertz", [&] { hertz.run->step(); }}};
+  interleave(contestants, options.blocks, 1);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Runner& runner = i == 0 ? spring : hertz;
+    rows.push_back(row_of(bed, contestants[i].engine, runner.scene, contestants[i].ms,
+                          static_cast<double>(runner.run->contacts())));
+  }
+  rows.push_back(row_of(bed, lammps));
+}
+
 }  // namespace
 
 std::vector<Row> bench_soft(const Options& options) {
   std::vector<Row> rows;
-  for (const Bed& bed : beds()) {
-    if (!chosen(bed.name, options)) continue;
-    const double part = options.quick ? 0.05 : 1.0;
-    const Scene settled_bed =
-        settled(gallery_scene(options.scenarios, "pile", bed.overrides), part * kSettle);
-    std::vector<std::unique_ptr<Runner>> runners;
-    std::vector<Contestant> contestants;
-    for (const auto& [engine, model] :
-         {std::pair("spring", ContactModel::spring), std::pair("hertz", ContactModel::hertz)}) {
-      Runner* const runner = runners.emplace_back(std::make_unique<Runner>(settled_bed, model)).get();
-      for (int i = 0; i < part * kRing / kDt; ++i) runner->run->step();
-      contestants.push_back({engine, [runner] { runner->run->step(); }});
-    }
-    interleave(contestants, options.blocks, 1);
-    for (std::size_t i = 0; i < runners.size(); ++i) {
-      const Runner& runner = *runners[i];
-      const double discs = static_cast<double>(runner.scene.bodies.size());
-      const double substeps = runner.scene.time.substeps;
-      rows.push_back({"soft",
-                      bed.name,
-                      contestants[i].engine,
-                      1,
-                      contestants[i].ms,
-                      substeps,
-                      "",
-                      {{"us_per_disc_and_substep", 1e3 * minimum(contestants[i].ms) / (discs * substeps)},
-                       {"contacts_per_disc", static_cast<double>(runner.run->contacts()) / discs}}});
-    }
-  }
+  for (const Bed& bed : beds())
+    if (chosen(bed.name, options)) play(bed, options, rows);
   return rows;
 }
 
