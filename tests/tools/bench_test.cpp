@@ -75,6 +75,7 @@ TEST_F(BenchCommand, TurnsEachKnobAndGetsTheSameBits) {
   EXPECT_TRUE(engines["pile, settled"].contains("2 threads"));
   EXPECT_GE(engines["pile, settled"].size(), 3u) << "and some vectors";
   EXPECT_EQ(checks["pile, settled"].size(), 1u) << "the same hash";
+  EXPECT_FALSE(checks["pile, settled"].contains("")) << "all are held against each other";
   EXPECT_EQ(engines["pile, settled, at rest"], (std::set<std::string>{"as it is", "sleeps"}));
 }
 
