@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <limits>
 
 #include "tools/bench/accuracy/judge.h"
 
@@ -31,7 +32,8 @@ class TrajectoryJudge : public Judge {
   }
 
   Figures figures() const override {
-    return {{"error", std::sqrt(sum_ / std::max(samples_, 1))}, {"error_end", std::sqrt(last_)}};
+    if (samples_ == 0) return {{"error", std::numeric_limits<double>::infinity()}};  // no step ends at one
+    return {{"error", std::sqrt(sum_ / samples_)}, {"error_end", std::sqrt(last_)}};
   }
 
  private:
