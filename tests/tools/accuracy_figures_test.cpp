@@ -58,6 +58,15 @@ TEST(EqualError, ComparesWithTheFastestSettingThatIsGoodEnough) {
   EXPECT_EQ(found.beyond, std::vector<double>{0.01});
 }
 
+TEST(EqualError, DoesNotTellRoundingApart) {
+  std::vector<Row> rows{row("native", 0.1, 1e-13, 1.0), row("box2d", 0.1, 1e-17, 3.0, true)};
+  add_native_ms(rows);
+  EXPECT_EQ(rows[1].error["native_ms"], 1.0);
+  const Advantage found = advantage(rows).value();
+  EXPECT_EQ(found.least, 3.0);
+  EXPECT_TRUE(found.beyond.empty());
+}
+
 TEST(EqualError, IsNothingWherePeersDontPlay) {
   Row refused = row("box2d", 0.1, 0.0, 0.0, true);
   refused.error["error"] = nullptr;

@@ -48,6 +48,10 @@ TEST_F(BenchAccuracy, PlaysEverySceneAndSaysWhyWhereAnEngineCant) {
     ASSERT_TRUE(engines.contains("box2d")) << name;
     for (const auto& row : engines.at("box2d")) EXPECT_TRUE(row.contains("peer")) << name;
   }
+  for (const auto& row : rows["spring and dashpot"]["chipmunk"])
+    EXPECT_TRUE(row["error"].is_null()) << "its bodies are hard, and have no error there";
+  EXPECT_FALSE(rows["gas, collision rate"].contains("spring")) << "who is in contact for more than a step";
+  EXPECT_TRUE(rows["gas, speeds"].contains("spring"));
   const auto& refused = rows["slide to rest"]["event_driven"];
   ASSERT_EQ(refused.size(), 1u);
   EXPECT_TRUE(refused[0]["error"].is_null());

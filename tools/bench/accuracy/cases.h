@@ -20,6 +20,7 @@ struct AccuracyCase {
   JudgeMaker (*judges)(const Scene& scene);  ///< called once a case; may compute what is exact
   bool heavy = false;                        ///< --quick plays a tenth of its time
   bool smooth = false;    ///< nothing hard collides on the way: errors show the order of the integrator
+  bool instant = false;   ///< collisions are counted, as those are that take no time
   bool promised = true;   ///< its error is what dt = "auto" promises, where it promises anything
   std::size_t knobs = 3;  ///< of how many of its knobs' settings each engine is seen at
 };

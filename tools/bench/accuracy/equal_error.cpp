@@ -12,17 +12,23 @@ bool is_peer(const Row& row) {
   return row.error.contains("peer");
 }
 
-constexpr double kUseless = 1.0;  // a body's size, or all of a quantity
+constexpr double kUseless = 1.0;    // a body's size, or all of a quantity
+constexpr double kRounding = 1e-9;  // smaller errors aren't told apart
 
 bool plays(const Row& row) {
   return !row.error["error"].is_null();
+}
+
+/// The error, no better than rounding.
+double off(const Row& row) {
+  return std::max(row.error["error"].get<double>(), kRounding);
 }
 
 /// ms, of the fastest peer whose error is at most that.
 double best_peer_ms(const std::vector<Row>& rows, double error) {
   double best = std::numeric_limits<double>::infinity();
   for (const Row& row : rows)
-    if (is_peer(row) && plays(row) && row.error["error"] <= error) best = std::min(best, minimum(row.ms));
+    if (is_peer(row) && plays(row) && off(row) <= error) best = std::min(best, minimum(row.ms));
   return best;
 }
 
@@ -31,7 +37,7 @@ double best_peer_ms(const std::vector<Row>& rows, double error) {
 std::optional<double> least_ms(const std::vector<Row>& rows, const std::string& engine, double error) {
   std::optional<double> least;
   for (const Row& row : rows)
-    if (row.engine == engine && plays(row) && row.error["error"] <= error)
+    if (row.engine == engine && plays(row) && off(row) <= std::max(error, kRounding))
       least = std::min(least.value_or(minimum(row.ms)), minimum(row.ms));
   return least;
 }
@@ -48,7 +54,7 @@ std::optional<Advantage> advantage(const std::vector<Row>& rows) {
   std::optional<Advantage> found;
   for (const Row& row : rows) {
     if (!is_peer(row) || !plays(row) || row.error["error"] >= kUseless) continue;
-    const double error = row.error["error"], peer = best_peer_ms(rows, error);
+    const double error = off(row), peer = best_peer_ms(rows, error);
     if (minimum(row.ms) > peer) continue;
     if (!found) found = Advantage{std::numeric_limits<double>::infinity(), 0.0, {}};
     const std::optional<double> own = least_ms(rows, "native", error);

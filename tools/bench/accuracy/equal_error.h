@@ -7,7 +7,8 @@
 
 #include "tools/bench/rows.h"
 
-/// What the same error costs, by the least of the times: on a busy machine they say more than medians.
+/// What the same error costs, by the least of the times: on a busy machine they say more than medians. Errors
+/// below 1e-9 are one: rounding.
 namespace throng::bench {
 
 /// ms, the least time at which an engine reaches an error of at most that among one case's rows; none where

@@ -62,7 +62,8 @@ Scene with_springs(Scene scene, int substeps) {
   return scene;
 }
 
-Scene as_it_is(Scene scene, int) {
+Scene rigid(Scene scene, int) {
+  if (is_soft(scene.contact)) throw InputError("contact.model: bodies are hard here");
   return scene;
 }
 
@@ -80,10 +81,10 @@ std::span<const Player> players() {
   static const Player all[] = {
       {"native", false, "substeps", kSubsteps, with_substeps<Engine::native>, own},
       {"native auto", false, "for 1e-", kErrors, with_chosen_steps, own, asked},
-      {"spring", false, "substeps", kSpringSubsteps, with_springs, own},
+      {"spring", false, "substeps", kSpringSubsteps, with_springs, own, nullptr, false},
       {"event_driven", false, "", kNone, with_substeps<Engine::event_driven>, own},
       {"box2d", true, "effort", kBox2dEffort, with_substeps<Engine::box2d>, own},
-      {"chipmunk", true, "iterations", kIterations, as_it_is, chipmunk},
+      {"chipmunk", true, "iterations", kIterations, rigid, chipmunk},
   };
   return all;
 }

@@ -17,6 +17,7 @@ struct Player {
   Scene (*prepared)(Scene scene, int knob);  ///< throws InputError where it can't play it
   std::unique_ptr<Simulation> (*start)(const Scene& prepared, int knob);  ///< null where it isn't there
   double (*asked)(int knob) = nullptr;  ///< the error that it chooses dt for itself for; null: dt is given
+  bool instant = true;                  ///< collisions take no time
 };
 
 std::span<const Player> players();

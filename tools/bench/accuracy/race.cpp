@@ -91,7 +91,7 @@ std::vector<Entry> all_seen(const AccuracyCase& one, const Options& options) {
     if (!options.engines.empty() &&
         std::ranges::find(options.engines, player.engine) == options.engines.end())
       continue;
-    if (player.asked && !one.promised) continue;
+    if ((player.asked && !one.promised) || (one.instant && !player.instant)) continue;
     bool refused = false;
     for (const int knob : player.knobs.first(std::min(knobs, player.knobs.size())))
       for (std::size_t i = 0; i < (player.asked ? 1 : steps); ++i) {
