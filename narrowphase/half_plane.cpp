@@ -49,8 +49,10 @@ Manifold manifold(const Convex& shape, const Pose& pose, const HalfPlane& free, 
   if (m.count == 0) return m;
   m.normal = -free.normal;
   if (count == 1) return m;
+  // The other end of the edge that faces the half-plane, not the lower neighbour: of a sliver that is tilted
+  // by more than it is thick this is the same end's other corner, and nothing would hold the far end.
   const std::size_t left = previous(lowest, count), right = next(lowest, count);
-  const bool is_left = local.height(shape.vertices[left]) < local.height(shape.vertices[right]);
+  const bool is_left = dot(shape.normals[left], local.normal) < dot(shape.normals[lowest], local.normal);
   add(m, shape, pose, local, is_left ? left : right, reach);
   return m;
 }

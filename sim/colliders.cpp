@@ -18,6 +18,14 @@ Eigen::AlignedBox2d bounds(const Convex& part) {
 
 namespace {
 
+/// However a part turns about the centre, it lies between two circles: how far these are apart.
+double swing(const Convex& part, const Vec& centre, double reach) {
+  double inner = reach;
+  for (std::size_t i = 0; i < part.normals.size(); ++i)
+    inner = std::min(inner, part.normals[i].dot(part.vertices[i] - centre));
+  return inner >= 0.0 ? reach - inner : 2.0 * (reach + part.radius);  // the centre is in the part, or not
+}
+
 /// The middle of the part's bounding box, and how far its surface reaches from there.
 void add_part(Colliders& colliders, std::uint32_t body, bool movable, const Convex& part) {
   const Vec centre = bounds(part).center();
@@ -27,6 +35,7 @@ void add_part(Colliders& colliders, std::uint32_t body, bool movable, const Conv
   colliders.radius.push_back(reach + part.radius);
   colliders.movable.push_back(movable);
   colliders.centre.push_back(centre);
+  colliders.swing.push_back(swing(part, centre, reach));
   colliders.shape.push_back(&part);
 }
 
@@ -36,6 +45,7 @@ void add_disc(Colliders& colliders, std::uint32_t body, bool movable, double rad
   colliders.movable.push_back(movable);
   if (alone) return;
   colliders.centre.emplace_back(0.0, 0.0);
+  colliders.swing.push_back(0.0);
   colliders.shape.push_back(nullptr);
 }
 

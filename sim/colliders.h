@@ -16,10 +16,12 @@ namespace throng {
 /// A row per convex part of a moving body. In a scene of discs a row is a body, and all but `body`, `radius`,
 /// `movable` stay empty.
 struct Colliders {
-  std::vector<std::uint32_t> body;                ///< row of the body
-  std::vector<double> radius;                     ///< m, of the part's bounding disc
-  std::vector<std::uint8_t> movable;              ///< 1 where the body is dynamic
-  std::vector<Vec> centre;                        ///< m, of the bounding disc, in the body's frame
+  std::vector<std::uint32_t> body;    ///< row of the body
+  std::vector<double> radius;         ///< m, of the part's bounding disc
+  std::vector<std::uint8_t> movable;  ///< 1 where the body is dynamic
+  std::vector<Vec> centre;            ///< m, of the bounding disc, in the body's frame
+  std::vector<double>
+      swing;  ///< m, the most that turning about that centre brings the surface nearer to anything
   std::vector<const narrowphase::Convex*> shape;  ///< the part; null for a disc about the body's centre
   std::vector<std::uint32_t> rim;                 ///< row of `rims`; empty where no shape has several parts
   std::vector<narrowphase::Rim> rims;             ///< of all parts of all shapes

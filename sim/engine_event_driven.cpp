@@ -78,7 +78,7 @@ std::string refusal_of(const Scene& scene, std::size_t row) {
     return "shapes." + shape.name + ": " + body + " isn't a disc, and what moves must be";
   const Material& material = scene.materials[scene.bodies.material[row]];
   if (material.rolling_resistance > 0.0)
-    return "materials." + material.name + ".rolling_resistance: collisions in no time resist no rolling";
+    return "materials." + material.name + ".rolling_resistance: this engine's collisions know none";
   return "";
 }
 

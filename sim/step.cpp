@@ -51,11 +51,10 @@ void move(std::span<SolverBody> bodies, Rows awake, double h) {
 
 /// Bounces all that meets in this substep, and what that sets in motion, until nothing meets any more.
 void bounce(Workspace& work, const Vec& kick, int sweeps) {
-  const double h = work.solver.h;
   const double threshold = kRestSpeed * kick.norm();
   for (int sweep = 0; sweep < sweeps; ++sweep) {
-    const bool discs = bounce(work.contacts.disc_bounces, work.bodies, h, threshold, kick);
-    const bool points = bounce(work.contacts.point_bounces, work.bodies, h, threshold, kick);
+    const bool discs = bounce(work.contacts.disc_bounces, work.bodies, work.solver, threshold, kick);
+    const bool points = bounce(work.contacts.point_bounces, work.bodies, work.solver, threshold, kick);
     if (!discs && !points) return;
   }
 }
@@ -75,33 +74,51 @@ void resist_rolling(Workspace& work) {
   resist(std::span<RollContact>(contacts.point_rolls), contacts.faces, work.bodies);
 }
 
+/// What the contacts of a group did before, and then what push_apart asks of them.
+void start(Workspace& work, std::size_t group, const Vec* period) {
+  prepare_and_start(work.contacts.discs.blocks(group), work.bodies, period);
+  prepare_and_start(work.contacts.faces.blocks(group), work.bodies);
+}
+void push_apart(Workspace& work, std::size_t group) {
+  push_apart(work.contacts.discs.blocks(group), work.bodies, work.solver);
+  push_apart(work.contacts.faces.blocks(group), work.bodies, work.solver);
+}
+void relax(Workspace& work, std::size_t group, bool periodic) {
+  relax(work.contacts.discs.blocks(group), work.bodies, work.solver, periodic);
+  relax(work.contacts.faces.blocks(group), work.bodies, work.solver);
+}
+
+/// Parts side by side; what joins them begins before and is pushed apart after.
+void start_and_push_apart(Workspace& work, const Vec* period) {
+  const std::size_t parts = work.finder.parts().count();
+  const bool joined = parts > 1;
+  warm_start(work.contacts.disc_rolls, work.bodies);
+  warm_start(work.contacts.point_rolls, work.bodies);
+  if (joined) start(work, parts, period);
+  work.workers.for_each(parts, [&](std::size_t part) { start(work, part, period), push_apart(work, part); });
+  if (joined) push_apart(work, parts);
+  resist_rolling(work);
+}
+
+void relax(Workspace& work, bool periodic) {
+  const std::size_t parts = work.finder.parts().count();
+  work.workers.for_each(parts, [&](std::size_t part) { relax(work, part, periodic); });
+  if (parts > 1) relax(work, parts, periodic);
+  resist_rolling(work);
+}
+
 void substep(const Scene& scene, const Plan& plan, Workspace& work) {
   const Vec kick = work.solver.h * scene.gravity;
   const Vec size = scene.domain.max - scene.domain.min, *period = plan.periodic ? &size : nullptr;
-  const std::span<DiscBlock> discs = work.contacts.discs.blocks();
-  const std::span<FaceBlock> faces = work.contacts.faces.blocks();
-  const std::span<SolverBody> bodies = work.bodies;
   const Rows awake = work.sleepers.bodies();
-  if (plan.restitution) {
+  if (plan.restitution || !work.contacts.point_bounces.empty()) {
     prepare_bounce(work, period);
     bounce(work, plan.gravity ? kick : Vec(0.0, 0.0), plan.elastic ? kElasticSweeps : kBounceSweeps);
   }
-  if (plan.gravity) fall(bodies, awake, kick);
-  if (plan.contacts()) {
-    prepare_and_start(discs, bodies, period);
-    prepare_and_start(faces, bodies);
-    warm_start(work.contacts.disc_rolls, bodies);
-    warm_start(work.contacts.point_rolls, bodies);
-    push_apart(discs, bodies, work.solver);
-    push_apart(faces, bodies, work.solver);
-    resist_rolling(work);
-  }
-  move(bodies, awake, work.solver.h);
-  if (plan.contacts()) {
-    relax(discs, bodies, work.solver, plan.periodic);
-    relax(faces, bodies, work.solver);
-    resist_rolling(work);
-  }
+  if (plan.gravity) fall(work.bodies, awake, kick);
+  if (plan.contacts()) start_and_push_apart(work, period);
+  move(work.bodies, awake, work.solver.h);
+  if (plan.contacts()) relax(work, plan.periodic);
 }
 
 void store(const Scene& scene, const Plan& plan, std::span<const SolverBody> bodies, Rows awake,
@@ -135,7 +152,7 @@ Workspace::Workspace(const Scene& scene, const Plan& plan, int threads)
       flights(scene, plan),
       soft(scene, plan),
       finder(scene, plan),
-      bodies(scene.bodies.size() + 1),
+      bodies(scene.bodies.size() + finder.parts().groups()),
       crowd(scene),
       sensing(scene, threads) {
   for (SolverBody& body : bodies) body = {Vec(0.0, 0.0), 0.0, 0.0, Vec(0.0, 0.0), 0.0, 0.0};
@@ -146,7 +163,7 @@ Workspace::Workspace(const Scene& scene, const Plan& plan, int threads)
   }
   const double h = plan.substep;
   solver = {h, softness(kContactHertz / h, kContactDamping, h),
-            kPushOut * mean_radius(candidates.colliders()), plan.friction};
+            kPushOut * mean_radius(candidates.colliders()), plan.friction, finder.fast()};
 }
 
 /// Agents choose their velocity and walk.
@@ -171,7 +188,7 @@ bool fly(const Scene& scene, const State& state, Workspace& work, StageClock& cl
   if (!work.candidates.serve(state, scene.time.dt)) work.candidates.find(state, scene.time.dt);
   clock.lap(work.times.find_pairs);
   load(state, work.sleepers.bodies(), work.bodies);
-  work.contacts.start(work.bodies.size());
+  work.contacts.start(work.bodies.size(), work.finder.parts().groups());
   const bool flown = work.flights.fly(work.candidates, work.bodies, work.workers);
   clock.lap(work.times.collide);
   return flown;

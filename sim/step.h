@@ -39,7 +39,7 @@ struct Workspace {
   SoftContacts soft;
   ContactFinder finder;
   Contacts contacts;
-  std::vector<SolverBody> bodies;  ///< a row per body, and one for all obstacles
+  std::vector<SolverBody> bodies;  ///< a row per body, and one for all obstacles for each group of contacts
   SolverSettings solver;
   Walk crowd;
   Sensing sensing;

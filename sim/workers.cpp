@@ -31,4 +31,16 @@ void Workers::run(std::size_t n, Call call, void* context) {
   });
 }
 
+void Workers::run_few(std::size_t n, Call call, void* context) {
+  const auto all = [&](std::size_t begin, std::size_t end) {
+    for (; begin < end; ++begin) call(context, begin, begin + 1);
+  };
+  if (!arena_ || n < 2) return all(0, n);
+  arena_->arena.execute([&] {
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, n, 1), [&](const auto& range) { all(range.begin(), range.end()); },
+        tbb::static_partitioner());
+  });
+}
+
 }  // namespace throng

@@ -94,6 +94,7 @@ void Candidates::find_pairs_of(Rows colliders) {
 void Candidates::place(const State& state, double dt, Rows colliders) {
   found_at_.resize(state.position.size());
   centre_.resize(colliders_.size()), margin_.resize(colliders_.size()), reach_.resize(colliders_.size());
+  if (!colliders_.swing.empty()) turning_.resize(colliders_.size());
   if (plan_.periodic && !colliders_.centre.empty()) wrap_.resize(colliders_.size(), Vec(0.0, 0.0));
   double fastest = 0.0;
   colliders.for_each([&](std::uint32_t row) {
@@ -101,7 +102,7 @@ void Candidates::place(const State& state, double dt, Rows colliders) {
   });
   dt_ = dt;
   fall_ = plan_.gravity ? scene_.gravity.norm() * dt * dt : 0.0;
-  chain_ = std::sqrt(fastest) * dt;
+  chain_ = std::sqrt(fastest) * dt, fastest_ = 0.0;
   place_more(state, colliders);
 }
 
@@ -113,11 +114,15 @@ void Candidates::place_one(const State& state, std::uint32_t i) {
   const std::uint32_t body = colliders_.body[i];
   const double radius = colliders_.radius[i];
   found_at_[body] = centre_[i] = state.position[body];
-  margin_[i] = state.velocity[body].norm() * dt_ + fall_ + std::min(chain_, kSkin * radius);
+  const double speed = state.velocity[body].norm();
+  margin_[i] = speed * dt_ + fall_ + std::min(chain_, kSkin * radius);
   if (!colliders_.centre.empty()) {
     const Vec offset = narrowphase::pose({0.0, 0.0}, state.angle[body]).rotate(colliders_.centre[i]);
     centre_[i] += offset;
-    margin_[i] += std::abs(state.spin[body]) * offset.norm() * dt_;
+    const double turn = std::abs(state.spin[body]) * dt_;
+    margin_[i] += turn * offset.norm();
+    turning_[i] = std::min(turn * radius, colliders_.swing[i]);
+    fastest_ = std::max(fastest_, speed + std::abs(state.spin[body]) * (offset.norm() + radius));
   }
   if (plan_.flights) {
     const double widest = plan_.periodic ? 0.249 * period_.size.minCoeff() : kUnbounded;

@@ -51,6 +51,9 @@ class Candidates {
   /// domain repeats.
   double squared_way(std::uint32_t body, const Vec& position) const;
 
+  /// m/s, of those that were placed, corners that turn among them.
+  double fastest() const { return fastest_; }
+
   /// How often find() was called: pairs of one number are the same.
   std::uint64_t finds() const { return finds_; }
 
@@ -66,8 +69,10 @@ class Candidates {
   std::span<const broadphase::Pair> obstacle_pairs() const { return obstacle_pairs_; }
 
   /// How far apart (m) the two may be now and still touch within the step.
-  double reach(broadphase::Pair pair) const { return margin_[pair.a] + margin_[pair.b]; }
-  double reach(std::uint32_t collider) const { return margin_[collider]; }
+  double reach(broadphase::Pair pair) const { return reach(pair.a) + reach(pair.b); }
+  double reach(std::uint32_t collider) const {
+    return turning_.empty() ? margin_[collider] : margin_[collider] + turning_[collider];
+  }
 
   /// The disc round a collider that was placed, with all that it may reach in the step: its centre, m, world,
   /// and radius (m).
@@ -103,11 +108,14 @@ class Candidates {
   Rows rows_;                     ///< of the colliders that the pairs are of
   double dt_ = 0.0, fall_ = 0.0;  ///< s; m, what gravity gives in it
   double chain_ = 0.0;            ///< m, what the fastest body moves in it
+  double fastest_ = 0.0;          ///< m/s
   std::vector<Vec> found_at_;     ///< m, of each body
   std::vector<Vec> centre_;     ///< m, world, of each collider's bounding disc; inside a domain that repeats
   std::vector<Vec> wrap_;       ///< m, what that moved it by; empty where it moves nothing
-  std::vector<double> margin_;  ///< m, how far it may get within the step
-  std::vector<double> reach_;   ///< m, its radius and margin
+  std::vector<double> margin_;  ///< m, how far that disc may get within the step
+  std::vector<double>
+      turning_;  ///< m, how much farther its surface may get by turning; empty where all are discs
+  std::vector<double> reach_;  ///< m, its radius and margin
   std::vector<double>
       widened_;  ///< m, the least margin of each body, while a step is taken again; else empty
   std::vector<broadphase::Pair> pairs_, obstacle_pairs_;

@@ -39,6 +39,7 @@ struct ContactBase {
   double tangent_mass = 0.0;     ///< kg, and across
   double friction = 0.0;         ///< Coulomb's coefficient
   double restitution = 0.0;      ///< 0 to 1
+  double lever = 0.0;            ///< m, as in RollContact; for bounces, and 0 where nothing resists rolling
   double normal_impulse = 0.0;   ///< N s, on b; a feels the opposite
   double tangent_impulse = 0.0;  ///< N s, likewise, along the normal turned left
 };

@@ -29,42 +29,50 @@ void fill_lane(DiscBlock& block, std::size_t lane, const DiscContact& contact, c
 
 }  // namespace
 
-void DiscBlocks::start(std::size_t bodies) {
-  nobody_ = static_cast<std::uint32_t>(bodies - 1);
-  order_.start(bodies);
+void DiscBlocks::start(std::size_t bodies, std::size_t groups) {
+  groups_.resize(groups);
+  for (std::size_t i = 0; i < groups; ++i) {
+    groups_[i].order.start(bodies);
+    groups_[i].nobody = static_cast<std::uint32_t>(bodies - groups + i);
+  }
   key_.clear(), seat_lane_.clear(), taken_.clear(), owner_.clear(), lane_.clear();
 }
 
-void DiscBlocks::add(std::uint64_t key, const DiscContact& contact, const SolverBody& a,
-                     const SolverBody& b) {
-  const std::uint32_t lane = order_.place(contact.a, a.inverse_mass > 0.0, contact.b, b.inverse_mass > 0.0);
-  key_.push_back(key), seat_lane_.push_back(lane), taken_.push_back(1);
+void DiscBlocks::add(std::uint64_t key, const DiscContact& contact, const SolverBody& a, const SolverBody& b,
+                     std::size_t group) {
+  Group& own = groups_[group];
+  const std::uint32_t lane =
+      own.order.place(contact.a, a.inverse_mass > 0.0, contact.b, b.inverse_mass > 0.0);
+  key_.push_back(key), taken_.push_back(1);
   owner_.push_back({contact.a, contact.b, contact.normal_mass});
-  lane_.push_back(lane);
-  if (blocks_.size() < order_.blocks()) blocks_.resize(order_.blocks());
-  fill_lane(blocks_[lane / kWidth], lane % kWidth, contact, a, b);
+  seat_lane_.push_back({static_cast<std::uint32_t>(group), lane});
+  lane_.push_back(seat_lane_.back());
+  if (own.blocks.size() < own.order.blocks()) own.blocks.resize(own.order.blocks());
+  fill_lane(own.blocks[lane / kWidth], lane % kWidth, contact, a, b);
 }
 
 void DiscBlocks::finish() {
-  for (std::size_t i = 0; i < order_.blocks(); ++i)
-    for (std::size_t lane = order_.filled(i); lane < kWidth; ++lane) clear_lane(blocks_[i], lane, nobody_);
+  for (Group& group : groups_)
+    for (std::size_t i = 0; i < group.order.blocks(); ++i)
+      for (std::size_t lane = group.order.filled(i); lane < kWidth; ++lane)
+        clear_lane(group.blocks[i], lane, group.nobody);
 }
 
 /// A lane as good as empty: without mass no impulse comes to be, and nobody would feel it.
 void DiscBlocks::vacate(std::size_t seat) {
   if (!taken_[seat]) return;
   taken_[seat] = 0;
-  DiscBlock& block = blocks_[seat_lane_[seat] / kWidth];
-  const std::size_t lane = seat_lane_[seat] % kWidth;
-  block.a[lane] = block.b[lane] = nobody_;
+  DiscBlock& block = this->block(seat_lane_[seat]);
+  const std::size_t lane = seat_lane_[seat].lane % kWidth;
+  block.a[lane] = block.b[lane] = groups_[seat_lane_[seat].group].nobody;
   block.normal_mass[lane] = block.normal_impulse[lane] = block.tangent_impulse[lane] = 0.0;
 }
 
 void DiscBlocks::occupy(std::size_t seat) {
   if (taken_[seat]) return;
   taken_[seat] = 1;
-  DiscBlock& block = blocks_[seat_lane_[seat] / kWidth];
-  const std::size_t lane = seat_lane_[seat] % kWidth;
+  DiscBlock& block = this->block(seat_lane_[seat]);
+  const std::size_t lane = seat_lane_[seat].lane % kWidth;
   block.a[lane] = owner_[seat].a, block.b[lane] = owner_[seat].b;
   block.normal_mass[lane] = owner_[seat].normal_mass;
 }
@@ -83,22 +91,22 @@ bool DiscBlocks::take(std::span<const std::uint64_t> keys) {
 }
 
 void DiscBlocks::set_impulses(std::size_t i, double normal, double tangent) {
-  DiscBlock& block = blocks_[lane_[i] / kWidth];
-  block.normal_impulse[lane_[i] % kWidth] = normal;
-  block.tangent_impulse[lane_[i] % kWidth] = tangent;
+  DiscBlock& block = this->block(lane_[i]);
+  block.normal_impulse[lane_[i].lane % kWidth] = normal;
+  block.tangent_impulse[lane_[i].lane % kWidth] = tangent;
 }
 
 double DiscBlocks::normal_impulse(std::size_t i) const {
-  return blocks_[lane_[i] / kWidth].normal_impulse[lane_[i] % kWidth];
+  return block(lane_[i]).normal_impulse[lane_[i].lane % kWidth];
 }
 
 double DiscBlocks::tangent_impulse(std::size_t i) const {
-  return blocks_[lane_[i] / kWidth].tangent_impulse[lane_[i] % kWidth];
+  return block(lane_[i]).tangent_impulse[lane_[i].lane % kWidth];
 }
 
 DiscContact DiscBlocks::operator[](std::size_t i) const {
-  const DiscBlock& block = blocks_[lane_[i] / kWidth];
-  const std::size_t lane = lane_[i] % kWidth;
+  const DiscBlock& block = this->block(lane_[i]);
+  const std::size_t lane = lane_[i].lane % kWidth;
   DiscContact contact;
   contact.a = block.a[lane], contact.b = block.b[lane];
   contact.normal = {block.normal_x[lane], block.normal_y[lane]};

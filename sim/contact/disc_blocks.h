@@ -29,12 +29,13 @@ struct alignas(64) DiscBlock {
 /// the keys whichever of the seats are taken, so the bits don't depend on which are there.
 class DiscBlocks {
  public:
-  /// Forgets all seats. `bodies`: how many rows there are, of which the last never moves.
-  void start(std::size_t bodies);
+  /// Forgets all seats. `bodies`: how many rows there are, of which the last `groups` never move.
+  void start(std::size_t bodies, std::size_t groups = 1);
 
-  /// Makes a seat, and takes it, for a contact between those bodies, whose key is above all before. Allocates
-  /// only to grow.
-  void add(std::uint64_t key, const DiscContact& contact, const SolverBody& a, const SolverBody& b);
+  /// Makes a seat, and takes it, for a contact between those bodies, whose key is above all before. Blocks
+  /// hold contacts of one group. Allocates only to grow.
+  void add(std::uint64_t key, const DiscContact& contact, const SolverBody& a, const SolverBody& b,
+           std::size_t group = 0);
 
   /// To be called behind the last.
   void finish();
@@ -58,7 +59,9 @@ class DiscBlocks {
   /// Its bodies, radii, normal and impulses as the solver left them; what else a contact has is not set.
   DiscContact operator[](std::size_t i) const;
 
-  std::span<DiscBlock> blocks() { return {blocks_.data(), order_.blocks()}; }
+  std::span<DiscBlock> blocks(std::size_t group = 0) {
+    return {groups_[group].blocks.data(), groups_[group].order.blocks()};
+  }
 
  private:
   /// What a seat that nobody takes has forgotten.
@@ -67,17 +70,29 @@ class DiscBlocks {
     double normal_mass;
   };
 
+  struct Lane {
+    std::uint32_t group, lane;  // the lane among all of the group
+  };
+
+  struct Group {
+    BlockOrder order;
+    std::vector<DiscBlock> blocks;  // never shrinks
+    std::uint32_t nobody = 0;       // whose row a lane without a contact has
+  };
+
   void vacate(std::size_t seat);
   void occupy(std::size_t seat);
+  DiscBlock& block(const Lane& lane) { return groups_[lane.group].blocks[lane.lane / BlockOrder::kWidth]; }
+  const DiscBlock& block(const Lane& lane) const {
+    return groups_[lane.group].blocks[lane.lane / BlockOrder::kWidth];
+  }
 
-  BlockOrder order_;
-  std::uint32_t nobody_ = 0;
-  std::vector<std::uint64_t> key_;        // of each seat, ascending
-  std::vector<std::uint32_t> seat_lane_;  // and where it is
+  std::vector<Group> groups_{1};
+  std::vector<std::uint64_t> key_;  // of each seat, ascending
+  std::vector<Lane> seat_lane_;     // and where it is
   std::vector<std::uint8_t> taken_;
   std::vector<Owner> owner_;
-  std::vector<std::uint32_t> lane_;  // of each contact
-  std::vector<DiscBlock> blocks_;    // never shrinks
+  std::vector<Lane> lane_;  // of each contact
 };
 
 /// As the two of solve.h, one after the other. `period`: the domain's, or null.

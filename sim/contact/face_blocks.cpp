@@ -40,34 +40,41 @@ void fill_point(FaceBlock::Point& point, std::size_t lane, const PointContact& c
 
 }  // namespace
 
-void FaceBlocks::start(std::size_t bodies) {
-  nobody_ = static_cast<std::uint32_t>(bodies - 1);
-  order_.start(bodies);
+void FaceBlocks::start(std::size_t bodies, std::size_t groups) {
+  groups_.resize(groups);
+  for (std::size_t i = 0; i < groups; ++i) {
+    groups_[i].order.start(bodies);
+    groups_[i].nobody = static_cast<std::uint32_t>(bodies - groups + i);
+  }
   seat_.clear();
 }
 
-void FaceBlocks::add(std::span<const PointContact> face, const SolverBody& a, const SolverBody& b) {
+void FaceBlocks::add(std::span<const PointContact> face, const SolverBody& a, const SolverBody& b,
+                     std::size_t group) {
+  Group& own = groups_[group];
   const std::uint32_t lane =
-      order_.place(face[0].a, a.inverse_mass > 0.0, face[0].b, b.inverse_mass > 0.0, face.size() - 1);
-  if (blocks_.size() < order_.blocks()) blocks_.resize(order_.blocks());
-  FaceBlock& block = blocks_[lane / kWidth];
+      own.order.place(face[0].a, a.inverse_mass > 0.0, face[0].b, b.inverse_mass > 0.0, face.size() - 1);
+  if (own.blocks.size() < own.order.blocks()) own.blocks.resize(own.order.blocks());
+  FaceBlock& block = own.blocks[lane / kWidth];
   block.count = face.size();
   fill_lane(block, lane % kWidth, face[0]);
-  for (std::uint32_t p = 0; p < face.size(); ++p) {
+  for (std::uint16_t p = 0; p < face.size(); ++p) {
     fill_point(block.points[p], lane % kWidth, face[p]);
-    seat_.push_back({lane, p});
+    seat_.push_back({lane, static_cast<std::uint16_t>(group), p});
   }
 }
 
 void FaceBlocks::finish() {
-  for (std::size_t i = 0; i < order_.blocks(); ++i) {
-    if (order_.filled(i) == 0) blocks_[i].count = 0;
-    for (std::size_t lane = order_.filled(i); lane < kWidth; ++lane) clear_lane(blocks_[i], lane, nobody_);
-  }
+  for (Group& group : groups_)
+    for (std::size_t i = 0; i < group.order.blocks(); ++i) {
+      if (group.order.filled(i) == 0) group.blocks[i].count = 0;
+      for (std::size_t lane = group.order.filled(i); lane < kWidth; ++lane)
+        clear_lane(group.blocks[i], lane, group.nobody);
+    }
 }
 
-const FaceBlock::Point& FaceBlocks::point(std::size_t i) const {
-  return blocks_[seat_[i].lane / kWidth].points[seat_[i].point];
+const FaceBlock& FaceBlocks::block(std::size_t i) const {
+  return groups_[seat_[i].group].blocks[seat_[i].lane / kWidth];
 }
 
 double FaceBlocks::normal_impulse(std::size_t i) const {
@@ -79,7 +86,7 @@ double FaceBlocks::tangent_impulse(std::size_t i) const {
 }
 
 PointContact FaceBlocks::operator[](std::size_t i) const {
-  const FaceBlock& block = blocks_[seat_[i].lane / kWidth];
+  const FaceBlock& block = this->block(i);
   const FaceBlock::Point& p = point(i);
   const std::size_t lane = seat_[i].lane % kWidth;
   PointContact contact;

@@ -34,11 +34,13 @@ struct alignas(64) FaceBlock {
 
 class FaceBlocks {
  public:
-  /// Forgets all contacts. `bodies`: how many rows there are, of which the last never moves.
-  void start(std::size_t bodies);
+  /// Forgets all contacts. `bodies`: how many rows there are, of which the last `groups` never move.
+  void start(std::size_t bodies, std::size_t groups = 1);
 
-  /// Adds the one or two points of a face between those bodies. Allocates only to grow.
-  void add(std::span<const PointContact> face, const SolverBody& a, const SolverBody& b);
+  /// Adds the one or two points of a face between those bodies. Blocks hold contacts of one group. Allocates
+  /// only to grow.
+  void add(std::span<const PointContact> face, const SolverBody& a, const SolverBody& b,
+           std::size_t group = 0);
 
   /// To be called behind the last.
   void finish();
@@ -50,20 +52,28 @@ class FaceBlocks {
   /// Its bodies, normal, arms and impulses as the solver left them; what else a contact has is not set.
   PointContact operator[](std::size_t i) const;
 
-  std::span<FaceBlock> blocks() { return {blocks_.data(), order_.blocks()}; }
+  std::span<FaceBlock> blocks(std::size_t group = 0) {
+    return {groups_[group].blocks.data(), groups_[group].order.blocks()};
+  }
 
  private:
   struct Seat {
-    std::uint32_t lane;   // among all lanes
-    std::uint32_t point;  // 0 or 1
+    std::uint32_t lane;  // among all lanes of the group
+    std::uint16_t group;
+    std::uint16_t point;  // 0 or 1
   };
 
-  const FaceBlock::Point& point(std::size_t i) const;
+  struct Group {
+    BlockOrder order;
+    std::vector<FaceBlock> blocks;  // never shrinks
+    std::uint32_t nobody = 0;       // whose row a lane without a contact has
+  };
 
-  BlockOrder order_;
-  std::uint32_t nobody_ = 0;
-  std::vector<Seat> seat_;         // of each point
-  std::vector<FaceBlock> blocks_;  // never shrinks
+  const FaceBlock& block(std::size_t i) const;
+  const FaceBlock::Point& point(std::size_t i) const { return block(i).points[seat_[i].point]; }
+
+  std::vector<Group> groups_{1};
+  std::vector<Seat> seat_;  // of each point
 };
 
 /// As the two of solve.h, one after the other.

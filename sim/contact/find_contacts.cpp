@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "sim/contact/find_contacts.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "narrowphase/half_plane.h"
 #include "sim/contact/contact_key.h"
@@ -67,6 +69,13 @@ void place(PointContact& contact, const ManifoldPoint& point, const SolverBody& 
   contact.tangent_mass = effective_mass(a, b, contact.first_a, contact.first_b, tangent(n));
 }
 
+/// Who is faster gets farther than a tenth of the smallest radius in a substep.
+double fast_speed(const Scene& scene, const Plan& plan) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const double radius : scene.bodies.radius) smallest = std::min(smallest, radius);
+  return 0.1 * smallest / plan.substep;
+}
+
 }  // namespace
 
 std::uint64_t ContactFinder::Touch::key() const {
@@ -74,13 +83,14 @@ std::uint64_t ContactFinder::Touch::key() const {
 }
 
 ContactFinder::ContactFinder(const Scene& scene, const Plan& plan)
-    : scene_(scene), plan_(plan), discs_(scene, plan) {}
+    : scene_(scene), plan_(plan), fast_(fast_speed(scene, plan)), parts_(scene, plan), discs_(scene, plan) {}
 
 void ContactFinder::find(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
                          Rows awake, Contacts& contacts, Workers& workers) {
-  contacts.start(bodies.size());
+  contacts.start(bodies.size(), parts_.groups());
+  const bool moved = parts_.place(state, awake);
   sort_out(candidates, contacts);
-  discs_.find(candidates, state, bodies, contacts.disc_key, contacts.discs);
+  discs_.find(candidates, state, bodies, parts_, moved, contacts.disc_key, contacts.discs);
   if (plan_.restitution)
     for (const std::uint64_t key : contacts.disc_key)
       contacts.disc_bounces.push_back(discs_.contact_of(candidates.colliders(), pair_of(key), bodies));
@@ -163,11 +173,12 @@ Manifold ContactFinder::manifold(const Candidates& candidates, const State& stat
 /// Sets what all points of one manifold share. Number after number: to copy it from one point to the other
 /// would wait until all that was written before has left the processor.
 void ContactFinder::describe(const Colliders& colliders, const Obstacles& obstacles, const Touch& touch,
-                             const Vec& normal, std::uint32_t obstacle_row, PointContact& contact) const {
+                             const Vec& normal, PointContact& contact) const {
   const auto [row_a, row_b] = touch.pair;
   contact.normal = normal;
   contact.a = colliders.body[row_a];
-  contact.b = touch.obstacle ? obstacle_row : colliders.body[row_b];
+  contact.b = touch.obstacle ? static_cast<std::uint32_t>(scene_.bodies.size() + parts_.group(contact.a))
+                             : colliders.body[row_b];
   contact.turns_a = is_disc(colliders, row_a) ? 0.0 : 1.0;
   contact.turns_b = !touch.obstacle && is_disc(colliders, row_b) ? 0.0 : 1.0;
   const std::uint32_t material_b =
@@ -181,7 +192,7 @@ void ContactFinder::describe(const Colliders& colliders, const Obstacles& obstac
 void ContactFinder::add_points(const Candidates& candidates, const State& state,
                                std::span<const SolverBody> bodies, Contacts& contacts) const {
   const Colliders& colliders = candidates.colliders();
-  const auto obstacle_row = static_cast<std::uint32_t>(bodies.size() - 1);
+  const bool bounces = plan_.restitution || candidates.fastest() > fast_;
   KeptImpulses memory(state.point_contacts);
   std::array<PointContact, 2> face;
   for (std::size_t i = 0; i < touches_.size(); ++i) {
@@ -194,23 +205,25 @@ void ContactFinder::add_points(const Candidates& candidates, const State& state,
     const auto count = static_cast<std::size_t>(m.count);
     for (std::size_t p = 0; p < count; ++p) {
       PointContact& contact = face[p];
-      describe(colliders, candidates.obstacles(), touch, m.normal, obstacle_row, contact);
+      describe(colliders, candidates.obstacles(), touch, m.normal, contact);
       place(contact, m.points[p], bodies[contact.a], bodies[contact.b], touch.shift, radius_a, radius_b);
       const ContactImpulse* kept = memory.find(key, m.points[p].feature);
       contact.normal_impulse = kept ? kept->normal : 0.0;
       contact.tangent_impulse = kept ? kept->tangent : 0.0;
       contacts.point_key.push_back(key);
       contacts.point_feature.push_back(m.points[p].feature);
-      if (plan_.restitution) contacts.point_bounces.push_back(contact);
+      if (bounces) contacts.point_bounces.push_back(contact);
     }
-    contacts.faces.add({face.data(), count}, bodies[face[0].a], bodies[face[0].b]);
+    const std::uint32_t a = face[0].a, b = face[0].b;
+    contacts.faces.add({face.data(), count}, bodies[a], bodies[b],
+                       touch.obstacle ? parts_.group(a) : parts_.group(a, b));
   }
   contacts.faces.finish();
 }
 
-void Contacts::start(std::size_t bodies) {
+void Contacts::start(std::size_t bodies, std::size_t groups) {
   discs.clear(), disc_key.clear(), disc_bounces.clear();
-  faces.start(bodies), point_key.clear(), point_feature.clear(), point_bounces.clear();
+  faces.start(bodies, groups), point_key.clear(), point_feature.clear(), point_bounces.clear();
   disc_rolls.clear(), point_rolls.clear();
 }
 

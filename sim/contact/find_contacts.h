@@ -10,6 +10,7 @@
 #include "sim/contact/disc_blocks.h"
 #include "sim/contact/face_blocks.h"
 #include "sim/contact/find_discs.h"
+#include "sim/contact/parts.h"
 #include "sim/contact/roll.h"
 #include "sim/rows.h"
 #include "sim/workers.h"
@@ -26,11 +27,12 @@ struct Contacts {
   std::vector<std::uint32_t> point_feature;
   std::vector<RollContact> disc_rolls;  ///< of the same contacts; empty where nothing resists rolling
   std::vector<RollContact> point_rolls;
-  std::vector<DiscContact> disc_bounces;  ///< the same contacts once more; empty where no surface bounces
-  std::vector<PointContact> point_bounces;
+  std::vector<DiscContact> disc_bounces;    ///< the same contacts once more; empty where no surface bounces
+  std::vector<PointContact> point_bounces;  ///< and those of fast bodies
 
-  void start(std::size_t bodies);  ///< forgets all; of so many rows of bodies the last never moves
-  void save(State& state) const;   ///< the impulses of contacts that press, for the next step
+  /// Forgets all; of so many rows of bodies the last ones, one a group, never move.
+  void start(std::size_t bodies, std::size_t groups);
+  void save(State& state) const;  ///< the impulses of contacts that press, for the next step
 };
 
 /// Narrowphase: what the solver must look at among the candidates, with the impulses of the step before. A
@@ -39,7 +41,14 @@ class ContactFinder {
  public:
   ContactFinder(const Scene& scene, const Plan& plan);
 
-  /// Replaces `contacts`. `bodies` has a row for each body of `state`, then one that stands for all
+  /// m/s: of bodies that are faster contacts with corners are listed among bounces, too, as one sweep over
+  /// two corners of a face leaves them some of their speed.
+  double fast() const { return fast_; }
+
+  /// Contacts are in that many groups: see Parts.
+  const Parts& parts() const { return parts_; }
+
+  /// Replaces `contacts`. `bodies` has a row for each body of `state`, then one a group that stands for all
   /// obstacles; candidates are of those that are `awake`.
   void find(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies, Rows awake,
             Contacts& contacts, Workers& workers);
@@ -62,10 +71,12 @@ class ContactFinder {
   void add_points(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
                   Contacts& contacts) const;
   void describe(const Colliders& colliders, const Obstacles& obstacles, const Touch& touch, const Vec& normal,
-                std::uint32_t obstacle_row, PointContact& contact) const;
+                PointContact& contact) const;
 
   const Scene& scene_;
   const Plan& plan_;
+  double fast_;
+  Parts parts_;
   DiscFinder discs_;
   std::vector<narrowphase::Pose> pose_;  // of each body; only where some are no discs
   std::vector<Touch> touches_;

@@ -39,11 +39,12 @@ DiscContact DiscFinder::contact_of(const Colliders& colliders, Pair pair,
 }
 
 void DiscFinder::find(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
-                      std::span<const std::uint64_t> keys, DiscBlocks& discs) {
+                      const Parts& parts, bool moved, std::span<const std::uint64_t> keys,
+                      DiscBlocks& discs) {
   const bool well_filled = 2 * discs.seats() <= 3 * keys.size() + kFewSeats;
-  if (wait_ > 0 || !well_filled || !discs.take(keys)) {
+  if (moved || wait_ > 0 || !well_filled || !discs.take(keys)) {
     choose(candidates);
-    seat(candidates.colliders(), bodies, discs);
+    seat(candidates.colliders(), bodies, parts, discs);
     [[maybe_unused]] const bool all = discs.take(keys);
     assert(all);
   }
@@ -72,11 +73,13 @@ void DiscFinder::choose(const Candidates& candidates) {
                 [&](const Pair& pair) { return !is_disc(colliders, pair.a) || !is_disc(colliders, pair.b); });
 }
 
-void DiscFinder::seat(const Colliders& colliders, std::span<const SolverBody> bodies, DiscBlocks& discs) {
-  discs.start(bodies.size());
+void DiscFinder::seat(const Colliders& colliders, std::span<const SolverBody> bodies, const Parts& parts,
+                      DiscBlocks& discs) {
+  discs.start(bodies.size(), parts.groups());
   for (const Pair& pair : seated_) {
     const DiscContact contact = contact_of(colliders, pair, bodies);
-    discs.add(key_of(pair, false), contact, bodies[contact.a], bodies[contact.b]);
+    discs.add(key_of(pair, false), contact, bodies[contact.a], bodies[contact.b],
+              parts.group(contact.a, contact.b));
   }
   discs.finish();
 }

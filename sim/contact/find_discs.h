@@ -7,6 +7,7 @@
 
 #include "sim/contact/candidates.h"
 #include "sim/contact/disc_blocks.h"
+#include "sim/contact/parts.h"
 
 namespace throng {
 
@@ -17,9 +18,10 @@ class DiscFinder {
   DiscFinder(const Scene& scene, const Plan& plan);
 
   /// The contacts in `discs` are now those with these keys, ascending, with the impulses that `state` keeps.
-  /// Expects that only this function changes the seats of `discs`. O(pairs near each other).
+  /// Expects that only this function changes the seats of `discs`. `moved`: somebody is in another part than
+  /// before. O(pairs near each other).
   void find(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
-            std::span<const std::uint64_t> keys, DiscBlocks& discs);
+            const Parts& parts, bool moved, std::span<const std::uint64_t> keys, DiscBlocks& discs);
 
   /// Of two discs about their bodies' centres; normal and offset are found in each substep.
   DiscContact contact_of(const Colliders& colliders, broadphase::Pair pair,
@@ -29,7 +31,8 @@ class DiscFinder {
   static constexpr int kGain = 3;  // steps that seats must serve to be worth some room
 
   void choose(const Candidates& candidates);
-  void seat(const Colliders& colliders, std::span<const SolverBody> bodies, DiscBlocks& discs);
+  void seat(const Colliders& colliders, std::span<const SolverBody> bodies, const Parts& parts,
+            DiscBlocks& discs);
 
   const Scene& scene_;
   const Plan& plan_;

@@ -6,7 +6,8 @@
 namespace throng {
 
 /// Adds to `contacts` what those between surfaces that resist rolling have beside pressing and rubbing, with
-/// the impulses of the step before. O(contacts); nobody's business where no surface resists.
+/// the impulses of the step before; bounces get their levers. O(contacts); nobody's business where no surface
+/// resists.
 void find_rolls(const Scene& scene, const Plan& plan, const Candidates& candidates, const State& state,
                 std::span<const SolverBody> bodies, Contacts& contacts);
 

@@ -170,20 +170,33 @@ double normal_mass(const DiscContact& contact, const SolverBody&, const SolverBo
 struct BounceRule {
   double h;          ///< s, the substep
   double threshold;  ///< m/s, slower ones rest
+  double fast;       ///< m/s, faster ones are struck although they don't bounce
   Vec kick;          ///< m/s, what gravity adds in a substep
 };
 
-/// The velocity that a bounce adds along the normal (m/s); 0 where the two don't meet in this substep.
+/// The velocity that a bounce adds along the normal (m/s); 0 where the two don't meet in this substep. What
+/// doesn't bounce arrives at the other's surface.
 template <class Contact>
 double rebound(const Contact& contact, const SolverBody& a, const SolverBody& b, const BounceRule& rule) {
-  if (contact.restitution == 0.0) return 0.0;
+  const bool bounces = contact.restitution > 0.0;
   const double speed = arms(contact).normal_velocity(a, b);
-  if (!(speed < -rule.threshold)) return 0.0;
+  if (!(speed < -(bounces ? rule.threshold : rule.fast))) return 0.0;
   const double fall = relative_kick(contact, a, b, rule.kick);
-  if (!(separation(contact, a, b) + rule.h * (speed + fall) < 0.0)) return 0.0;
-  return -((1.0 + contact.restitution) * speed + fall);
+  const double s = separation(contact, a, b);
+  if (!(s + rule.h * (speed + fall) < 0.0)) return 0.0;
+  return -((1.0 + contact.restitution) * speed + fall) - (bounces ? 0.0 : std::max(s, 0.0) / rule.h);
 }
 
+/// Holds the two spins together, by a torque's impulse (N m s) up to `limit`.
+void resist_rolling(SolverBody& a, SolverBody& b, double limit) {
+  const double stops = (a.spin - b.spin) / (a.inverse_inertia + b.inverse_inertia);
+  const double impulse = std::clamp(stops, -limit, limit);
+  a.spin -= a.inverse_inertia * impulse;
+  b.spin += b.inverse_inertia * impulse;
+}
+
+/// However short a bounce is, the impulses of friction and of rolling resistance stay within what the normal
+/// one allows: both laws hold at each instant of it.
 template <class Contact>
 void strike(const Contact& contact, SolverBody& a, SolverBody& b, double impulse) {
   const auto at = arms(contact);
@@ -191,6 +204,7 @@ void strike(const Contact& contact, SolverBody& a, SolverBody& b, double impulse
   const double limit = contact.friction * impulse;
   if (limit > 0.0)
     at.apply(a, b, 0.0, std::clamp(-contact.tangent_mass * at.tangent_velocity(a, b), -limit, limit));
+  if (contact.lever > 0.0) resist_rolling(a, b, contact.lever * impulse);
 }
 
 template <class Contact>
@@ -268,16 +282,17 @@ void relax(std::span<PointContact> contacts, std::span<SolverBody> bodies, const
   relax_all(contacts, bodies, settings);
 }
 
-bool bounce(std::span<DiscContact> contacts, std::span<SolverBody> bodies, double h, double threshold,
-            const Vec& kick) {
+bool bounce(std::span<DiscContact> contacts, std::span<SolverBody> bodies, const SolverSettings& settings,
+            double threshold, const Vec& kick) {
   bool bounced = false;
-  for (const DiscContact& contact : contacts) bounced |= bounce(contact, bodies, {h, threshold, kick});
+  for (const DiscContact& contact : contacts)
+    bounced |= bounce(contact, bodies, {settings.h, threshold, settings.fast, kick});
   return bounced;
 }
 
-bool bounce(std::span<PointContact> contacts, std::span<SolverBody> bodies, double h, double threshold,
-            const Vec& kick) {
-  const BounceRule rule{h, threshold, kick};
+bool bounce(std::span<PointContact> contacts, std::span<SolverBody> bodies, const SolverSettings& settings,
+            double threshold, const Vec& kick) {
+  const BounceRule rule{settings.h, threshold, settings.fast, kick};
   bool bounced = false;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     if (i + 1 < contacts.size() && bounce(contacts[i], contacts[i + 1], bodies, rule)) {

@@ -269,7 +269,7 @@ TEST(Sleepers, SleepOnAndWakeTheSameAfterACheckpoint) {
   std::vector<std::unique_ptr<Simulation>> others;
   std::size_t most = 0;
   bool woke = false;
-  for (int i = 0; i < 700; ++i) {
+  for (int i = 0; i < 1000; ++i) {
     if (i == 40 || i == 150 || i == 313) {
       recording::write_checkpoint(folder / "a.ckpt", {"0.1.0", "", 0, 0}, run->state());
       const State state = recording::read_checkpoint(folder / "a.ckpt").state;

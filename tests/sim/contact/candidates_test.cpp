@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "tests/sim/scene_from.h"
@@ -99,6 +100,40 @@ TEST_P(Domains, HoldTheObstaclesThatBodiesMayTouch) {
     }
   }
   EXPECT_GT(must, 5u);
+}
+
+/// Once only the middle of a bar counted: its ends were seen when they were in the wall already.
+TEST(Candidates, ReachAsFarAsCornersTurn) {
+  Scene scene = scene_from(crowd("{ box = [[0, 0], [20, 20]] }"));
+  const Plan plan = plan_for(scene);
+  Candidates candidates(scene, plan);
+  State state = initial_state(scene);
+  for (std::size_t i = 0; i < state.spin.size(); ++i) {
+    state.velocity[i] = Vec(0.0, 0.0);
+    state.spin[i] = 100.0 * (static_cast<double>(i % 7) - 3.0);  // up to half a turn in a step
+  }
+  const double dt = scene.time.dt;
+  candidates.find(state, dt);
+  const Colliders& colliders = candidates.colliders();
+  int turned = 0;
+  for (std::uint32_t i = 0; i < colliders.size(); ++i) {
+    if (is_disc(colliders, i)) continue;
+    const std::uint32_t body = colliders.body[i];
+    const double before = state.angle[body], after = before + dt * state.spin[body];
+    for (const double direction : {0.0, 0.7, 1.4, 2.1, 2.8, 3.5, 4.2, 4.9, 5.6}) {
+      const Vec side(std::cos(direction), std::sin(direction));
+      const auto farthest = [&](double angle) {
+        double most = -1e9;
+        for (const Vec& v : colliders.shape[i]->vertices)
+          most = std::max(most, side.dot(narrowphase::pose({0, 0}, angle).rotate(v)));
+        return most;
+      };
+      const double nearer = farthest(after) - farthest(before);
+      EXPECT_LE(nearer, candidates.reach(i) + 1e-12) << i;
+      turned += nearer > 0.3;
+    }
+  }
+  EXPECT_GT(turned, 50) << "nobody turned far";
 }
 
 INSTANTIATE_TEST_SUITE_P(Candidates, Domains,

@@ -77,6 +77,33 @@ TEST(Rolling, OfTwoDiscsHasTheirEffectiveRadius) {
   EXPECT_NEAR(trial.state.spin[1], turned, 1e-9);
 }
 
+/// A disc that spins strikes a wall: the normal impulse is (1 + e) m v, the torque's that times coefficient
+/// and radius, and never more than stops the disc.
+TEST(Rolling, IsResistedInBouncesToo) {
+  for (const double restitution : {0.0, 0.5, 1.0})
+    for (const double coefficient : {0.1, 5.0}) {
+      Trial trial("gravity = [0, 0]\n[materials.default]\nfriction = 0\nrestitution = " +
+                  std::to_string(restitution) + "\nrolling_resistance = " + std::to_string(coefficient) +
+                  "\n" + kDisc + ball(0, 0.51, 0, -3, 10) + "[[walls]]\nsegment = [[-5, 0], [5, 0]]\n");
+      trial.steps(10);
+      EXPECT_NEAR(trial.state.velocity[0].y(), 3.0 * restitution, 1e-9);
+      const double torque = coefficient * kRadius * throng::mass(trial.scene, 0) * (1.0 + restitution) * 3.0;
+      const double expected = std::max(0.0, 10.0 - torque / throng::inertia(trial.scene, 0));
+      EXPECT_NEAR(trial.state.spin[0], expected, 1e-9) << restitution << ", " << coefficient;
+    }
+}
+
+TEST(Rolling, OfTwoDiscsThatBounceHasTheirEffectiveRadius) {
+  Trial trial(
+      "gravity = [0, 0]\n[materials.default]\nfriction = 0\nrestitution = 0.5\nrolling_resistance = 0.2\n" +
+      std::string(kDisc) + ball(0, 0, 0.5, 0, 4) + ball(1.01, 0, -0.5, 0));
+  trial.steps(10);
+  const double turned =
+      0.2 * 0.25 * 1.5 * throng::mass(trial.scene, 0) * 0.5 / throng::inertia(trial.scene, 0);
+  EXPECT_NEAR(trial.state.spin[0], 4.0 - turned, 1e-9);
+  EXPECT_NEAR(trial.state.spin[1], turned, 1e-9);
+}
+
 TEST(Rolling, IsNothingToPolygonsAndCostsNothingWhereNoSurfaceResists) {
   Trial trial(incline(0.0, 0.0, 1.0));
   trial.steps(10);

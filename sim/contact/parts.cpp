@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "sim/contact/parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace throng {
+
+namespace {
+
+/// A sweep over so many takes several times as long as it takes threads to begin and to wait for each other.
+constexpr std::size_t kFewest = 4096, kMostParts = 16;
+
+Eigen::Index widest_axis(const Scene& scene) {
+  Eigen::AlignedBox2d box;
+  for (const Vec& position : scene.bodies.position) box.extend(position);
+  return box.sizes().x() < box.sizes().y() ? 1 : 0;
+}
+
+}  // namespace
+
+Parts::Parts(const Scene& scene, const Plan& plan) {
+  const std::size_t parts = std::min(scene.bodies.size() / kFewest, kMostParts);
+  if (parts < 2 || !plan.contacts() || plan.soft || plan.flights) return;
+  const Vec& g = scene.gravity;
+  axis_ = plan.gravity ? (std::abs(g.x()) > std::abs(g.y()) ? 1 : 0) : widest_axis(scene);
+  std::vector<double> places;
+  for (const Vec& position : scene.bodies.position) places.push_back(position[axis_]);
+  std::ranges::sort(places);
+  for (std::size_t i = 1; i < parts; ++i) cuts_.push_back(places[i * places.size() / parts]);
+  part_.resize(places.size());
+}
+
+bool Parts::place(const State& state, Rows awake) {
+  if (cuts_.empty()) return false;
+  bool moved = false;
+  awake.for_each([&](std::uint32_t row) {
+    std::uint8_t part = 0;
+    for (const double cut : cuts_) part += state.position[row][axis_] >= cut;
+    moved |= part != part_[row];
+    part_[row] = part;
+  });
+  return moved;
+}
+
+}  // namespace throng

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "sim/contact/parts.h"
+
+#include <gtest/gtest.h>
+
+#include "sim/observe.h"
+#include "tests/sim/trial.h"
+
+namespace throng {
+namespace {
+
+/// Discs and squares that fall on each other and to the side, `columns` of 90 each.
+std::string heap(int columns, const std::string& more = "") {
+  const std::string count = std::to_string(columns / 2);
+  return "seed = 5\nsleep = false\ngravity = [1, -9.81]\ntime = { dt = 0.01, substeps = 4 }\n"
+         "domain = { box = [[0, 0], [" +
+         std::to_string(columns + 2) +
+         ", 200]] }\n[shapes]\nball = { disc = { radius = { uniform = [0.4, 0.45] } } }\n"
+         "box = { polygon = [[-0.45, -0.45], [0.45, -0.45], [0.45, 0.45], [-0.45, 0.45]] }\n"
+         "[[bodies]]\nshape = \"ball\"\nplace = { lattice = { origin = [1, 0.5], spacing = [2, 0.905], size "
+         "= [" +
+         count +
+         ", 90] } }\n[[bodies]]\nshape = \"box\"\nplace = { lattice = { origin = [2, 0.5], spacing = [2, "
+         "0.905], "
+         "size = [" +
+         count + ", 90] } }\n" + more;
+}
+
+TEST(Parts, AreOneWhereThereAreFewBodies) {
+  const Scene scene = scene_from(heap(20));
+  Parts parts(scene, plan_for(scene));
+  EXPECT_EQ(parts.count(), 1u);
+  EXPECT_EQ(parts.groups(), 1u);
+  EXPECT_FALSE(parts.place(initial_state(scene), Rows::all(scene.bodies.size())));
+  EXPECT_EQ(parts.group(3, 1700), 0u);
+}
+
+TEST(Parts, AreCutAcrossTheGroundAndTellWhoLeavesThem) {
+  const Scene scene = scene_from(heap(100));
+  Parts parts(scene, plan_for(scene));
+  ASSERT_EQ(parts.count(), 2u);
+  ASSERT_EQ(parts.groups(), 3u);
+  State state = initial_state(scene);
+  const Rows all = Rows::all(scene.bodies.size());
+  parts.place(state, all);
+  std::size_t left = 0;
+  std::uint32_t first = 0, second = 0;  // somebody in each
+  for (std::uint32_t i = 0; i < state.position.size(); ++i) {
+    const bool in_first = parts.group(i) == 0;
+    EXPECT_EQ(in_first, state.position[i].x() < 51.0) << i;
+    left += in_first;
+    (in_first ? first : second) = i;
+  }
+  EXPECT_NEAR(static_cast<double>(left), 4500.0, 100.0);
+  EXPECT_EQ(parts.group(first, first), 0u);
+  EXPECT_EQ(parts.group(second, second), 1u);
+  EXPECT_EQ(parts.group(first, second), 2u) << "what joins them";
+  EXPECT_FALSE(parts.place(state, all));
+  state.position[first].x() = 90.0;
+  EXPECT_TRUE(parts.place(state, all));
+  EXPECT_EQ(parts.group(first), 1u);
+}
+
+TEST(Parts, AreOneWhereDiscsFly) {
+  const Scene scene =
+      scene_from("domain = { box = [[0, 0], [400, 400]] }\n" + material(1, 0) + kDisc +
+                 "[[bodies]]\nshape = \"ball\"\nplace = { lattice = { origin = [1, 1], spacing "
+                 "= [3, 3], size = [100, 100] } }\n");
+  EXPECT_EQ(Parts(scene, plan_for(scene)).groups(), 1u);
+}
+
+/// A body that is driven stands in both parts' way, and some are thrown from one part into the other.
+TEST(Parts, GiveTheSameBitsForAnyNumberOfThreadsAndWhateverWasBefore) {
+  const Scene scene = scene_from(
+      heap(100,
+           "[[bodies]]\nshape = \"box\"\nat = [51, 95]\nkind = \"kinematic\"\nvelocity = [0, "
+           "-3]\nspin = 2\n[[bodies]]\nshape = \"ball\"\ncount = 200\nvelocity = [20, 0]\nplace = { "
+           "random = { within = [[20, 100], [60, 150]] } }\n"));
+  Trial one(scene, 1), two(scene, 2), afresh(scene, 1);
+  ASSERT_EQ(one.work.finder.parts().count(), 2u);
+  for (int i = 0; i < 30; ++i) {
+    one.steps(1), two.steps(1);
+    Workspace work(afresh.scene, afresh.plan, 1);
+    work.sleepers.look(afresh.state, work.candidates);
+    step(afresh.scene, afresh.plan, afresh.state, work);
+    ASSERT_EQ(hash(one.state), hash(two.state)) << "step " << i;
+    ASSERT_EQ(hash(one.state), hash(afresh.state)) << "step " << i;
+  }
+  EXPECT_GT(one.state.disc_contacts.size(), 100u);
+  EXPECT_GT(one.state.point_contacts.size(), 1000u);
+  EXPECT_FALSE(one.work.contacts.discs.blocks(2).empty() && one.work.contacts.faces.blocks(2).empty())
+      << "nothing joined the parts";
+}
+
+}  // namespace
+}  // namespace throng
