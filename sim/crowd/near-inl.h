@@ -83,12 +83,6 @@ struct Others {
   void clear() { first = size = 0; }
   std::size_t end() const { return first + (size + kFour - 1) / kFour * kFour; }
 
-  /// Those near this agent alone, as `add_near`.
-  HWY_INLINE void gather(const CrowdView& crowd, std::uint32_t own, double reach) {
-    clear();
-    add_near<Tell::who>(crowd, own, reach);
-  }
-
   /// All whose middles are at most `reach` (m) away and behind no barrier. Two who stand in one place part
   /// along x, by their ids.
   template <Tell kTell>
@@ -108,17 +102,14 @@ struct Others {
     return {first, size};
   }
 
+  /// Forgets those who were added last.
+  void drop() { size = 0; }
+
   /// m², of those from the k-th on.
-  HWY_INLINE hn::Vec<Wide> square(std::size_t k) const {
+  HWY_INLINE WideReals square(std::size_t k) const {
     const Wide d;
     const auto x = hn::LoadU(d, dx.data() + k), y = hn::LoadU(d, dy.data() + k);
     return hn::Add(hn::Mul(x, x), hn::Mul(y, y));
-  }
-
-  /// Leaves those of which `square` is at most `most` (m²).
-  HWY_INLINE void keep(double most) {
-    filter([&](std::size_t k) HWY_ATTR { return hn::Le(square(k), hn::Set(Wide(), most)); });
-    fill_up();
   }
 
  private:

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/crowd/near-inl.h"
+#include "sim/crowd/nearest-inl.h"
 #include "sim/crowd/permitted_velocity.h"
 #include "sim/crowd/velocity_obstacle.h"
 #include "sim/random.h"
@@ -32,77 +32,35 @@ struct Reciprocal {
 HWY_BEFORE_NAMESPACE();
 namespace throng::HWY_NAMESPACE {
 
-/// Those who count, the nearest first.
+/// Those who count of several agents one after the other, of each the nearest first, and the ways out of
+/// their velocity obstacles.
 struct Chosen {
-  std::vector<double> square;                         // m², of all that are near
-  std::vector<std::int64_t> rank;                     // likewise: how many are nearer
-  std::vector<std::uint32_t> order;                   // which of them they are, and some to waste
   std::vector<double> dx, dy, width, slip_x, slip_y;  // m, m/s: own velocity less the other's
+  std::vector<double> out_x, out_y, depth;            // as WayOut
   std::size_t size = 0;
 
-  void resize(std::size_t all, std::size_t most) {
-    if (rank.size() < all) rank.resize(all), square.resize(all);
-    if (order.size() <= most) order.resize(most + 1);
-    if (dx.size() < most + 2 * kFour)
-      for (std::vector<double>* one : {&dx, &dy, &width, &slip_x, &slip_y})
-        one->resize(most + 2 * kFour, 1.0);
+  void make_room(std::size_t count) {
+    if (dx.size() >= count + kWide) return;
+    for (std::vector<double>* one : {&dx, &dy, &width, &slip_x, &slip_y, &out_x, &out_y, &depth})
+      one->resize(count + kWide, 1.0);
   }
 };
 
-/// Leaves out who is surely not of the nearest `most`, as far as a look or two tell: what follows is
-/// quadratic.
-HWY_INLINE void thin(double reach, std::size_t most, Others& others) {
-  const Wide d;
-  for (const double share : {1.5, 3.0}) {
-    if (others.size <= 3 * most) return;
-    const double bound = reach * reach * share * static_cast<double>(most) / static_cast<double>(others.size);
-    std::size_t count = 0;
-    for (std::size_t k = 0; k < others.size; k += kWide)
-      count += hn::CountTrue(
-          d, hn::And(hn::Le(others.square(k), hn::Set(d, bound)), hn::FirstN(d, others.size - k)));
-    if (count >= most) return others.keep(bound);
-  }
-}
-
-/// Of each how many are nearer, or as near and before him.
-HWY_INLINE void rank(const Others& others, Chosen& chosen) {
-  const hn::ScalableTag<double> d;
-  const hn::RebindToSigned<decltype(d)> whole;
-  const std::size_t lanes = hn::Lanes(d), size = others.size;
-  for (std::size_t k = 0; k < size; k += lanes) hn::StoreU(others.square(k), d, chosen.square.data() + k);
-  const double* square = chosen.square.data();
-  const auto count = [&](auto& rank, auto is)
-                         HWY_ATTR { rank = hn::Sub(rank, hn::BitCast(whole, hn::VecFromMask(d, is))); };
-  for (std::size_t k = 0; k < size; k += lanes) {
-    const auto own = hn::LoadU(d, square + k), place = hn::Iota(d, static_cast<double>(k));
-    auto rank = hn::Zero(whole);
-    std::size_t j = 0;
-    for (; j < k; ++j) count(rank, hn::Le(hn::Set(d, square[j]), own));
-    for (const std::size_t end = std::min(k + lanes, size); j < end; ++j) {
-      const auto other = hn::Set(d, square[j]), before = hn::Set(d, static_cast<double>(j));
-      count(rank, hn::Or(hn::Lt(other, own), hn::And(hn::Eq(other, own), hn::Lt(before, place))));
-    }
-    for (; j < size; ++j) count(rank, hn::Lt(hn::Set(d, square[j]), own));
-    hn::StoreU(rank, whole, chosen.rank.data() + k);
-  }
-}
-
-/// Picks the nearest `most`.
-HWY_INLINE void choose(const CrowdView& crowd, std::uint32_t own, double reach, std::size_t most,
-                       Others& others, Chosen& chosen) {
-  chosen.resize(others.dx.size(), most);
-  thin(reach, most, others);
-  chosen.size = std::min(most, others.size);
-  rank(others, chosen);
+/// Adds the nearest `most`. Returns the square (m²) of how far away the last of them is, or that of `reach`
+/// where there are fewer.
+HWY_INLINE double choose(const CrowdView& crowd, std::uint32_t own, const Others& others, const Near& near,
+                         std::size_t most, double reach, Ranks& ranks, Chosen& chosen) {
+  order_nearest(others, near, most, ranks);
   const Vec v = crowd.velocity(own);
-  for (std::size_t k = 0; k < others.size; ++k)
-    chosen.order[std::min(static_cast<std::size_t>(chosen.rank[k]), most)] = static_cast<std::uint32_t>(k);
-  for (std::size_t i = 0; i < chosen.size; ++i) {
-    const std::uint32_t k = chosen.order[i];
+  const std::size_t count = std::min(most, near.size);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t k = near.first + ranks.order[i], to = chosen.size + i;
     const auto place = static_cast<std::uint32_t>(others.place[k]);
-    chosen.dx[i] = others.dx[k], chosen.dy[i] = others.dy[k], chosen.width[i] = others.width[k];
-    chosen.slip_x[i] = v.x() - crowd.velocity_x[place], chosen.slip_y[i] = v.y() - crowd.velocity_y[place];
+    chosen.dx[to] = others.dx[k], chosen.dy[to] = others.dy[k], chosen.width[to] = others.width[k];
+    chosen.slip_x[to] = v.x() - crowd.velocity_x[place], chosen.slip_y[to] = v.y() - crowd.velocity_y[place];
   }
+  chosen.size += count;
+  return count == most ? ranks.square[ranks.order[most - 1]] : reach * reach;
 }
 
 /// Of velocity obstacles, each seen from the middle of it: outwards, and how deep it is to the border (m/s).
@@ -143,13 +101,10 @@ HWY_INLINE WayOut way_out(WideReals dx, WideReals dy, WideReals width, WideReals
   return {x, y, hn::IfThenElse(front, hn::Sub(hn::Mul(width, rate), root), of_leg)};
 }
 
-/// Adds for each one half of the way out of its velocity obstacle; who overlap part within this step.
-HWY_INLINE void add_planes(const Reciprocal& model, double dt, const Vec& own, const Chosen& chosen,
-                           HalfPlanes& planes) {
+/// Who overlap part within this step.
+HWY_INLINE void find_ways_out(const Reciprocal& model, double dt, Chosen& chosen) {
   const Wide d;
-  const WideReals own_x = hn::Set(d, own.x()), own_y = hn::Set(d, own.y()), half = hn::Set(d, 0.5);
   const WideReals at_once = hn::Set(d, 1.0 / dt), in_time = hn::Set(d, 1.0 / model.horizon);
-  planes.make_room(planes.size + chosen.size);
   for (std::size_t k = 0; k < chosen.size; k += kWide) {
     const WideReals dx = hn::LoadU(d, chosen.dx.data() + k), dy = hn::LoadU(d, chosen.dy.data() + k);
     const WideReals width = hn::LoadU(d, chosen.width.data() + k);
@@ -157,30 +112,66 @@ HWY_INLINE void add_planes(const Reciprocal& model, double dt, const Vec& own, c
     const auto [x, y, depth] =
         way_out(dx, dy, width, hn::LoadU(d, chosen.slip_x.data() + k), hn::LoadU(d, chosen.slip_y.data() + k),
                 hn::IfThenElse(overlap, at_once, in_time), overlap);
+    hn::StoreU(x, d, chosen.out_x.data() + k), hn::StoreU(y, d, chosen.out_y.data() + k);
+    hn::StoreU(depth, d, chosen.depth.data() + k);
+  }
+}
+
+/// Adds for each of these one half of the way out of its velocity obstacle.
+HWY_INLINE void add_planes(const Vec& own, const Chosen& chosen, const Near& its, HalfPlanes& planes) {
+  const Wide d;
+  const WideReals own_x = hn::Set(d, own.x()), own_y = hn::Set(d, own.y()), half = hn::Set(d, 0.5);
+  planes.make_room(planes.size + its.size);
+  for (std::size_t k = 0; k < its.size; k += kWide) {
+    const WideReals x = hn::LoadU(d, chosen.out_x.data() + its.first + k),
+                    y = hn::LoadU(d, chosen.out_y.data() + its.first + k),
+                    depth = hn::LoadU(d, chosen.depth.data() + its.first + k);
     const WideReals offset = hn::Add(hn::Add(hn::Mul(x, own_x), hn::Mul(y, own_y)), hn::Mul(half, depth));
     hn::StoreU(x, d, planes.normal_x.data() + planes.size + k);
     hn::StoreU(y, d, planes.normal_y.data() + planes.size + k);
     hn::StoreU(offset, d, planes.offset.data() + planes.size + k);
   }
-  planes.size += chosen.size;
+  planes.size += its.size;
+}
+
+/// Finds those who count for each of some agents, and the ways out.
+HWY_INLINE void choose_all(const Reciprocal& model, const CrowdView& crowd,
+                           std::span<const std::uint32_t> some, Outlook& outlook, Chosen& chosen, Near* its) {
+  thread_local Others others;  // kept: a step allocates nothing
+  thread_local Ranks ranks;
+  const auto most = static_cast<std::size_t>(model.neighbours);
+  others.clear();
+  chosen.make_room(some.size() * most);
+  chosen.size = 0;
+  Near near[kTogether];
+  for (std::size_t i = 0; i < some.size(); ++i) near[i] = outlook.add_nearest(crowd, some[i], others);
+  double squares = 0.0;
+  for (std::size_t i = 0; i < some.size(); ++i) {
+    its[i].first = chosen.size;
+    squares += choose(crowd, some[i], others, near[i], most, model.cutoff, ranks, chosen);
+    its[i].size = chosen.size - its[i].first;
+  }
+  outlook.learn(squares / static_cast<double>(some.size()));
+  find_ways_out(model, crowd.dt, chosen);
 }
 
 void WalkReciprocally(const Reciprocal& model, const CrowdView& crowd, std::span<const std::uint32_t> places,
                       std::span<Vec> velocity) {
-  thread_local Others others;  // kept: a step allocates nothing
   thread_local Chosen chosen;
   thread_local HalfPlanes planes, room;
-  const auto most = static_cast<std::size_t>(model.neighbours);
-  for (const std::uint32_t place : places) {
-    planes.size = 0;
-    model.add_walls(crowd, place, planes);
-    const std::size_t walls = planes.size;
-    if (most > 0) {
-      others.gather(crowd, place, model.cutoff);
-      choose(crowd, place, model.cutoff, most, others, chosen);
-      add_planes(model, crowd.dt, crowd.velocity(place), chosen, planes);
+  Outlook outlook(model.cutoff, static_cast<std::size_t>(model.neighbours));
+  Near its[kTogether] = {};
+  for (std::size_t begin = 0; begin < places.size(); begin += kTogether) {
+    const auto some = places.subspan(begin, std::min(kTogether, places.size() - begin));
+    if (model.neighbours >= 1.0) choose_all(model, crowd, some, outlook, chosen, its);
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      planes.size = 0;
+      model.add_walls(crowd, some[i], planes);
+      const std::size_t walls = planes.size;
+      add_planes(crowd.velocity(some[i]), chosen, its[i], planes);
+      velocity[some[i]] =
+          permitted_velocity(planes, walls, model.top_speed, model.wanted(crowd, some[i]), room);
     }
-    velocity[place] = permitted_velocity(planes, walls, model.top_speed, model.wanted(crowd, place), room);
   }
 }
 
