@@ -189,10 +189,20 @@ void ContactFinder::describe(const Colliders& colliders, const Obstacles& obstac
   contact.restitution = surface.restitution;
 }
 
+/// Whether a point of the face comes nearer so fast that a sweep wouldn't do.
+bool ContactFinder::closes_fast(std::span<const PointContact> face,
+                                std::span<const SolverBody> bodies) const {
+  const SolverBody &a = bodies[face[0].a], &b = bodies[face[0].b];
+  return std::ranges::any_of(face, [&](const PointContact& c) {
+    const Vec velocity = b.velocity + b.spin * tangent(c.first_b) - a.velocity - a.spin * tangent(c.first_a);
+    return velocity.dot(c.normal) < -fast_;
+  });
+}
+
 void ContactFinder::add_points(const Candidates& candidates, const State& state,
                                std::span<const SolverBody> bodies, Contacts& contacts) const {
   const Colliders& colliders = candidates.colliders();
-  const bool bounces = plan_.restitution || candidates.fastest() > fast_;
+  const bool some_fast = candidates.fastest() > fast_;
   KeptImpulses memory(state.point_contacts);
   std::array<PointContact, 2> face;
   for (std::size_t i = 0; i < touches_.size(); ++i) {
@@ -212,8 +222,10 @@ void ContactFinder::add_points(const Candidates& candidates, const State& state,
       contact.tangent_impulse = kept ? kept->tangent : 0.0;
       contacts.point_key.push_back(key);
       contacts.point_feature.push_back(m.points[p].feature);
-      if (bounces) contacts.point_bounces.push_back(contact);
+      if (plan_.restitution) contacts.point_bounces.push_back(contact);
     }
+    if (!plan_.restitution && some_fast && count == 2 && closes_fast(face, bodies))
+      contacts.point_bounces.insert(contacts.point_bounces.end(), face.begin(), face.end());
     const std::uint32_t a = face[0].a, b = face[0].b;
     contacts.faces.add({face.data(), count}, bodies[a], bodies[b],
                        touch.obstacle ? parts_.group(a) : parts_.group(a, b));

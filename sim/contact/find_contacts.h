@@ -41,8 +41,8 @@ class ContactFinder {
  public:
   ContactFinder(const Scene& scene, const Plan& plan);
 
-  /// m/s: of bodies that are faster contacts with corners are listed among bounces, too, as one sweep over
-  /// two corners of a face leaves them some of their speed.
+  /// m/s: faces that close faster are listed among bounces, too, as one sweep over their two corners leaves
+  /// some of the speed.
   double fast() const { return fast_; }
 
   /// Contacts are in that many groups: see Parts.
@@ -70,6 +70,7 @@ class ContactFinder {
                                  const ContactImpulse* kept) const;
   void add_points(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
                   Contacts& contacts) const;
+  bool closes_fast(std::span<const PointContact> face, std::span<const SolverBody> bodies) const;
   void describe(const Colliders& colliders, const Obstacles& obstacles, const Touch& touch, const Vec& normal,
                 PointContact& contact) const;
 

@@ -22,10 +22,9 @@ double rolling(const ContactImpulse* kept) {
   return kept ? kept->rolling : 0.0;
 }
 
-/// Bounces, if any, are those of the same contacts.
+/// Bounces are those of the same contacts.
 template <class Contact>
 void tell_bounces(std::span<const RollContact> rolls, std::vector<Contact>& bounces) {
-  if (bounces.empty()) return;
   for (const RollContact& roll : rolls) bounces[roll.contact].lever = roll.lever;
 }
 
@@ -74,6 +73,7 @@ void find_rolls(const Scene& scene, const Plan& plan, const Candidates& candidat
     const std::uint64_t key = contacts.point_key[i];
     finder.add(key, i, rolling(kept_points.find(key, contacts.point_feature[i])), contacts.point_rolls);
   }
+  if (!plan.restitution) return;
   tell_bounces(contacts.disc_rolls, contacts.disc_bounces);
   tell_bounces(contacts.point_rolls, contacts.point_bounces);
 }
