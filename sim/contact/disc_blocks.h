@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cassert>
 #include <span>
 #include <vector>
 
@@ -59,7 +60,10 @@ class DiscBlocks {
   /// Its bodies, radii, normal and impulses as the solver left them; what else a contact has is not set.
   DiscContact operator[](std::size_t i) const;
 
+  std::size_t groups() const { return groups_.size(); }
+
   std::span<DiscBlock> blocks(std::size_t group = 0) {
+    assert(group < groups_.size());
     return {groups_[group].blocks.data(), groups_[group].order.blocks()};
   }
 

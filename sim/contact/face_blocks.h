@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cassert>
 #include <span>
 #include <vector>
 
@@ -53,6 +54,7 @@ class FaceBlocks {
   PointContact operator[](std::size_t i) const;
 
   std::span<FaceBlock> blocks(std::size_t group = 0) {
+    assert(group < groups_.size());
     return {groups_[group].blocks.data(), groups_[group].order.blocks()};
   }
 

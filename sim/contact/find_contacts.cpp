@@ -234,7 +234,8 @@ void ContactFinder::add_points(const Candidates& candidates, const State& state,
 }
 
 void Contacts::start(std::size_t bodies, std::size_t groups) {
-  discs.clear(), disc_key.clear(), disc_bounces.clear();
+  discs.groups() == groups ? discs.clear() : discs.start(bodies, groups);
+  disc_key.clear(), disc_bounces.clear();
   faces.start(bodies, groups), point_key.clear(), point_feature.clear(), point_bounces.clear();
   disc_rolls.clear(), point_rolls.clear();
 }

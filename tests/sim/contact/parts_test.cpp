@@ -92,5 +92,39 @@ TEST(Parts, GiveTheSameBitsForAnyNumberOfThreadsAndWhateverWasBefore) {
       << "nothing joined the parts";
 }
 
+// Once nobody asked for seats, and then there were blocks of one group alone.
+TEST(Parts, AreThereWhereNobodyMeetsAnybody) {
+  Trial run(
+      "gravity = [0, -9.81]\ntime = { dt = 0.01, substeps = 4 }\ndomain = { box = [[0, 0], [9100, 9]] }\n" +
+      std::string(kDisc) +
+      "[[bodies]]\nshape = \"ball\"\nplace = { lattice = { origin = [1, 0.5], spacing = [1.1, 1], "
+      "size = [8192, 1] } }\n");
+  ASSERT_EQ(run.work.finder.parts().count(), 2u);
+  for (int i = 0; i < 100 && asleep(run.state.sleep) < run.state.id.size(); ++i) run.steps(1);
+  ASSERT_EQ(asleep(run.state.sleep), run.state.id.size());
+  const std::vector<Vec> before = run.state.position;
+  Workspace resumed(run.scene, run.plan, 1);
+  resumed.sleepers.look(run.state, resumed.candidates);
+  step(run.scene, run.plan, run.state, resumed);
+  EXPECT_EQ(resumed.contacts.discs.groups(), 3u);
+  EXPECT_EQ(resumed.contacts.discs.blocks(2).size(), 0u);
+  EXPECT_EQ(run.state.position, before);
+}
+
+TEST(Parts, AreThereWhereAllAreInTheFirstAndNoneIsADisc) {
+  Trial run(
+      "gravity = [0, -9.81]\ntime = { dt = 0.01, substeps = 4 }\ndomain = { box = [[0, 0], [9100, 9]] }\n" +
+      std::string(kDisc) +
+      "box = { polygon = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]] }\n"
+      "[[bodies]]\nshape = \"box\"\nplace = { lattice = { origin = [1, 0.5], spacing = [1, 1], "
+      "size = [2, 3] } }\n[[bodies]]\nshape = \"ball\"\nkind = \"static\"\n"
+      "place = { lattice = { origin = [10, 0.5], spacing = [1, 1], size = [8192, 1] } }\n");
+  ASSERT_EQ(run.work.finder.parts().count(), 2u);
+  run.steps(1);
+  EXPECT_EQ(run.work.contacts.discs.groups(), 3u);
+  EXPECT_GT(run.work.contacts.faces.blocks(0).size(), 0u);
+  EXPECT_EQ(run.work.contacts.faces.blocks(2).size(), 0u);
+}
+
 }  // namespace
 }  // namespace throng
