@@ -83,6 +83,7 @@ void FoldedCells::for_each_slot(const Eigen::AlignedBox2d& box, Visit visit) con
 }
 
 void FoldedCells::list(const Obstacles& obstacles, double reach) {
+  if (obstacles.size() == 0) return;
   const std::size_t sides = obstacles.side.size();
   std::vector<std::pair<std::size_t, std::uint32_t>> listed;
   const Vec end(border(0, count_[0]), border(1, count_[1])), grown(reach, reach);
