@@ -12,7 +12,7 @@ constexpr std::uint32_t kApart = 3;
 }  // namespace
 
 void BlockOrder::start(std::size_t bodies) {
-  free_from_.assign(bodies, 0);
+  if (free_from_.size() != bodies || !filled_.empty()) free_from_.assign(bodies, 0);
   for (Ways& ways : next_open_) ways.clear();
   filled_.clear();
   first_open_ = 0;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace throng {
 
@@ -27,8 +28,16 @@ Parts::Parts(const Scene& scene, const Plan& plan) {
   std::vector<double> places;
   for (const Vec& position : scene.bodies.position) places.push_back(position[axis_]);
   std::ranges::sort(places);
-  for (std::size_t i = 1; i < parts; ++i) cuts_.push_back(places[i * places.size() / parts]);
-  part_.resize(places.size());
+  // Columns of a lattice that are a rounding apart are one: nobody is to change parts who only trembles.
+  const double apart = 1e-9 * (places.back() - places.front());
+  for (std::size_t i = 1; i < parts; ++i) {
+    std::size_t right = i * places.size() / parts;
+    while (right > 0 && !(places[right] - places[right - 1] > apart)) --right;
+    if (right == 0) continue;
+    const double cut = std::midpoint(places[right - 1], places[right]);
+    if (cuts_.empty() || cut > cuts_.back()) cuts_.push_back(cut);
+  }
+  if (!cuts_.empty()) part_.resize(places.size());
 }
 
 bool Parts::place(const State& state, Rows awake) {

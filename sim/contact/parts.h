@@ -18,7 +18,8 @@ namespace throng {
 class Parts {
  public:
   /// One part alone where there are few bodies, and where contacts aren't solved by sweeps. They are cut
-  /// across the direction in which nothing falls, so that about as many bodies begin in each. O(n log n).
+  /// across the direction in which nothing falls, so that about as many bodies begin in each, and midway
+  /// between two columns of them; parts that couldn't be told apart so are one. O(n log n).
   Parts(const Scene& scene, const Plan& plan);
 
   std::size_t count() const { return cuts_.size() + 1; }

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "sim/observe.h"
 #include "tests/sim/trial.h"
 
@@ -61,6 +64,45 @@ TEST(Parts, AreCutAcrossTheGroundAndTellWhoLeavesThem) {
   EXPECT_EQ(parts.group(first), 1u);
 }
 
+// A cut through a column's centres would have its bodies change sides with each rounding.
+TEST(Parts, AreCutBetweenColumns) {
+  const Scene scene = scene_from(heap(100));
+  Parts parts(scene, plan_for(scene));
+  ASSERT_EQ(parts.count(), 2u);
+  State state = initial_state(scene);
+  const Rows all = Rows::all(scene.bodies.size());
+  parts.place(state, all);
+  for (const double tremor : {-1e-9, 1e-9, -0.1, 0.2}) {
+    for (Vec& position : state.position) position.x() += tremor;
+    EXPECT_FALSE(parts.place(state, all)) << tremor;
+  }
+}
+
+TEST(Parts, AreOneWhereAllStandInOneColumn) {
+  const Scene scene =
+      scene_from("gravity = [0, -9.81]\n" + std::string(kDisc) +
+                 "[[bodies]]\nshape = \"ball\"\nplace = { lattice = { origin = [1, 1], spacing "
+                 "= [1, 1.1], size = [1, 9000] } }\n");
+  Parts parts(scene, plan_for(scene));
+  EXPECT_EQ(parts.count(), 1u);
+  EXPECT_EQ(parts.groups(), 1u);
+  EXPECT_FALSE(parts.place(initial_state(scene), Rows::all(scene.bodies.size())));
+}
+
+// Three columns for four parts.
+TEST(Parts, AreFewerWhereCutsCoincide) {
+  const Scene scene = scene_from(
+      "gravity = [0, -9.81]\n" + std::string(kDisc) +
+      "[[bodies]]\nshape = \"ball\"\nplace = { lattice = { origin = [1, 1], spacing = [1.1, 1.1], size = [3, "
+      "6000] } }\n");
+  Parts parts(scene, plan_for(scene));
+  ASSERT_EQ(parts.count(), 3u);
+  State state = initial_state(scene);
+  parts.place(state, Rows::all(scene.bodies.size()));
+  for (std::uint32_t i = 0; i < state.position.size(); ++i)
+    ASSERT_EQ(parts.group(i), static_cast<std::size_t>(std::lround((state.position[i].x() - 1.0) / 1.1)));
+}
+
 TEST(Parts, AreOneWhereDiscsFly) {
   const Scene scene =
       scene_from("domain = { box = [[0, 0], [400, 400]] }\n" + material(1, 0) + kDisc +
@@ -90,6 +132,49 @@ TEST(Parts, GiveTheSameBitsForAnyNumberOfThreadsAndWhateverWasBefore) {
   EXPECT_GT(one.state.point_contacts.size(), 1000u);
   EXPECT_FALSE(one.work.contacts.discs.blocks(2).empty() && one.work.contacts.faces.blocks(2).empty())
       << "nothing joined the parts";
+}
+
+/// What stands at the seam meets an image of who is in the part at the other end.
+TEST(Parts, GiveTheSameBitsForAnyNumberOfThreadsWhereTheDomainRepeats) {
+  std::string text =
+      heap(100,
+           "[[walls]]\nsegment = [[0, 0], [101, 0]]\n[[bodies]]\nshape = \"ball\"\ncount = 100\n"
+           "velocity = [40, -20]\nplace = { random = { within = [[80, 83], [100, 100]] } }\n");
+  const std::string box = "box = [[0, 0], [102, 200]]";
+  ASSERT_NE(text.find(box), std::string::npos);
+  text.replace(text.find(box), box.size(), "periodic = [[0.5, -20], [100.5, 200]]");
+  const Scene scene = scene_from(text);
+  Trial one(scene, 1), two(scene, 2);
+  ASSERT_EQ(one.work.finder.parts().count(), 2u);
+  one.steps(25), two.steps(25);
+  EXPECT_EQ(hash(one.state), hash(two.state));
+  EXPECT_GT(one.work.contacts.discs.blocks(2).size() + one.work.contacts.faces.blocks(2).size(), 0u);
+  EXPECT_GT(one.state.point_contacts.size(), 100u);
+}
+
+/// Some sleep while others fall on them, and each step of one of the runs begins afresh.
+TEST(Parts, GiveTheSameBitsWhereSomeSleep) {
+  const Scene scene = scene_from(
+      "gravity = [0, -9.81]\ntime = { dt = 0.01, substeps = 4 }\ndomain = { box = [[0, 0], [9100, 9]] }\n" +
+      std::string(kDisc) +
+      "box = { polygon = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]] }\n"
+      "[[bodies]]\nshape = \"ball\"\nplace = { lattice = { origin = [1, 0.5], spacing = [1.1, 1], size = "
+      "[8192, 1] } }\n[[bodies]]\nshape = \"box\"\nplace = { lattice = { origin = [4400, 7], spacing = "
+      "[1.3, 1], size = [200, 1] } }\nspin = 1\n");
+  Trial one(scene, 1), two(scene, 2), afresh(scene, 1);
+  ASSERT_EQ(one.work.finder.parts().count(), 2u);
+  std::size_t most = 0;
+  for (int i = 0; i < 130; ++i) {
+    one.steps(1), two.steps(1);
+    Workspace work(afresh.scene, afresh.plan, 1);
+    work.sleepers.look(afresh.state, work.candidates);
+    step(afresh.scene, afresh.plan, afresh.state, work);
+    ASSERT_EQ(hash(one.state), hash(two.state)) << "step " << i;
+    ASSERT_EQ(hash(one.state), hash(afresh.state)) << "step " << i;
+    most = std::max(most, asleep(one.state.sleep));
+  }
+  EXPECT_GT(most, 7000u);
+  EXPECT_GT(one.state.disc_contacts.size() + one.state.point_contacts.size(), 20u);
 }
 
 // Once nobody asked for seats, and then there were blocks of one group alone.
