@@ -56,7 +56,8 @@ struct PointContact : ContactBase {
   Vec arm_a{0.0, 0.0}, arm_b{0.0, 0.0};      ///< m, from the bodies' centres to the contact, in this substep
   Vec first_a{0.0, 0.0}, first_b{0.0, 0.0};  ///< m, the same at the beginning of the step
   double turns_a = 0.0, turns_b = 0.0;       ///< 1 where the arm turns with the body, 0 for a disc
-  double gap = 0.0;  ///< m, separation = gap + normal . (position_b + arm_b - position_a - arm_a)
+  double gap = 0.0;   ///< m, separation = gap + normal . (position_b + arm_b - position_a - arm_a)
+  bool fast = false;  ///< of a face of two points that doesn't bounce and closes fast as the step begins
 };
 
 /// A contact as a damped spring of that stiffness which h, and not the masses, limits. Soft constraints as in

@@ -202,7 +202,6 @@ bool ContactFinder::closes_fast(std::span<const PointContact> face,
 void ContactFinder::add_points(const Candidates& candidates, const State& state,
                                std::span<const SolverBody> bodies, Contacts& contacts) const {
   const Colliders& colliders = candidates.colliders();
-  const bool some_fast = candidates.fastest() > fast_;
   KeptImpulses memory(state.point_contacts);
   std::array<PointContact, 2> face;
   for (std::size_t i = 0; i < touches_.size(); ++i) {
@@ -222,10 +221,11 @@ void ContactFinder::add_points(const Candidates& candidates, const State& state,
       contact.tangent_impulse = kept ? kept->tangent : 0.0;
       contacts.point_key.push_back(key);
       contacts.point_feature.push_back(m.points[p].feature);
-      if (plan_.restitution) contacts.point_bounces.push_back(contact);
     }
-    if (!plan_.restitution && some_fast && count == 2 && closes_fast(face, bodies))
-      contacts.point_bounces.insert(contacts.point_bounces.end(), face.begin(), face.end());
+    const bool fast = count == 2 && !(face[0].restitution > 0.0) && closes_fast(face, bodies);
+    face[0].fast = face[1].fast = fast;
+    if (fast || plan_.restitution)
+      contacts.point_bounces.insert(contacts.point_bounces.end(), face.begin(), face.begin() + m.count);
     const std::uint32_t a = face[0].a, b = face[0].b;
     contacts.faces.add({face.data(), count}, bodies[a], bodies[b],
                        touch.obstacle ? parts_.group(a) : parts_.group(a, b));

@@ -28,7 +28,7 @@ struct Contacts {
   std::vector<RollContact> disc_rolls;  ///< of the same contacts; empty where nothing resists rolling
   std::vector<RollContact> point_rolls;
   std::vector<DiscContact> disc_bounces;    ///< the same contacts once more; empty where no surface bounces
-  std::vector<PointContact> point_bounces;  ///< and those of fast bodies
+  std::vector<PointContact> point_bounces;  ///< the same; those of fast faces alone where none bounces
 
   /// Forgets all; of so many rows of bodies the last ones, one a group, never move.
   void start(std::size_t bodies, std::size_t groups);
@@ -41,8 +41,8 @@ class ContactFinder {
  public:
   ContactFinder(const Scene& scene, const Plan& plan);
 
-  /// m/s: faces that close faster are listed among bounces, too, as one sweep over their two corners leaves
-  /// some of the speed.
+  /// m/s: faces that don't bounce and close faster are listed among bounces, too, as one sweep over their two
+  /// corners leaves some of the speed.
   double fast() const { return fast_; }
 
   /// Contacts are in that many groups: see Parts.

@@ -170,15 +170,24 @@ double normal_mass(const DiscContact& contact, const SolverBody&, const SolverBo
 struct BounceRule {
   double h;          ///< s, the substep
   double threshold;  ///< m/s, slower ones rest
-  double fast;       ///< m/s, faster ones are struck although they don't bounce
+  double fast;       ///< m/s, points of fast faces are struck above it although they don't bounce
   Vec kick;          ///< m/s, what gravity adds in a substep
 };
 
+/// One sweep stops a disc, and a corner alone, however fast.
+bool is_fast(const DiscContact&) {
+  return false;
+}
+bool is_fast(const PointContact& contact) {
+  return contact.fast;
+}
+
 /// The velocity that a bounce adds along the normal (m/s); 0 where the two don't meet in this substep. What
-/// doesn't bounce arrives at the other's surface.
+/// doesn't bounce and is fast arrives at the other's surface.
 template <class Contact>
 double rebound(const Contact& contact, const SolverBody& a, const SolverBody& b, const BounceRule& rule) {
   const bool bounces = contact.restitution > 0.0;
+  if (!bounces && !is_fast(contact)) return 0.0;
   const double speed = arms(contact).normal_velocity(a, b);
   if (!(speed < -(bounces ? rule.threshold : rule.fast))) return 0.0;
   const double fall = relative_kick(contact, a, b, rule.kick);

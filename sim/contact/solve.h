@@ -14,7 +14,7 @@ struct SolverSettings {
   Softness softness;  ///< of the biased sweep
   double push_out;    ///< m/s, the fastest that overlapping bodies are driven apart
   bool friction;      ///< some surface rubs
-  double fast;        ///< m/s, from which on a sweep leaves too much speed to who meets with two corners
+  double fast;  ///< m/s, from which on a sweep leaves too much speed to a face that meets with two corners
 };
 
 /// Normals, arms and offsets at the bodies' present positions. `period`: the domain's, or null.
@@ -37,10 +37,11 @@ void relax(std::span<DiscContact> contacts, std::span<SolverBody> bodies, const 
 void relax(std::span<PointContact> contacts, std::span<SolverBody> bodies, const SolverSettings& settings);
 
 /// Bounces, one pair after the other as in Guendelman, Bridson and Fedkiw (2003), where bodies would meet in
-/// this substep faster than `threshold` (m/s); what doesn't bounce is stopped at the other's surface where it
-/// is `fast`. `kick` (m/s): what gravity adds to a dynamic body's velocity in the substep. To be called
-/// before gravity acts: then the flight after a bounce with e = 1 mirrors the one before, and energy stays.
-/// Returns whether anything bounced: call again until nothing does.
+/// this substep faster than `threshold` (m/s). What doesn't bounce is left to the sweeps, but for points of
+/// fast faces: they are stopped at the other's surface where they still close faster than `settings.fast`,
+/// whatever other surfaces of the scene do. `kick` (m/s): what gravity adds to a dynamic body's velocity in
+/// the substep. To be called before gravity acts: then the flight after a bounce with e = 1 mirrors the one
+/// before, and energy stays. Returns whether anything bounced: call again until nothing does.
 bool bounce(std::span<DiscContact> contacts, std::span<SolverBody> bodies, const SolverSettings& settings,
             double threshold, const Vec& kick);
 bool bounce(std::span<PointContact> contacts, std::span<SolverBody> bodies, const SolverSettings& settings,

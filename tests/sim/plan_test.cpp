@@ -40,6 +40,18 @@ TEST(Plan, RunsWhatTheSceneHas) {
     EXPECT_TRUE(runs(plan, name)) << name;
 }
 
+TEST(Plan, SaysThatFastFacesAreStopped) {
+  for (const bool bounces : {false, true}) {
+    const Plan plan = plan_for(
+        scene_from("[materials.default]\nrestitution = " + std::string(bounces ? "0.5" : "0") +
+                   "\n[shapes]\nbox = { polygon = [[0, 0], [1, 0], [1, 1], [0, 1]] }\n[[bodies]]\nshape = "
+                   "\"box\"\nat = [0, 0]\n[[bodies]]\nshape = \"box\"\nat = [3, 0]\n"));
+    EXPECT_TRUE(runs(plan, "collide"));
+    EXPECT_EQ(std::ranges::find(plan.stages, "collide", &Stage::name)->reason,
+              bounces ? "some surface bounces" : "no surface bounces; faces that close fast are stopped");
+  }
+}
+
 TEST(Plan, SensesAfterBodiesAreWrapped) {
   EXPECT_EQ(plan_for(scene_from(kTwoDiscs)).stages.back().name, "sense");
 }

@@ -79,5 +79,54 @@ TEST(FindContacts, SeatsOfEarlierStepsDontShow) {
   }
 }
 
+/// Two that meet, each at that many times the speed that is fast, and whatever else there is.
+std::string meeting(const std::string& shape, double share, const std::string& more = "") {
+  // The smallest radius is that of the disc; a substep takes 1/400 s.
+  const std::string speed = std::to_string(share * 0.1 * 0.5 * 400);
+  return "time = { dt = 0.01, substeps = 4 }\n[materials.stone]\nfriction = 0.3\n[materials.rubber]\n"
+         "restitution = 0.9\nfriction = 0.3\n[shapes]\nball = { disc = { radius = 0.5 } }\n"
+         "box = { polygon = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]] }\n"
+         "[[bodies]]\nshape = \"" +
+         shape + "\"\nmaterial = \"stone\"\nat = [-0.6, 0]\nvelocity = [" + speed +
+         ", 0]\n[[bodies]]\nshape = \"" + shape + "\"\nmaterial = \"stone\"\nat = [0.6, 0.2]\nvelocity = [-" +
+         speed + ", 0]\n" + more;
+}
+
+std::string far_away(const std::string& material, const std::string& shape, double speed) {
+  return "[[bodies]]\nshape = \"" + shape + "\"\nmaterial = \"" + material +
+         "\"\nat = [500, 500]\nvelocity = [" + std::to_string(speed) + ", 0]\n";
+}
+
+void expect_the_same_of_two(const std::string& alone, const std::string& with_another) {
+  Trial one(alone), other(with_another);
+  for (int step = 0; step < 6; ++step) {
+    one.steps(1), other.steps(1);
+    for (int i : {0, 1}) {
+      EXPECT_EQ(one.state.position[i], other.state.position[i]) << "step " << step;
+      EXPECT_EQ(one.state.velocity[i], other.state.velocity[i]) << "step " << step;
+      EXPECT_EQ(one.state.spin[i], other.state.spin[i]) << "step " << step;
+    }
+  }
+  EXPECT_NE(one.state.velocity[0], one.scene.bodies.velocity[0]) << "they didn't meet";
+}
+
+// Each slower than what is fast, and yet they close fast.
+TEST(FindContacts, WhoClosesFastIsStoppedHoweverFastOthersAre) {
+  for (const double share : {0.3, 0.6, 0.9, 1.5})
+    expect_the_same_of_two(meeting("box", share, far_away("stone", "box", 0.0)),
+                           meeting("box", share, far_away("stone", "box", 300.0)));
+}
+
+TEST(FindContacts, WhatDoesntBounceIsStoppedAlikeWhereOthersBounceAndWhereNone) {
+  for (const std::string shape : {"ball", "box"})
+    for (const double share : {0.3, 0.9, 1.5, 4.0}) {
+      const std::string here = meeting(shape, share, far_away("stone", shape, 300.0));
+      std::string there = here;
+      there.replace(there.find("restitution = 0.9"), 17, "restitution = 0.0");
+      ASSERT_NE(here, there);
+      expect_the_same_of_two(there, here);
+    }
+}
+
 }  // namespace
 }  // namespace throng
