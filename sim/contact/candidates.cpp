@@ -102,7 +102,7 @@ void Candidates::place(const State& state, double dt, Rows colliders) {
   });
   dt_ = dt;
   fall_ = plan_.gravity ? scene_.gravity.norm() * dt * dt : 0.0;
-  chain_ = std::sqrt(fastest) * dt, fastest_ = 0.0;
+  chain_ = std::sqrt(fastest) * dt;
   place_more(state, colliders);
 }
 
@@ -122,7 +122,6 @@ void Candidates::place_one(const State& state, std::uint32_t i) {
     const double turn = std::abs(state.spin[body]) * dt_;
     margin_[i] += turn * offset.norm();
     turning_[i] = std::min(turn * radius, colliders_.swing[i]);
-    fastest_ = std::max(fastest_, speed + std::abs(state.spin[body]) * (offset.norm() + radius));
   }
   if (plan_.flights) {
     const double widest = plan_.periodic ? 0.249 * period_.size.minCoeff() : kUnbounded;
@@ -163,6 +162,13 @@ bool Candidates::serve(const State& state, double dt) const {
   return true;
 }
 
+double Candidates::swung(std::uint32_t i, double turn) const {
+  if (turning_.empty()) return 0.0;
+  const double radius = colliders_.radius[i], swing = colliders_.swing[i];
+  const double unseen = std::min(std::abs(turn) * radius, swing) - turning_[i];
+  return std::max(unseen - 0.5 * std::max(radius - swing, 0.0), 0.0);
+}
+
 bool Candidates::widen(std::span<const SolverBody> bodies, std::span<const double> farthest, bool all) {
   bool farther = false;
   double longest = 0.0;
@@ -171,11 +177,12 @@ bool Candidates::widen(std::span<const SolverBody> bodies, std::span<const doubl
     const std::uint32_t body = colliders_.body[i];
     const double turned =
         colliders_.centre.empty() ? 0.0 : std::abs(bodies[body].turn) * colliders_.centre[i].norm();
-    const double looked = margin_[i] * (1.0 + 1e-9) - turned;
+    const double aside = turned + swung(i, bodies[body].turn);
+    const double looked = margin_[i] * (1.0 + 1e-9) - aside;
     const double before = farthest.empty() ? 0.0 : farthest[body];
     const double moved = squared_way(body, bodies[body].position);
     if (looked >= before && moved <= looked * looked) return;
-    const double way = std::max(std::sqrt(moved), before) + turned;
+    const double way = std::max(std::sqrt(moved), before) + aside;
     if (widened_.empty()) widened_.resize(bodies.size(), 0.0);
     widened_[body] = std::max(widened_[body], 1.5 * way);
     longest = std::max(longest, 1.5 * way);

@@ -51,9 +51,6 @@ class Candidates {
   /// domain repeats.
   double squared_way(std::uint32_t body, const Vec& position) const;
 
-  /// m/s, of those that were placed, corners that turn among them.
-  double fastest() const { return fastest_; }
-
   /// How often find() was called: pairs of one number are the same.
   std::uint64_t finds() const { return finds_; }
 
@@ -95,6 +92,9 @@ class Candidates {
   Vec wrap(std::uint32_t collider) const;
   void drop_own_parts();
   void find_obstacle_pairs();
+  /// How much farther (m) its surface got by that `turn` (rad) than place() thought, which knew of no impact,
+  /// and than half the way to its middle: so deep in another it isn't through, and is pushed out again.
+  double swung(std::uint32_t collider, double turn) const;
   void add_box_sides(std::uint32_t collider);
 
   const Scene& scene_;
@@ -108,7 +108,6 @@ class Candidates {
   Rows rows_;                     ///< of the colliders that the pairs are of
   double dt_ = 0.0, fall_ = 0.0;  ///< s; m, what gravity gives in it
   double chain_ = 0.0;            ///< m, what the fastest body moves in it
-  double fastest_ = 0.0;          ///< m/s
   std::vector<Vec> found_at_;     ///< m, of each body
   std::vector<Vec> centre_;     ///< m, world, of each collider's bounding disc; inside a domain that repeats
   std::vector<Vec> wrap_;       ///< m, what that moved it by; empty where it moves nothing
