@@ -125,10 +125,13 @@ Vec Journeys::free_spot(const State& state, Row row) {
   return p;
 }
 
-/// Whether he is among those who wait for his goal already.
+/// Whether he is among those who wait for his goal already: near one of them, and on the same side of all
+/// walls.
 bool Journeys::is_among_waiting(const State& state, Row row) {
   if (!spots_known_) gather_spots(state);
-  return spots_[goal(state, row)].meets(position(state, row), kBeside * radius(state, row));
+  const Vec& p = position(state, row);
+  return spots_[goal(state, row)].meets(p, kBeside * radius(state, row),
+                                        [&](const Vec& spot) { return !barriers_.block(p, spot); });
 }
 
 /// Whether he stands before the area, among those who wait there already.

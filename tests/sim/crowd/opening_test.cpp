@@ -82,6 +82,31 @@ TEST(Opening, LetsThemStandStillBeforeAClosedExit) {
     }
 }
 
+// It happened: who met those who wait through a wall stopped there, metres of way from the exit, and plugged
+// the corridor for all behind him.
+TEST(Opening, LetsThemComeRoundAWallToThoseWhoWaitBehindIt) {
+  for (const std::string model : {"collision_free_speed", "social_force", "orca"}) {
+    SCOPED_TRACE(model);
+    Trial run(
+        "time = { dt = 0.02, until = 1000 }\nwalkable = 'POLYGON ((0 0, 9 0, 9 1.5, 0 1.5, 0 0.8, 8 0.8, 8 "
+        "0.7, 0 0.7, 0 0))'\n[areas]\nexit = [[0, 0.8], [0.5, 0.8], [0.5, 1.5], [0, 1.5]]\n[open]\nexit = "
+        "{ from = 60 }\n[[agents]]\ncount = 8\nradius = 0.2\ndesired_speed = 1\ngoal = 'exit'\n"
+        "place.random.within = [[0, 0], [8, 0.7]]\nmodel = '" +
+        model + "'\n");
+    for (int row = 0; row < 8; ++row)
+      run.state.position[row] = Vec(0.6 + 0.5 * (row % 4), row < 4 ? 1.05 : 0.45);
+    run.steps(2900);
+    EXPECT_EQ(run.state.crowd.arrived, 0);
+    for (const Vec& p : run.state.position) {
+      EXPECT_GT(p.y(), 0.8) << "in the leg of the exit";
+      EXPECT_LT(p.x(), 7.0) << "behind the one before";
+    }
+    EXPECT_TRUE(stuck_agents(run.scene, run.state).empty()) << "they wait";
+    run.steps(1600);
+    EXPECT_EQ(run.state.crowd.arrived, 8);
+  }
+}
+
 TEST(Opening, KeepsThemAtAClosedExitUntilAnotherOpens) {
   Trial run(
       hall("count = 8\nradius = 0.2\ngoal.least_crowded = ['low', 'high']\n[open]\nlow = { from = 70 }\n"

@@ -72,5 +72,23 @@ TEST(Standing, KnowsWhomADiscWouldOverlapHoweverManyThereAre) {
   EXPECT_FALSE(standing.meets(centre[0], 1.0));
 }
 
+TEST(Standing, SaysWhomADiscWouldOverlapUntilOneCounts) {
+  for (const int others : {0, 1000}) {  // few are looked at one by one, many in a grid
+    SCOPED_TRACE(others);
+    Standing standing;
+    standing.add({0, 0}, 0.2), standing.add({1, 0}, 0.2);
+    for (int i = 0; i < others; ++i) standing.add({i % 50, 10 + i / 50}, 0.2);
+    std::vector<double> met;
+    const auto is_right = [&](const Vec& centre) {
+      met.push_back(centre.x());
+      return centre.x() > 0.5;
+    };
+    EXPECT_FALSE(standing.meets({0.3, 0}, 0.2, is_right));
+    EXPECT_EQ(met, std::vector<double>{0});
+    EXPECT_TRUE(standing.meets({0.5, 0}, 0.4, is_right));
+    EXPECT_EQ(met, (std::vector<double>{0, 0, 1}));
+  }
+}
+
 }  // namespace
 }  // namespace throng
