@@ -16,7 +16,7 @@ namespace {
 constexpr const char* kColumns = R"(
 Columns: case and engine; ms and ms_min, the median and the least of --blocks figures, each for all the work of the
 case; ratio, that median over the one of the case's first engine; then the errors, each as its name and number.
-Of soft: us_per_disc_and_substep, of ms_min; contacts_per_disc, how many touch each; note, why LAMMPS, the program lmp,
+Of soft: us_per_disc_and_substep, of ms_min; contacts_per_disc, how many touch each disc; note, why LAMMPS, the program lmp,
 doesn't play.
 Of lean: price_ms, the difference of the medians to the row above; contacts, that press at the end.
 Of accuracy: ms and the least of them per simulated second; the error, mostly the root mean square distance to the exact
