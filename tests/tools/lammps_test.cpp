@@ -4,6 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "tests/sim/scene_from.h"
+
 namespace throng::bench {
 namespace {
 
@@ -35,6 +41,53 @@ TEST(Lammps, SaysWhyItDoesNot) {
           .fault,
       "ERROR: Unrecognized pair style 'gran/hooke/history' (src/force.cpp:275)");
   EXPECT_EQ(read_lammps("ERROR").fault, "ERROR");
+}
+
+/// An environment's variable, until this goes.
+class Variable {
+ public:
+  Variable(const char* name, const std::string& value) : name_(name) {
+    if (const char* before = std::getenv(name)) before_ = before, was_set_ = true;
+    setenv(name, value.c_str(), 1);
+  }
+  ~Variable() { was_set_ ? setenv(name_, before_.c_str(), 1) : unsetenv(name_); }
+
+ private:
+  const char* name_;
+  std::string before_;
+  bool was_set_ = false;
+};
+
+/// What a bed says of a program lmp that does as the shell is told.
+LammpsRun run_of(const std::string& lmp) {
+  const ScratchFolder programs;
+  std::filesystem::create_directory(programs.path + "/it's a folder");
+  std::ofstream(programs.path + "/lmp") << "#!/bin/sh\n" << lmp << '\n';
+  std::filesystem::permissions(programs.path + "/lmp", std::filesystem::perms::owner_all);
+  const Variable path("PATH", programs.path + ":" + std::getenv("PATH"));
+  const Variable folder("TMPDIR", programs.path + "/it's a folder");
+  const Scene scene = scene_from(
+      "time = { dt = 1e-3, until = 1 }\ncontact = { model = 'spring', stiffness = 1e5 }\ndomain = { box = "
+      "[[0, 0], [4, 4]] }\nshapes.ball.disc.radius = 0.5\nbodies = [{ shape = 'ball', at = [2, 2] }]\n");
+  return LammpsBed(scene, 1).run();
+}
+
+/// It happened: a program that lacked its libraries, which is 127 for the shell too, was "not installed".
+TEST(Lammps, SaysThatItIsThereAndFails) {
+  EXPECT_EQ(run_of("exit 127").fault, "fails with exit code 127");
+  EXPECT_EQ(run_of("echo ERROR: no bed; exit 1").fault, "ERROR: no bed");
+  EXPECT_EQ(run_of("exit 124").fault, "takes longer than 600 s");
+  EXPECT_EQ(run_of("exit 0").fault, "tells no time");
+}
+
+/// It happened: a folder with a quote in its name ended the shell's word.
+TEST(Lammps, RunsInItsFolderWhateverItsNameAndWaitsForNobody) {
+  const LammpsRun run = run_of("test -f bed.data && test -f bed.lmp && ! read line && printf '" +
+                               std::string("Begin\\nLoop time of 2 on 1 procs for 3 steps\\ntouching 4\\n'"));
+  EXPECT_EQ(run.fault, "");
+  EXPECT_EQ(run.seconds, 2.0);
+  EXPECT_EQ(run.steps, 3.0);
+  EXPECT_EQ(run.touching, 4.0);
 }
 
 }  // namespace

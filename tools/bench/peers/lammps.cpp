@@ -16,6 +16,8 @@ namespace throng::bench {
 
 namespace {
 
+constexpr const char* kSilent = "tells no time";
+constexpr int kLimit = 600;    // s of a run
 constexpr double kSkin = 0.2;  // of the mean radius, beyond touching: who is listed as a neighbour
 
 [[gnu::format(printf, 1, 2)]] std::string line(const char* format, ...) {
@@ -101,6 +103,13 @@ std::optional<double> number_after(const std::string& output, const std::string&
   return number;
 }
 
+/// One word for a shell, whatever the text holds.
+std::string quoted(const std::string& text) {
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + '\'';
+}
+
 }  // namespace
 
 LammpsRun read_lammps(const std::string& output) {
@@ -112,7 +121,7 @@ LammpsRun read_lammps(const std::string& output) {
   if (loop == output.npos || !touching ||
       std::sscanf(output.c_str() + loop, "\nLoop time of %lf on %*d procs for %lf steps", &run.seconds,
                   &run.steps) != 2)
-    return {.fault = "tells no time"};
+    return {.fault = kSilent};
   run.touching = *touching;
   return run;
 }
@@ -123,13 +132,17 @@ LammpsBed::LammpsBed(const Scene& scene, int steps) {
 }
 
 LammpsRun LammpsBed::run() const {
-  constexpr int kNoSuchProgram = 127;  // of the shell
-  const std::string output = folder_.path + "/output";
-  const std::string command = "cd '" + folder_.path + "' && lmp -in bed.lmp -log none >output 2>&1";
+  constexpr int kTimedOut = 124;  // of timeout
+  if (std::system("command -v lmp >/dev/null 2>&1") != 0) return {.fault = "not installed"};
+  const std::string command = "cd " + quoted(folder_.path) + " && timeout --foreground " +
+                              std::to_string(kLimit) + " lmp -in bed.lmp -log none >output 2>&1 </dev/null";
   const int status = std::system(command.c_str());
-  if (WIFEXITED(status) && WEXITSTATUS(status) == kNoSuchProgram) return {.fault = "not installed"};
-  std::ifstream in(output);
-  return read_lammps({std::istreambuf_iterator<char>(in), {}});
+  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  if (code == kTimedOut) return {.fault = "takes longer than " + std::to_string(kLimit) + " s"};
+  std::ifstream in(folder_.path + "/output");
+  LammpsRun run = read_lammps({std::istreambuf_iterator<char>(in), {}});
+  if (run.fault == kSilent && code != 0) run.fault = "fails with exit code " + std::to_string(code);
+  return run;
 }
 
 }  // namespace throng::bench

@@ -28,7 +28,7 @@ class LammpsBed {
   /// Expects discs alone. Steps are the scene's substeps.
   LammpsBed(const Scene& scene, int steps);
 
-  /// On one core. Where there is no `lmp`, or it can't, the fault says so.
+  /// On one core. Where there is no `lmp`, or it can't, or takes over ten minutes, the fault says so.
   LammpsRun run() const;
 
  private:
