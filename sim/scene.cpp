@@ -6,11 +6,23 @@
 #include <limits>
 #include <numbers>
 
+#include "sim/crowd/model.h"
+
 namespace throng {
 
 namespace {
 
 constexpr const char* kEngines[] = {"native", "box2d", "event_driven"};  // as Engine
+
+/// kg, what the agent's model reckons with.
+double agent_mass(const Crowd& crowd, std::size_t agent) {
+  if (agent >= crowd.size()) return kAgentMass;  // a recording's, which has no groups
+  const AgentGroup& group = crowd.groups[crowd.group[agent]];
+  const std::span<const ModelParameter> known = walking_models()[group.model].parameters;
+  for (std::size_t i = 0; i < known.size(); ++i)
+    if (std::string_view(known[i].key) == "mass") return group.parameters[i];
+  return kAgentMass;
+}
 
 }  // namespace
 
@@ -36,7 +48,7 @@ bool bodies_come_and_go(const Scene& scene) {
 
 double mass(const Scene& scene, std::size_t row) {
   const Bodies& bodies = scene.bodies;
-  if (bodies.kind[row] == BodyKind::agent) return kAgentMass;
+  if (bodies.kind[row] == BodyKind::agent) return agent_mass(scene.crowd, row - scene.crowd.first);
   const Shape& shape = scene.shapes[bodies.shape[row]];
   const double radius = bodies.radius[row];
   const double area = shape.kind == ShapeKind::disc ? std::numbers::pi * radius * radius : shape.area;

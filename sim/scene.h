@@ -123,7 +123,7 @@ Engine engine_named(std::string_view name);
 /// leave. Also of a scene that was read from a recording, whose bodies are the recorded ones. O(bodies).
 bool bodies_come_and_go(const Scene& scene);
 
-double mass(const Scene& scene, std::size_t row);     ///< kg; of an agent kAgentMass
+double mass(const Scene& scene, std::size_t row);  ///< kg; an agent's by its model; not of what was recorded
 double inertia(const Scene& scene, std::size_t row);  ///< kg m², about the centre of mass
 
 }  // namespace throng

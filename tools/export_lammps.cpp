@@ -37,10 +37,10 @@ void write_head(TextFile& out, const Scene& scene, const Frame& frame) {
   out << "\n";
 }
 
-void write_body(TextFile& out, const Scene& scene, const Frame& frame, std::size_t row) {
+void write_body(TextFile& out, const Scene& scene, const Frame& frame, std::size_t row, double mass) {
   const Vec& p = frame.position[row];
   out << std::int64_t{frame.id[row]} << " " << std::int64_t{scene.bodies.shape[row]} + 1 << " " << p.x()
-      << " " << p.y() << " 0 " << scene.bodies.radius[row] << " " << mass(scene, row);
+      << " " << p.y() << " 0 " << scene.bodies.radius[row] << " " << mass;
   if (!frame.velocity.empty())
     out << " " << frame.velocity[row].x() << " " << frame.velocity[row].y() << " 0";
   if (!frame.angle.empty()) {
@@ -56,13 +56,14 @@ void write_body(TextFile& out, const Scene& scene, const Frame& frame, std::size
 void export_lammps(const Recording& recording, std::span<const std::size_t> frames,
                    const ExportTarget& target) {
   const Scene& scene = recording.geometry();
+  const std::vector<double> masses = recording.masses();
   TextFile out(target);
   Frame frame;
   for (std::size_t i : frames) {
     recording.read(i, frame);
     write_head(out, scene, frame);
     for (std::size_t row = 0; row < frame.id.size(); ++row)
-      if (frame.has(row)) write_body(out, scene, frame, row);
+      if (frame.has(row)) write_body(out, scene, frame, row, masses[row]);
   }
   out.close();
 }

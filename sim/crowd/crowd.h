@@ -13,7 +13,7 @@
 /// The agents of a scene: discs that choose their velocity.
 namespace throng {
 
-inline constexpr double kAgentMass = 80.0;  ///< kg, as recorded; models have their own
+inline constexpr double kAgentMass = 80.0;  ///< kg, of those whose model has no mass
 
 /// What agents do in an area.
 enum class AreaUse : std::uint8_t { none, goal, wait };

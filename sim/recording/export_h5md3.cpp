@@ -110,8 +110,7 @@ void H5md3::write_box() {
 
 void H5md3::write_bodies() {
   const std::vector<std::int64_t> ids(recording_.ids().begin(), recording_.ids().end());
-  std::vector<double> masses;
-  for (std::size_t row = 0; row < ids.size(); ++row) masses.push_back(mass(scene_, row));
+  const std::vector<double> masses = recording_.masses();
   if (bodies_come_and_go(scene_))
     present_ = h5::create_fixed(create_sampled("id"), "value", h5::type<std::int64_t>(),
                                 {frames_.size(), ids.size()});

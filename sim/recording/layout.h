@@ -96,7 +96,8 @@ inline constexpr int kMajor = 1;  ///< a reader refuses a newer one
 /// are damaged. What wrote 5 before it was settled kept the "%41" in a measure's name as it stands: damaged,
 /// too. Since 6 areas and queues are there, which readers of 5 overlook. Since
 /// 7 there is what scenarios ask to be observed: to readers of 6 such frames are damaged.
-inline constexpr int kMinor = 7;
+/// Since 8 the mass of an agent is its model's, where that has one: before, all had 80 kg.
+inline constexpr int kMinor = 8;
 
 inline constexpr std::size_t kMaxChunk = std::size_t{1} << 20;  ///< bytes
 inline constexpr std::size_t kRegionChunk = 256;                ///< bodies, where frames hold few of them

@@ -321,6 +321,20 @@ void Recording::read(std::size_t i, Frame& frame) const {
   impl_->read_frame(in_file, [&] { impl_->reader.read(in_file, frame); });
 }
 
+std::vector<double> Recording::masses() const {
+  try {
+    h5::prepare();
+    const h5::Handle throng = h5::open_group(impl_->file.handle, "throng");
+    std::vector<double> result =
+        h5::read_array<double>(impl_->file, h5::open_group(throng, "bodies"), "mass", {bodies()});
+    const auto is_sound = [](double mass) { return mass > 0.0 && std::isfinite(mass); };
+    if (!std::ranges::all_of(result, is_sound)) throw h5::Error("mass is not above 0");
+    return result;
+  } catch (const h5::Error& error) {
+    throw InputError(impl_->path + " is damaged: " + error.what());
+  }
+}
+
 void Recording::expect_tables(const Scene& scene) const {
   try {
     h5::prepare();

@@ -103,8 +103,11 @@ class Recording {
 
   /// Holds the file's tables against the scene that its scenario makes: name, seed, engine, substeps and
   /// end of the run, materials, shapes, bodies, walls, floor, ends of histograms, also the masses and the box
-  /// that only other programs read. O(scene). Throws InputError where any is damaged or otherwise.
+  /// that pictures don't need. O(scene). Throws InputError where any is damaged or otherwise.
   void expect_tables(const Scene& scene) const;
+
+  /// kg, of the recorded bodies. O(bodies). Throws InputError where they are damaged.
+  std::vector<double> masses() const;
 
   /// In which sample of a field's own, where it is stored, frame i stands; nothing where it does not.
   std::optional<std::size_t> sample(RecordField field, std::size_t i) const;

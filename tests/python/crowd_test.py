@@ -94,6 +94,29 @@ class Crowd(Program):
             self.assertEqual(trajectory["id/step"], trajectory["position/step"])
             self.assertEqual(len(trajectory["mass"]), len(recording.ids))
 
+    def test_mass_is_that_of_the_model(self):
+        """It happened: files and exports said the default of all, whatever social_force.mass was."""
+        heavy = AGENT.replace("constant_velocity", "social_force")
+        (self.folder / "three.toml").write_text(
+            CROWD + heavy.format(2.0, 1.0) + "social_force = { preset = 'calibrated', mass = 75 }\n" + heavy.format(2.0, 4.0) +
+            AGENT.format(6.0, 3.0))
+        masses = [75, 80, 80]  # the model's own, its default, and of a model that has none
+        with throng_read.open(self.record()) as recording:
+            self.assertEqual(list(recording.bodies.mass), masses)
+        self.assertEqual(self.throng("replay", "a.h5", "--verify"), (0, ""))
+        self.assertEqual(self.throng("export", "a.h5", "--format", "h5md3", "-o", "a.h5md"), (0, ""))
+        with h5py.File(self.path("a.h5md")) as file:
+            self.assertEqual(list(file["particles/trajectory/mass"]), masses)
+        self.assertEqual(self.throng("export", "a.h5", "--format", "lammps", "-o", "a.dump", "--to", "0"), (0, ""))
+        columns, *rows = (self.folder / "a.dump").read_text().split("ITEM: ATOMS ")[1].splitlines()
+        self.assertEqual([float(row.split()[columns.split().index("mass")]) for row in rows], masses)
+        with h5py.File(self.path("a.h5"), "r+") as file:
+            file["throng/bodies/mass"][0] = 80
+        self.assertIn("mass is not that of the scenario", self.throng("replay", "a.h5", "--verify")[1])
+        with h5py.File(self.path("a.h5"), "r+") as file:
+            file["throng"].attrs.modify("version", np.array([1, 7], np.int32))
+        self.assertEqual(self.throng("replay", "a.h5", "--verify"), (0, ""), "as layout 1.7 had it")
+
     def test_xdmf_points_at_who_is_there(self):
         self.record()
         self.assertEqual(self.throng("export", "a.h5", "--format", "xdmf", "-o", "a.xdmf"), (0, ""))
