@@ -121,7 +121,9 @@ Table agent_table() {
        {"desired_speed", distribution(number(0, kFastest, "m/s"), "speed, m/s,"),
         "Speed when nothing is in the way, m/s.", "1.34"},
        {"premovement", distribution(number(0, 1e9, "s"), "time, s,"),
-        "How long they stand before they set out, s, from the start or from when they are due.", "0.0"},
+        "How long they stand before they set out, s, from the start or from when they are due; "
+        "social_force's may be pushed meanwhile.",
+        "0.0"},
        {"appear", appear_table(),
         "When they appear, at places of `place`, as soon as there is room; absent: all at the start."}},
       {"at", "place"}};
