@@ -31,7 +31,7 @@ class Checker {
   bool check_kind(const toml::node& node, const Type& type, const Path& path);
   bool check_number(const toml::node& node, const Type& type, const Path& path);
   bool check_text(const toml::node& node, const Type& type, const Path& path);
-  bool check_choice(const toml::node& node, const Type& type, const Path& path);
+  bool check_choice(const toml::node& node, const Type& choice, const Type& all, const Path& path);
   bool check_name(const toml::node& node, const Type& type, const Path& path);
   bool check_tuple(const toml::node& node, const Type& type, const Path& path);
   bool check_list(const toml::node& node, const Type& type, const Path& path);
@@ -101,7 +101,7 @@ bool Checker::check_kind(const toml::node& node, const Type& type, const Path& p
     case Kind::text:
       return check_text(node, type, path);
     case Kind::choice:
-      return check_choice(node, type, path);
+      return check_choice(node, type, type, path);
     case Kind::name:
       return check_name(node, type, path);
     case Kind::tuple:
@@ -130,11 +130,12 @@ bool Checker::check_text(const toml::node& node, const Type& type, const Path& p
   return text.size() <= type.most || wrong(node, type, path);
 }
 
-bool Checker::check_choice(const toml::node& node, const Type& type, const Path& path) {
+/// `all`: what else the value might be, besides one of the choices.
+bool Checker::check_choice(const toml::node& node, const Type& choice, const Type& all, const Path& path) {
   const std::string& word = node.as_string()->get();
-  if (std::find(type.choices.begin(), type.choices.end(), word) != type.choices.end()) return true;
+  if (std::find(choice.choices.begin(), choice.choices.end(), word) != choice.choices.end()) return true;
   return fail(node, path,
-              "must be " + describe(type) + ", and is " + in_quotes(word) + suggestion(word, type.choices));
+              "must be " + describe(all) + ", and is " + in_quotes(word) + suggestion(word, choice.choices));
 }
 
 bool Checker::check_name(const toml::node& node, const Type& type, const Path& path) {
@@ -184,7 +185,8 @@ bool Checker::check_named(const toml::node& node, const Type& type, const Path& 
 
 bool Checker::check_either(const toml::node& node, const Type& type, const Path& path) {
   for (const Type& part : type.parts)
-    if (is_kind(node, part.kind)) return check_kind(node, part, path);
+    if (is_kind(node, part.kind))
+      return part.kind == Kind::choice ? check_choice(node, part, type, path) : check_kind(node, part, path);
   return wrong(node, type, path);
 }
 

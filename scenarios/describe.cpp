@@ -17,6 +17,7 @@ std::string range(const Type& type) {
 }
 
 std::string one_of(const std::vector<std::string>& words) {
+  if (words.size() == 1) return in_quotes(words[0]);
   std::string result = "one of";
   for (const std::string& word : words) result += (&word == &words.front() ? " " : ", ") + in_quotes(word);
   return result;

@@ -32,7 +32,9 @@ void read_wanted_error(const toml::table& table, Time& time, Report& report) {
   if (!table.contains("error"))
     report.error(*table.get("dt"), "time.error", "is missing: dt = \"auto\" needs to know what to meet");
   if (const toml::node* substeps = table.get("substeps"))
-    report.error(*substeps, "time.substeps", "is chosen, as dt is \"auto\"");
+    report.error(*substeps, "time.substeps",
+                 "is chosen, as dt is \"auto\": leave it out; on a command line, replace all of time, as in "
+                 "--set 'time={dt=\"auto\", error=0.01, until=10}'");
 }
 
 void read_time(const toml::table& root, Scene& scene, Report& report) {

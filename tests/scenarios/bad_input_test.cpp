@@ -107,6 +107,12 @@ const Case kCases[] = {
     {"contact.model = 'impulses'",
      "s.toml:2:17: error: contact.model: must be one of \"impulse\", \"spring\", \"hertz\", \"none\", and "
      "is"},
+    {"time = { dt = '1ms' }",
+     "s.toml:2:15: error: time.dt: must be a number from 1e-12 to 1e+06 s, or \"auto\", and is \"1ms\"\n"},
+    {"time = { dt = 'auto', error = 0.01, substeps = 4 }",
+     "s.toml:2:48: error: time.substeps: is chosen, as dt is \"auto\": leave it out; on a command line, "
+     "replace "
+     "all of time, as in --set 'time={dt="},
     {"record.fields = ['positon']", "s.toml:2:18: error: record.fields[0]: must be one of"},
     {"record.precision = 'half'",
      "s.toml:2:20: error: record.precision: must be one of \"double\", \"single\""},
