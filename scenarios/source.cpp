@@ -13,6 +13,8 @@ namespace throng::scenarios {
 
 namespace {
 
+constexpr std::string_view kHdf5 = "\x89HDF\r\n\x1a\n";  // as its files begin
+
 /// The diagnosis of a file that is no TOML.
 Diagnostic fault(int line, int column, std::string message) {
   return {Diagnostic::Severity::error, line, column, "", std::move(message), ""};
@@ -36,6 +38,11 @@ bool read_source(const std::string& file, std::string& text, std::vector<Diagnos
          (stream.read(block.data(), static_cast<std::streamsize>(block.size())), stream.gcount() > 0))
     text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
   if (stream.bad()) return fail("can't be read to its end");
+  if (text.starts_with(kHdf5)) {
+    text.clear();
+    return fail(
+        "is HDF5, as recordings are, and no TOML; throng replay shows one, throng resume goes on with it");
+  }
   if (text.size() <= kMostBytes) return true;
   text.clear();
   return fail("is larger than " + std::to_string(kMostBytes >> 20) + " MB; must be at most that");

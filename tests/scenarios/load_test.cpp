@@ -205,6 +205,20 @@ TEST(Load, RefusesAHugeFileBeforeItHasReadAllOfIt) {
   std::remove(file.c_str());
 }
 
+/// It happened: a long one was said to be too large, a short one to be binary, and none to be a recording.
+TEST(Load, SaysThatAFileIsARecording) {
+  const std::string file = ::testing::TempDir() + "throng_recording_test.h5";
+  std::ofstream(file, std::ios::binary) << "\x89HDF\r\n\x1a\n";
+  for (const std::uintmax_t bytes : {std::uintmax_t{8}, std::uintmax_t{1} << 12, std::uintmax_t{1} << 40}) {
+    std::filesystem::resize_file(file, bytes);
+    EXPECT_EQ(
+        faults(load_scenario(file)),
+        "s.toml: error: is HDF5, as recordings are, and no TOML; throng replay shows one, throng resume "
+        "goes on with it\n");
+  }
+  std::remove(file.c_str());
+}
+
 TEST(Load, GivesAStepSoManySubstepsThatTheyAreShort) {
   const auto substeps = [](const std::string& time) {
     return load_text("throng = 1\ntime = { until = 0, " + time + " }\n").scene.time.substeps;
