@@ -61,7 +61,7 @@ std::string absence(const Recording& recording, RecordField field, std::size_t f
   if (recording.sample(field, frame)) return "";
   const std::string when = "are not in this frame; recorded each " + std::to_string(rate) + " steps, ";
   const auto at = [&](const char* word, std::size_t i) {
-    return when + word + " at " + text_of(recording.times()[i]) + " s";
+    return when + word + " at " + text_of(rounded(recording.times()[i])) + " s";
   };
   for (std::size_t i = frame + 1; i < recording.frames(); ++i)
     if (recording.sample(field, i)) return at("next", i);
@@ -84,7 +84,7 @@ Crowd crowd_of_recording(const std::string& source, std::optional<double> wanted
   scene = recording.geometry();
   std::fprintf(stderr, "throng: %s: frame %zu (of 0 to %zu), at %s s\n", source.c_str(),
                recording.frame_of_file(index), recording.frames_of_file() - 1,
-               text_of(recording.times()[index]).c_str());
+               text_of(rounded(recording.times()[index])).c_str());
   return {.id = std::move(frame.id),
           .position = std::move(frame.position),
           .velocity = std::move(frame.velocity),
@@ -127,7 +127,7 @@ std::string why_absent(const Crowd& crowd, std::int64_t id) {
     return it + "; ids go from 1 to " + std::to_string(crowd.bodies_of_run);
   const std::string body = "body " + std::to_string(id) + " is ";
   if (!std::ranges::binary_search(crowd.recorded, id)) return body + "not recorded (record.of)";
-  return body + "not there at " + text_of(crowd.time) + " s";
+  return body + "not there at " + text_of(rounded(crowd.time)) + " s";
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ std::size_t frame_at_or_throw(const Recording& recording, const std::string& fil
                slack = 1e-9 * std::abs(last);
   if (*at >= first - slack && *at <= last + slack) return recording.index_at(*at);
   throw InputError(file + ": --at " + text_of(*at) + " is outside the recording, which goes from " +
-                   text_of(first) + " s to " + text_of(last) + " s");
+                   text_of(rounded(first)) + " s to " + text_of(rounded(last)) + " s");
 }
 
 }  // namespace throng::tools

@@ -21,6 +21,15 @@ inline std::string text_of(double number) {
   return {digits, std::to_chars(digits, digits + sizeof digits, number).ptr};
 }
 
+/// The double nearest to the number's first 15 digits: 0.3 where 3 * 0.1 is a little more. For times, steps
+/// times dt, as people read them.
+inline double rounded(double number) {
+  char digits[32];
+  const char* end = std::to_chars(digits, digits + sizeof digits, number, std::chars_format::general, 15).ptr;
+  std::from_chars(digits, end, number);
+  return number;
+}
+
 /// "1 wall", "2 walls".
 inline std::string counted(std::int64_t n, const std::string& noun) {
   return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");

@@ -10,6 +10,7 @@
 #include "sim/gas.h"
 #include "sim/measure/measured_bodies.h"
 #include "sim/observe.h"
+#include "tools/printable.h"
 
 namespace throng::tools {
 
@@ -67,7 +68,7 @@ Json crowd_summary(const Scene& scene, const State& state) {
   for (const StuckAgent& agent : stuck_agents(scene, state))
     stuck.push_back({{"id", agent.id}, {"position", {agent.position.x(), agent.position.y()}}});
   const CrowdState& crowd = state.crowd;
-  const double last = static_cast<double>(crowd.last_arrival) * scene.time.dt;
+  const double last = rounded(static_cast<double>(crowd.last_arrival) * scene.time.dt);
   Json result = {{"arrived", crowd.arrived},
                  {"inside", crowd.stand.size()},
                  {"waiting", waiting(crowd)},
@@ -152,7 +153,7 @@ Json summary(const Scene& scene, const Simulation& simulation, const RunTimes& t
   Json result = {{"scenario", scene.name},
                  {"engine", engine_name(scene.engine)},
                  {"steps", state.step},
-                 {"time", static_cast<double>(state.step) * scene.time.dt},
+                 {"time", rounded(static_cast<double>(state.step) * scene.time.dt)},
                  {"bodies", scene.bodies.size() - scene.crowd.size()},
                  {"agents", scene.crowd.size()},
                  {"wall_s", wall},

@@ -56,6 +56,16 @@ class Crowd(Program):
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertIn("at step 60 (t = 1.2 s): presence of body 1 was recorded as 1, runs to 0", done.stdout)
 
+    def test_times_are_said_without_what_rounding_leaves(self):
+        """35 * 0.02 is 0.7000000000000001; the frame keeps that, and people read 0.7."""
+        done = subprocess.run([PROGRAM, "run", "three.toml", "-o", "a.h5", "--progress", "none", "--until", "0.7",
+                               "--set", "agents[0].at=[8.31, 1]"], cwd=self.folder, capture_output=True, text=True)
+        for said in ('"time": 0.7,', '"last_arrival": 0.7,'):
+            self.assertIn(said, done.stdout)
+        self.assertIn("frame 35 (of 0 to 35), at 0.7 s", self.throng("query", "a.h5", "--all", "--radius", "9", "--at", "0.7")[1])
+        with throng_read.open(self.path("a.h5")) as recording:
+            self.assertEqual(recording.time[35], 35 * 0.02)
+
     def test_pictures_show_who_is_there(self):
         self.record()
         for at in ("0", "6"):
