@@ -213,6 +213,13 @@ TEST_F(BenchCommand, RefusesWhatWouldDoNothing) {
     EXPECT_EQ(throng(std::string("bench ") + arguments).exit_code, 2) << arguments;
 }
 
+TEST_F(BenchCommand, NamesTheCasesWhereNoneIsMeant) {
+  const Result result = throng("bench step --quick --only xyzzy");
+  EXPECT_EQ(result.exit_code, 2);
+  for (const char* said : {"--only holds for no case's name; there are\n", "\n  cradle\n", "\n  mixed\n"})
+    EXPECT_THAT(result.err, ::testing::HasSubstr(said));
+}
+
 TEST_F(BenchCommand, RecordsRunsAndRawFrames) {
   const Result result = throng("bench recording --quick --blocks 1 --json " + path("rows.json"));
   ASSERT_EQ(result.exit_code, 0) << result.err;

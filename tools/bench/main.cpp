@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <exception>
 #include <map>
+#include <set>
 
 #include "sim/input_error.h"
 #include "tools/bench/benchmarks.h"
@@ -76,6 +77,18 @@ std::vector<throng::bench::Row> run(
   return benchmark(options);
 }
 
+/// Names are told up to kMost: a benchmark may have hundreds.
+std::string why_none(const std::vector<std::string>& passed_over) {
+  constexpr std::size_t kMost = 40;
+  const std::set<std::string> names(passed_over.begin(), passed_over.end());
+  if (names.empty()) return "no case is left for these options";
+  std::string result = "--only holds for no case's name; there are";
+  std::size_t told = 0;
+  for (const std::string& name : names)
+    if (++told <= kMost) result += "\n  " + name;
+  return told <= kMost ? result : result + "\n  and " + std::to_string(told - kMost) + " more";
+}
+
 void print(const std::string& name, const std::vector<throng::bench::Row>& rows) {
   if (name == "validation") return throng::bench::print_verdicts(rows);
   if (name == "accuracy") return throng::bench::print_accuracy(rows);
@@ -142,7 +155,7 @@ int main(int argc, char** argv) {
     refuse_what_does_nothing(name, options);
     if (!target.empty()) hwy::SetSupportedTargetsForTest(targets().at(target));
     const std::vector<Row> rows = run(benchmarks.at(name), options);
-    if (rows.empty()) throw throng::InputError(name + ": --only holds for no case's name");
+    if (rows.empty()) throw throng::InputError(name + ": " + why_none(*options.passed_over));
     expect_agreement(rows);
     if (json != "-") print(name, rows);
     if (!json.empty()) write_json(rows, json);

@@ -26,9 +26,10 @@ bool holds(const std::string& name, const std::string& expression) {
 }  // namespace
 
 bool chosen(const std::string& name, const Options& options) {
-  return options.only.empty() || std::ranges::any_of(options.only, [&](const std::string& expression) {
-           return holds(name, expression);
-         });
+  const auto is_meant = [&](const std::string& expression) { return holds(name, expression); };
+  if (options.only.empty() || std::ranges::any_of(options.only, is_meant)) return true;
+  options.passed_over->push_back(name);
+  return false;
 }
 
 }  // namespace throng::bench

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,9 +15,11 @@ struct Options {
   int blocks = 7;                    ///< figures a row, engines in turn
   bool quick = false;                ///< a tenth of the work, to see that it runs
   bool large = false;                ///< broadphase: ten million points too; recording: a file of 10 GB
+  /// Names of cases, for who asks for one that isn't there.
+  std::shared_ptr<std::vector<std::string>> passed_over = std::make_shared<std::vector<std::string>>();
 };
 
-/// Whether the options ask for a case of this name.
+/// Whether the options ask for a case of this name; who is not asked for joins `passed_over`.
 /// Throws InputError where one of `only` isn't a regular expression (POSIX extended).
 bool chosen(const std::string& name, const Options& options);
 
