@@ -249,7 +249,7 @@ TEST_F(Sensors, AreRefusedWithASentenceWhereTheyMakeNoSense) {
   refused("name = \"x\"\nradius = -1\n", "sensors[1].radius: must be a number from 0 to 1e+09 m");
   refused("name = \"x\"\nradius = 1\nfov_degrees = 361\n", "sensors[1].fov_degrees: must be a number");
   refused("name = \"x\"\nradius = 1\nsight = \"fog\"\n",
-          "sensors[1].sight: must be one of \"walls\", \"bodies\"");
+          "sensors[1].sight: must be true or false, or one of \"walls\", \"bodies\"");
   refused("name = \"x\"\nradius = 1\nof = { kind = \"agent\" }\n", "sensors[1].of: fits no body");
   refused("name = \"x\"\nradius = 1\nof = { ids = [61] }\n", "sensors[1].of.ids: there is no body 61");
   std::string many;
