@@ -2,11 +2,35 @@
 #include "sim/state.h"
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 
 #include "sim/plan.h"
 
 namespace throng {
+
+namespace {
+
+/// One word more in a running hash, as a lane of XXH64 takes it (Collet 2012).
+std::uint64_t mix(std::uint64_t hash, std::uint64_t word) {
+  return std::rotl(hash + word * 0xc2b2ae3d27d4eb4fULL, 31) * 0x9e3779b185ebca87ULL;
+}
+
+/// Every bit of the result depends on every bit of the hash: MurmurHash3's finaliser (Appleby 2011).
+std::uint64_t finished(std::uint64_t hash) {
+  hash ^= hash >> 33;
+  hash *= 0xff51afd7ed558ccdULL;
+  hash ^= hash >> 33;
+  hash *= 0xc4ceb9fe1a85ec53ULL;
+  return hash ^ (hash >> 33);
+}
+
+/// The bits of a number, with one zero.
+std::uint64_t bits(double x) {
+  return std::bit_cast<std::uint64_t>(x + 0.0);
+}
+
+}  // namespace
 
 void add_agent(const Scene& scene, State& state, std::uint32_t agent, const Vec& place) {
   state.id.push_back(scene.crowd.first + agent + 1);
@@ -131,6 +155,18 @@ bool fits(const State& state, const Scene& scene) {
   for (std::size_t row = 0; row < crowd.stage.size(); ++row)
     if (!is_on_its_way(state, scene, row)) return false;
   return are_in_line(state, scene);
+}
+
+std::uint64_t hash(const State& state) {
+  std::uint64_t sum = 0;
+  for (std::size_t row = 0; row < state.id.size(); ++row) {
+    std::uint64_t one = mix(0x7468726f6e673032ULL, state.id[row]);
+    for (double x : {state.position[row].x(), state.position[row].y(), state.angle[row],
+                     state.velocity[row].x(), state.velocity[row].y(), state.spin[row]})
+      one = mix(one, bits(x));
+    sum += finished(one);
+  }
+  return finished(mix(mix(sum, state.id.size()), static_cast<std::uint64_t>(state.step)));
 }
 
 }  // namespace throng

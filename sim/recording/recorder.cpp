@@ -95,7 +95,7 @@ Recorder::Impl::Impl(const std::string& path, const Scene& scene, const Provenan
     : output(path, force),
       scenario(provenance.resolved),
       observed(scene.record.observables > 0 ? std::optional(scene) : std::nullopt),
-      queue(scene),
+      queue(scene.bodies.size()),
       frames(kept.frames) {
   if (kept.recording && output.was_there()) output.keep();
   expect_room(path, least_bytes(scene) + other_bytes(scene, provenance));
@@ -187,7 +187,8 @@ void Recorder::Impl::write_entries(TrajectoryWriter& writer) {
     if (entry->checkpoint)
       write_checkpoint(writer, entry->state);
     else
-      writer.append(entry->state, entry->hash, entry->contacts, observables(*entry), entry->sensed);
+      writer.append(entry->state, entry->hash ? *entry->hash : hash(entry->state), entry->contacts,
+                    observables(*entry), entry->sensed);
     queue.pop();
     commit_when_due(writer);
   }

@@ -15,16 +15,14 @@ namespace {
 using namespace testing_recordings;
 
 TEST(FrameQueue, HoldsAtLeastTwoFramesAndFewOfMany) {
-  EXPECT_EQ(FrameQueue(mixed_scene(0)).capacity(), 16u);
-  EXPECT_EQ(FrameQueue(mixed_scene(10)).capacity(), 16u);
-  Scene many;
-  many.bodies.shape.resize(3'000'000);
-  EXPECT_EQ(FrameQueue(many).capacity(), 2u);
+  EXPECT_EQ(FrameQueue(0).capacity(), 16u);
+  EXPECT_EQ(FrameQueue(10).capacity(), 16u);
+  EXPECT_EQ(FrameQueue(3'000'000).capacity(), 2u);
 }
 
 TEST(FrameQueue, GivesFramesInTheOrderInWhichTheyCame) {
   const Scene scene = mixed_scene(3);
-  FrameQueue queue(scene);
+  FrameQueue queue(scene.bodies.size());
   std::thread producer([&] {
     for (int i = 0; i < 1000; ++i) queue.push(state_at(scene, i));
     queue.close();
@@ -33,8 +31,7 @@ TEST(FrameQueue, GivesFramesInTheOrderInWhichTheyCame) {
   while (const QueueEntry* entry = queue.front()) {
     EXPECT_FALSE(entry->checkpoint);
     EXPECT_EQ(entry->state.step, expected);
-    EXPECT_EQ(entry->hash, hash(state_at(scene, expected)));
-    EXPECT_EQ(hash(entry->state), entry->hash);  // all fields are recorded
+    EXPECT_EQ(hash(entry->state), hash(state_at(scene, expected)));
     ++expected;
     queue.pop();
   }
@@ -43,11 +40,10 @@ TEST(FrameQueue, GivesFramesInTheOrderInWhichTheyCame) {
 }
 
 TEST(FrameQueue, KeepsContactsInCheckpointsOnly) {
-  const Scene scene = mixed_scene(3);
-  State state = initial_state(scene);
+  State state = initial_state(mixed_scene(3));
   state.disc_contacts = {{7, 0, 1.0, 0.5}};
   state.point_contacts = {{8, 3, 2.0, -0.5}, {9, 1, 3.0, 0.0}};
-  FrameQueue queue(scene);
+  FrameQueue queue(state.id.size());
   queue.push(state);
   queue.push_checkpoint(state);
   EXPECT_FALSE(queue.front()->checkpoint);
@@ -62,7 +58,7 @@ TEST(FrameQueue, KeepsContactsInCheckpointsOnly) {
 
 TEST(FrameQueue, MakesTheProducerWaitWhereItIsFull) {
   const Scene scene = mixed_scene(3);
-  FrameQueue queue(scene);
+  FrameQueue queue(scene.bodies.size());
   std::atomic<std::size_t> pushed = 0;
   std::thread producer([&] {
     for (std::size_t i = 0; i <= queue.capacity(); ++i) {
@@ -73,65 +69,18 @@ TEST(FrameQueue, MakesTheProducerWaitWhereItIsFull) {
   while (pushed < queue.capacity()) std::this_thread::yield();
   std::this_thread::sleep_for(std::chrono::milliseconds(20));
   EXPECT_EQ(pushed, queue.capacity());
+  EXPECT_FALSE(queue.front()->hash);
   queue.pop();
   producer.join();
   EXPECT_EQ(pushed, queue.capacity() + 1);
-}
-
-/// Which fields the queue copies of the state of a step: position, angle, velocity, spin.
-std::string copied(const Scene& scene, std::int64_t step) {
-  const State state = state_at(scene, step);
-  FrameQueue queue(scene);
-  for (std::size_t i = 0; i < queue.capacity(); ++i)
-    queue.push(state_at(scene, 0)), queue.pop();  // nothing is left of it
-  queue.push(state);
-  const QueueEntry& entry = *queue.front();
-  EXPECT_EQ(entry.hash, hash(state)) << "of all, copied or not";
-  EXPECT_EQ(entry.state.id, state.id);
-  std::string fields;
-  const auto add = [&fields](const char* name, const auto& place, const auto& numbers) {
-    if (place.empty()) return;
-    fields += name;
-    EXPECT_EQ(place, numbers) << name;
-  };
-  add("p", entry.state.position, state.position), add("a", entry.state.angle, state.angle);
-  add("v", entry.state.velocity, state.velocity), add("s", entry.state.spin, state.spin);
-  return fields;
-}
-
-TEST(FrameQueue, CopiesNoMoreThanTheFrameTakes) {
-  Scene scene = mixed_scene(3);
-  EXPECT_EQ(copied(scene, 1), "pavs");
-  scene.record.velocity = scene.record.spin = false;
-  EXPECT_EQ(copied(scene, 1), "pa");
-  scene.record.own_every[index(RecordField::angle)] = 2;
-  EXPECT_EQ(copied(scene, 1), "p");
-  EXPECT_EQ(copied(scene, 2), "pa");
-}
-
-TEST(FrameQueue, CopiesAllThatObservablesAreMeasuredOn) {
-  Scene scene = mixed_scene(3);
-  scene.record.velocity = scene.record.spin = scene.record.angle = false;
-  scene.record.observables = 3;
-  EXPECT_EQ(copied(scene, 2), "p");
-  EXPECT_EQ(copied(scene, 3), "pavs");
-}
-
-/// Places tell who is in a frame, though it may hold none.
-TEST(FrameQueue, CopiesPlacesWhereBodiesComeAndGo) {
-  Scene scene = mixed_scene(3);
-  scene.record.position = scene.record.angle = scene.record.spin = false;
-  scene.record.own_every[index(RecordField::velocity)] = 2;
-  EXPECT_EQ(copied(scene, 2), "v");
-  scene.record.within = Eigen::AlignedBox2d(Vec(0.0, 0.0), Vec(1.0, 1.0));
-  EXPECT_EQ(copied(scene, 2), "pv");
-  EXPECT_EQ(copied(scene, 3), "");
+  while (queue.front()->state.step < static_cast<std::int64_t>(queue.capacity())) queue.pop();
+  const QueueEntry& last = *queue.front();  // who had to wait, had the time to hash it
+  EXPECT_EQ(last.hash, hash(last.state));
 }
 
 TEST(FrameQueue, GivesALoneFrameThoughNothingFollows) {
-  const Scene scene = mixed_scene(3);
-  const State state = initial_state(scene);
-  FrameQueue queue(scene);
+  const State state = initial_state(mixed_scene(3));
+  FrameQueue queue(state.id.size());
   std::atomic<bool> came = false;
   std::thread consumer([&] {
     while (queue.front()) {
@@ -150,7 +99,7 @@ TEST(FrameQueue, GivesALoneFrameThoughNothingFollows) {
 
 TEST(FrameQueue, UsesTheSameMemoryAgain) {
   const Scene scene = mixed_scene(100);
-  FrameQueue queue(scene);
+  FrameQueue queue(scene.bodies.size());
   std::set<const void*> places;
   for (std::size_t i = 0; i < 5 * queue.capacity(); ++i) {
     queue.push(state_at(scene, static_cast<std::int64_t>(i)));
@@ -168,10 +117,9 @@ Sensed crowd_of(std::uint32_t n) {
 
 /// Of 13 MB each: not as many as there are slots, though the bodies are few.
 TEST(FrameQueue, TakesNoMoreThan64MegabytesAndAFrameOfWhatWasSensed) {
-  const Scene scene = mixed_scene(3);
-  const State state = initial_state(scene);
+  const State state = initial_state(mixed_scene(3));
   const Sensed many = crowd_of(3'250'000);
-  FrameQueue queue(scene);
+  FrameQueue queue(state.id.size());
   std::atomic<int> pushed = 0;
   std::thread producer([&] {
     for (int i = 0; i < 7; ++i) queue.push(state, {}, std::span(&many, 1)), ++pushed;
@@ -192,11 +140,10 @@ TEST(FrameQueue, TakesNoMoreThan64MegabytesAndAFrameOfWhatWasSensed) {
 
 /// Slots that had to hold very much would together keep what the bound forbids.
 TEST(FrameQueue, ForgetsTheRoomOfFramesThatWereVeryLarge) {
-  const Scene scene = mixed_scene(3);
-  const State state = initial_state(scene);
+  const State state = initial_state(mixed_scene(3));
   const std::vector<ContactRow> many(1'000'000);
   const Sensed crowd = crowd_of(3'250'000);
-  FrameQueue queue(scene);
+  FrameQueue queue(state.id.size());
   for (std::size_t i = 0; i < 2 * queue.capacity(); ++i) {
     const bool large = i < queue.capacity();
     queue.push(state, large ? many : std::vector<ContactRow>(1), std::span(&crowd, large ? 1 : 0));
@@ -210,10 +157,9 @@ TEST(FrameQueue, ForgetsTheRoomOfFramesThatWereVeryLarge) {
 }
 
 TEST(FrameQueue, KeepsWhatItHoldsOfSensedBetweenFramesWithout) {
-  const Scene scene = mixed_scene(3);
-  const State state = initial_state(scene);
+  const State state = initial_state(mixed_scene(3));
   const Sensed some = crowd_of(100);
-  FrameQueue queue(scene);
+  FrameQueue queue(state.id.size());
   std::set<const void*> places;
   for (std::size_t i = 0; i < 5 * queue.capacity(); ++i) {
     const bool due = i / queue.capacity() % 2 == 0;
@@ -227,9 +173,8 @@ TEST(FrameQueue, KeepsWhatItHoldsOfSensedBetweenFramesWithout) {
 }
 
 TEST(FrameQueue, TellsTheProducerWhyTheWriterGaveUp) {
-  const Scene scene = mixed_scene(3);
-  const State state = initial_state(scene);
-  FrameQueue queue(scene);
+  const State state = initial_state(mixed_scene(3));
+  FrameQueue queue(state.id.size());
   for (std::size_t i = 0; i < queue.capacity(); ++i) queue.push(state);
   std::thread writer([&] { queue.fail(std::make_exception_ptr(std::runtime_error("disk full"))); });
   EXPECT_THROW(queue.push(state), std::runtime_error);  // waits in a full queue until it is told
