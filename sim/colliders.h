@@ -20,8 +20,7 @@ struct Colliders {
   std::vector<double> radius;         ///< m, of the part's bounding disc
   std::vector<std::uint8_t> movable;  ///< 1 where the body is dynamic
   std::vector<Vec> centre;            ///< m, of the bounding disc, in the body's frame
-  std::vector<double>
-      swing;  ///< m, the most that turning about that centre brings the surface nearer to anything
+  std::vector<double> swing;          ///< m, how much nearer to others its turning brings the surface at most
   std::vector<const narrowphase::Convex*> shape;  ///< the part; null for a disc about the body's centre
   std::vector<std::uint32_t> rim;                 ///< row of `rims`; empty where no shape has several parts
   std::vector<narrowphase::Rim> rims;             ///< of all parts of all shapes

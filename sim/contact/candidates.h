@@ -109,12 +109,11 @@ class Candidates {
   double dt_ = 0.0, fall_ = 0.0;  ///< s; m, what gravity gives in it
   double chain_ = 0.0;            ///< m, what the fastest body moves in it
   std::vector<Vec> found_at_;     ///< m, of each body
-  std::vector<Vec> centre_;     ///< m, world, of each collider's bounding disc; inside a domain that repeats
-  std::vector<Vec> wrap_;       ///< m, what that moved it by; empty where it moves nothing
-  std::vector<double> margin_;  ///< m, how far that disc may get within the step
-  std::vector<double>
-      turning_;  ///< m, how much farther its surface may get by turning; empty where all are discs
-  std::vector<double> reach_;  ///< m, its radius and margin
+  std::vector<Vec> centre_;      ///< m, world, of each collider's bounding disc; inside a domain that repeats
+  std::vector<Vec> wrap_;        ///< m, what that moved it by; empty where it moves nothing
+  std::vector<double> margin_;   ///< m, how far that disc may get within the step
+  std::vector<double> turning_;  ///< m, how much farther turning may bring its surface; empty for discs
+  std::vector<double> reach_;    ///< m, its radius and margin
   std::vector<double>
       widened_;  ///< m, the least margin of each body, while a step is taken again; else empty
   std::vector<broadphase::Pair> pairs_, obstacle_pairs_;
