@@ -6,23 +6,14 @@
 #include <vector>
 
 #include "sim/contact_row.h"
+#include "sim/overlap.h"
 #include "sim/scene.h"
 #include "sim/state.h"
 
 /// What is measured on a state, whichever engine made it.
 namespace throng {
 
-/// Pairs that are inside each other: bodies with bodies, walls and the domain's box, by the exact
-/// narrowphase; agents with agents and the places of walls that are nearest to them.
-struct Overlap {
-  std::size_t pairs = 0;  ///< overlapping pairs of convex parts
-  double max = 0.0;       ///< m, the deepest; 0 where nothing overlaps
-  double mean = 0.0;      ///< m, over the overlapping pairs
-};
-
-Overlap overlap(const Scene& scene, const State& state);
-
-/// The same of a crowd.
+/// What is measured of a crowd.
 struct CrowdObservables {
   double agents = 0.0;           ///< that are there
   double arrived = 0.0;          ///< that got to their goals and left, so far
