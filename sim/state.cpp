@@ -145,7 +145,8 @@ bool fits(const State& state, const Scene& scene) {
   if (state.sensed.size() != scene.sensors.size() || rows + arrived + waiting(crowd) != scene.bodies.size() ||
       (agents && rows < of.first) || crowd.stand.size() != (agents ? rows - of.first : 0) ||
       crowd.waiting.size() != (agents ? of.groups.size() : 0) ||
-      crowd.measured.size() != (agents ? of.measures.size() : 0) || (arrived > 0 && !agents))
+      crowd.measured.size() != (agents ? of.measures.size() : 0) || (arrived > 0 && !agents) ||
+      (!crowd.on_line.empty() && crowd.on_line.back().line >= crowd.measured.size()))
     return false;
   if (!sleeps_soundly(state, scene)) return false;
   for (std::size_t group = 0; group < crowd.waiting.size(); ++group)

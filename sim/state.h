@@ -38,7 +38,7 @@ struct SleepState {
 /// What is remembered of a crowd from step to step.
 struct CrowdState {
   std::vector<Vec> stand;                ///< m, a row per agent: a place that it hasn't gone far from since
-  std::vector<std::int64_t> stand_step;  ///< this step
+  std::vector<std::int64_t> stand_step;  ///< this step, or that in which the leg began
   std::vector<std::uint32_t> stage;      ///< leg of its journey
   std::vector<std::uint32_t> option;     ///< of the leg: the one that it goes for, or kUndecided
   std::vector<std::uint32_t> place;      ///< 0 on the way; in a queue from 1 at its head; 1 where it waits
@@ -50,6 +50,7 @@ struct CrowdState {
   std::int64_t wall_corrections = 0;     ///< agent-steps in which a barrier was in the way
   std::int64_t squeezed = 0;             ///< agent-steps in which a body got into one whom others held
   std::vector<Measured> measured;        ///< as Crowd::measures
+  std::vector<OnLine> on_line;           ///< who sways on the lines of these, ascending by line and id
 
   friend bool operator==(const CrowdState&, const CrowdState&) = default;
 };

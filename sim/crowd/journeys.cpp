@@ -10,6 +10,8 @@ namespace {
 constexpr int kSpotTries = 100;
 constexpr double kPatience = 5.0, kLongest = 15.0;  // s: who gets nowhere on the way to a place to wait, or
                                                     // not there in time, stays where he is
+constexpr double kSettled = 2.0;                    // s: who stands so long at his place stays so
+constexpr double kMargin = 0.5;                     // of a line's spacing: not farther he is at his place
 constexpr double kBeside = 3.0;                     // radii: who waits is that near where he keeps others out
 
 }  // namespace
@@ -88,6 +90,15 @@ void Journeys::look(State& state) {
   }
 }
 
+bool Journeys::has_settled(const State& state, Row row, double distance) const {
+  if (state.crowd.place[row] == 0 || since(state, state.crowd.stand_step[row]) < kSettled) return false;
+  const Leg& its = leg(state, row);
+  const double near = its.kind == Leg::Kind::queue
+                          ? kMargin * scene_.crowd.queues[its.options[state.crowd.option[row]]].spacing
+                          : kFree;
+  return distance <= std::min(radius(state, row), near);
+}
+
 Heading Journeys::heading(const State& state, Row row) const {
   const Vec& p = position(state, row);
   if (!is_decided(state, row)) return {Vec(0.0, 0.0), 0.0};
@@ -125,19 +136,21 @@ Vec Journeys::free_spot(const State& state, Row row) {
   return p;
 }
 
-/// Whether he is among those who wait for his goal already: near one of them, and on the same side of all
-/// walls.
-bool Journeys::is_among_waiting(const State& state, Row row) {
+/// Whether he is near one of those who wait for a goal, and on the same side of all walls.
+bool Journeys::is_among(const State& state, Row row, std::uint32_t goal) {
   if (!spots_known_) gather_spots(state);
   const Vec& p = position(state, row);
-  return spots_[goal(state, row)].meets(p, kBeside * radius(state, row),
-                                        [&](const Vec& spot) { return !barriers_.block(p, spot); });
+  return spots_[goal].meets(p, kBeside * radius(state, row),
+                            [&](const Vec& spot) { return !barriers_.block(p, spot); });
 }
 
-/// Whether he stands before the area, among those who wait there already.
+/// Whether he has stood for a while since he set out for his goal, beside others who wait, for whatever it
+/// is: they won't make way.
 bool Journeys::is_kept_out(const State& state, Row row) {
-  const std::int64_t stood = std::max(state.crowd.stand_step[row], state.crowd.since[row]);
-  return since(state, stood) >= kPatience && !stands_yet(state, row) && is_among_waiting(state, row);
+  if (since(state, state.crowd.stand_step[row]) < kPatience || stands_yet(state, row)) return false;
+  for (std::uint32_t goal = 0; goal < spots_.size(); ++goal)
+    if (is_among(state, row, goal)) return true;
+  return false;
 }
 
 void Journeys::stay(State& state, Row row, const Vec& spot) {
@@ -160,8 +173,7 @@ void Journeys::begin_to_wait(State& state, Row row) {
 
 /// Whether he isn't where he wants to stand.
 bool Journeys::is_off_spot(const State& state, Row row) const {
-  const double near = 2.0 * radius(state, row);
-  return (position(state, row) - state.crowd.spot[row]).squaredNorm() > near * near;
+  return (position(state, row) - state.crowd.spot[row]).norm() > radius(state, row);
 }
 
 /// Whether the agent's time is over.
@@ -182,14 +194,15 @@ bool Journeys::wait(State& state, Row row) {
   return state.step >= from + Time{scene_.time.dt, its.times[in_group], 1}.steps();
 }
 
-/// Before a closed exit he stands where he gets to it, or to others who wait for it; he isn't stuck.
+/// Before a closed exit he stands where he gets to it, or to others who wait for it, or where they who wait
+/// for something else keep him out; he isn't stuck.
 void Journeys::wait_for_opening(State& state, Row row) {
   const Vec& p = position(state, row);
   if (state.crowd.place[row] > 0) {
     if (is_off_spot(state, row) && since(state, state.crowd.stand_step[row]) >= kPatience)
       state.crowd.spot[row] = p;
-  } else if (!stands_yet(state, row) &&
-             (ways_.to(goal(state, row)).distance(p) <= radius(state, row) || is_among_waiting(state, row))) {
+  } else if (!stands_yet(state, row) && (ways_.to(goal(state, row)).distance(p) <= radius(state, row) ||
+                                         is_among(state, row, goal(state, row)) || is_kept_out(state, row))) {
     stay(state, row, p);
   }
   state.crowd.since[row] = state.step;
@@ -213,7 +226,7 @@ bool Journeys::is_there(State& state, Row row) {
 void Journeys::begin_leg(State& state, Row row) const {
   state.crowd.option[row] = leg(state, row).first_option();
   state.crowd.place[row] = 0;
-  state.crowd.since[row] = state.step;
+  state.crowd.since[row] = state.crowd.stand_step[row] = state.step;
 }
 
 /// Whether `is_there` is to be asked of him: not of who is on his way to an open goal and not in it.

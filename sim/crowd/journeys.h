@@ -32,6 +32,9 @@ class Journeys {
   /// among barriers.
   Heading heading(const State& state, std::size_t row) const;
 
+  /// Whether he has a place, is as good as there, which is `distance` (m) away, and stands.
+  bool has_settled(const State& state, std::size_t row, double distance) const;
+
   /// Has the memory brought near that `heading` of that agent will read.
   void prefetch(const State& state, std::size_t row) const {
     if (is_decided(state, row)) ways_.to(goal(state, row)).prefetch(position(state, row));
@@ -74,7 +77,7 @@ class Journeys {
   bool is_there(State& state, Row row);
   bool wait(State& state, Row row);
   void begin_to_wait(State& state, Row row);
-  bool is_among_waiting(const State& state, Row row);
+  bool is_among(const State& state, Row row, std::uint32_t goal);
   bool is_kept_out(const State& state, Row row);
   bool is_off_spot(const State& state, Row row) const;
   void wait_for_opening(State& state, Row row);

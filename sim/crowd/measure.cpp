@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "sim/crowd/measure.h"
 
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
 #include "sim/crowd/inside.h"
 
 namespace throng {
@@ -13,21 +17,48 @@ double left_of(const Vec& a, const Vec& b, const Vec& c) {
   return along.x() * to.y() - along.y() * to.x();
 }
 
-void count(std::int64_t step, std::int64_t& counter, Measured& measured) {
+void count(std::int64_t step, std::int64_t& counter, Measured& measured, std::int64_t times = 1) {
   if (measured.count + measured.back == 0) measured.first = step;
   measured.last = step;
-  ++counter;
+  counter += times;
+}
+
+void count_crossings(std::int64_t ways, std::int64_t step, Measured& measured) {
+  if (ways != 0) count(step, ways > 0 ? measured.count : measured.back, measured, std::abs(ways));
+}
+
+bool is_at_line(const std::array<Vec, 2>& line, const Stride& stride) {
+  const Vec off = stride.to - nearest_on_segment(line[0], line[1], stride.to);
+  return off.squaredNorm() <= stride.radius * stride.radius;
 }
 
 void measure_line(const Measure& measure, std::span<const Stride> strides, std::int64_t step,
-                  Measured& measured) {
+                  Measured& measured, const OnLines& on_lines) {
+  const auto known_first = std::ranges::lower_bound(on_lines.before, on_lines.line, {}, &OnLine::line);
+  const auto known_end = std::ranges::upper_bound(on_lines.before, on_lines.line, {}, &OnLine::line);
+  const std::span<OnLine> known(known_first, known_end);
+  const auto first = static_cast<std::ptrdiff_t>(on_lines.after.size());
   for (const Stride& stride : strides) {
     const int way = crossing(measure.line, stride.from, stride.to);
-    if (way == 0) continue;
-    count(step, way > 0 ? measured.count : measured.back, measured);
-    ++measured.samples;
-    measured.speed += stride.speed;
+    if (way == 0 && (known.empty() || !is_at_line(measure.line, stride))) continue;
+    const auto at = std::ranges::lower_bound(known, stride.id, {}, &OnLine::id);
+    const bool sways = at != known.end() && at->id == stride.id;
+    if (way == 0 && !sways) continue;
+    std::int32_t uncounted = 0;
+    if (sways) {
+      uncounted = std::exchange(at->uncounted, 0) + way;
+    } else {
+      count_crossings(way, step, measured);
+      ++measured.samples;
+      measured.speed += stride.speed;
+    }
+    if (is_at_line(measure.line, stride))
+      on_lines.after.push_back({on_lines.line, stride.id, uncounted});
+    else
+      count_crossings(uncounted, step, measured);
   }
+  for (const OnLine& gone : known) count_crossings(gone.uncounted, step, measured);
+  std::ranges::sort(on_lines.after.begin() + first, on_lines.after.end(), {}, &OnLine::id);
 }
 
 void measure_area(const Measure& measure, std::span<const Stride> strides, std::int64_t step,
@@ -70,9 +101,10 @@ int crossing(const std::array<Vec, 2>& line, const Vec& from, const Vec& to) {
   return passes ? (was_left ? 1 : -1) : 0;
 }
 
-void measure(const Measure& measure, std::span<const Stride> strides, std::int64_t step, Measured& measured) {
+void measure(const Measure& measure, std::span<const Stride> strides, std::int64_t step, Measured& measured,
+             const OnLines& on_lines) {
   if (!measure.is_on(step)) return;
-  measure.area.empty() ? measure_line(measure, strides, step, measured)
+  measure.area.empty() ? measure_line(measure, strides, step, measured, on_lines)
                        : measure_area(measure, strides, step, measured);
   ++measured.steps;
 }

@@ -44,6 +44,17 @@ struct Measured {
 struct Stride {
   Vec from, to;        ///< m
   double speed = 0.0;  ///< m/s
+  std::uint32_t id = 0;
+  double radius = 0.0;  ///< m
+};
+
+/// Who has crossed a line and isn't farther than his radius from it yet: so long he may sway on it.
+struct OnLine {
+  std::uint32_t line;  ///< row of Crowd::measures
+  std::uint32_t id;
+  std::int32_t uncounted;  ///< of his crossings, those from the line's left less those back
+
+  friend bool operator==(const OnLine&, const OnLine&) = default;
 };
 
 /// +1 where the step goes over the line from the left of it, as seen by who looks from its first point to its
@@ -51,8 +62,17 @@ struct Stride {
 /// on crosses it once.
 int crossing(const std::array<Vec, 2>& line, const Vec& from, const Vec& to);
 
-/// Adds a step of all agents, which ends at `step`. O(strides), little where they aren't near.
-void measure(const Measure& measure, std::span<const Stride> strides, std::int64_t step, Measured& measured);
+/// Those on one line before a step, ascending by id, and after it, behind others.
+struct OnLines {
+  std::uint32_t line;
+  std::vector<OnLine>&before, &after;
+};
+
+/// Adds a step of all agents, which ends at `step`. Who crosses a line counts at once; how he sways on it
+/// then doesn't, but where he is on the wrong side of it, once he is farther off than his radius, he has
+/// crossed it again. `before` is used up. O(strides), little where they aren't near.
+void measure(const Measure& measure, std::span<const Stride> strides, std::int64_t step, Measured& measured,
+             const OnLines& on_lines);
 
 /// Adds an agent who appears at `place` (m) at the end of `step`: in an area he has entered it.
 void measure_entry(const Measure& measure, const Vec& place, std::int64_t step, Measured& measured);

@@ -53,6 +53,10 @@ class WalkingModel {
   /// The longest step (s) that the model bears for an agent of that radius (m) and desired speed (m/s).
   virtual double longest_step(double radius, double desired_speed) const = 0;
 
+  /// Whether who wants nowhere stands still, whoever is near; else others push him, and who is to stay at a
+  /// place must go on wanting to it.
+  virtual bool stands_at_will() const { return true; }
+
   /// What of its radius keeps out of barriers whatever happens; the rest is left to the model's own forces.
   virtual double core() const { return 1.0; }
 };

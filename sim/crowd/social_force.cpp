@@ -116,6 +116,8 @@ class SocialForce : public WalkingModel {
   double reach(double largest_radius) const override {
     return std::min(model_.cutoff, 2.0 * largest_radius + kNegligibleRanges * model_.range);
   }
+  bool stands_at_will() const override { return false; }
+
   double core() const override { return 0.5; }
   double longest_step(double, double) const override {
     return std::min(model_.reaction_time, 2.0 / std::sqrt(kTouching * model_.stiffness / model_.mass));

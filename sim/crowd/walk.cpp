@@ -59,6 +59,7 @@ Walk::Walk(const Scene& scene)
     if (!is_new) continue;
     models_.push_back(walking_models()[group.model].make(group.parameters));
     cores_.push_back(models_.back()->core());
+    stand_at_will_.push_back(models_.back()->stands_at_will());
     reach_ = std::max(reach_, models_.back()->reach(largest_radius_));
   }
   for (std::size_t i = 0; i < scene.crowd.groups.size(); ++i)
@@ -97,6 +98,8 @@ void Walk::rank(const State& state, std::size_t place) {
   const Vec &p = state.position[row], &v = state.velocity[row];
   const std::size_t i = cells_.row()[place];
   auto [towards, distance] = journeys_->heading(state, i);
+  if (stand_at_will_[model_[scene_.crowd.group[its]]] && journeys_->has_settled(state, i, distance))
+    towards = Vec(0.0, 0.0), distance = 0.0;  // the very place would have others turn him for ever
   const double now = static_cast<double>(state.step) * scene_.time.dt;
   const double stood = time_stood(scene_, state, i);
   if (stood >= kHesitation && state.crowd.place[i] == 0 && towards != Vec(0.0, 0.0))
@@ -213,11 +216,17 @@ void Walk::measure_all(State& state) {
   strides_.resize(present(state));
   for (std::size_t place = 0; place < strides_.size(); ++place) {
     const std::size_t row = this->row(place);
-    strides_[place] = {{ranks_.x[place], ranks_.y[place]}, state.position[row], state.velocity[row].norm()};
+    strides_[place] = {{ranks_.x[place], ranks_.y[place]},
+                       state.position[row],
+                       state.velocity[row].norm(),
+                       state.id[row],
+                       ranks_.radius[place]};
   }
-  for (std::size_t i = 0; i < scene_.crowd.measures.size(); ++i) {
+  on_line_.swap(state.crowd.on_line);
+  state.crowd.on_line.clear();
+  for (std::uint32_t i = 0; i < scene_.crowd.measures.size(); ++i) {
     const Measure& its = scene_.crowd.measures[i];
-    measure(its, strides_, state.step, state.crowd.measured[i]);
+    measure(its, strides_, state.step, state.crowd.measured[i], {i, on_line_, state.crowd.on_line});
     if (voronoi_[i] && its.is_on(state.step))
       state.crowd.measured[i].voronoi +=
           voronoi_[i]->density(std::span(state.position).subspan(scene_.crowd.first));

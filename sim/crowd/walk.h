@@ -78,6 +78,7 @@ class Walk {
   std::optional<Journeys> journeys_;                   // where there are agents
   std::vector<std::unique_ptr<WalkingModel>> models_;  // each once, with its parameters
   std::vector<double> cores_;                          // likewise: WalkingModel::core
+  std::vector<std::uint8_t> stand_at_will_;            // likewise: WalkingModel::stands_at_will
   std::vector<std::uint32_t> model_;                   // row of models_, as Crowd::groups
   std::vector<std::unique_ptr<Sampler>> entrances_;    // as Crowd::groups, where agents appear
   double largest_radius_ = 0.0, reach_ = 0.0;          // m
@@ -88,6 +89,7 @@ class Walk {
   std::vector<std::uint8_t> leaves_;
   Standing standing_;                                     // who is there when others appear
   std::vector<Stride> strides_;                           // by place; where anything is measured
+  std::vector<OnLine> on_line_;                           // before the step
   std::vector<std::unique_ptr<VoronoiDensity>> voronoi_;  // as Crowd::measures, where wanted
 };
 

@@ -31,7 +31,7 @@ namespace {
 using Bytes = std::span<const std::byte>;
 
 constexpr std::array<char, 8> kMagic{'t', 'h', 'r', 'o', 'n', 'g', 'C', 'K'};
-constexpr std::uint64_t kLayout = 9;  // grows with every change of State
+constexpr std::uint64_t kLayout = 10;  // grows with every change of State
 
 struct Header {
   std::array<char, 8> magic = kMagic;
@@ -40,7 +40,7 @@ struct Header {
   std::int64_t step = 0;
   std::uint64_t scenario_bytes = 0, bodies = 0, disc_contacts = 0, point_contacts = 0;
   std::uint64_t agents = 0;  // rows of CrowdState: the last of the bodies
-  std::uint64_t groups = 0, measures = 0, sensors = 0;
+  std::uint64_t groups = 0, measures = 0, on_line = 0, sensors = 0;
   std::uint64_t sleepers = 0;  // rows of SleepState: as many as there are bodies, or none
   std::uint64_t sleeping_disc_contacts = 0, sleeping_point_contacts = 0;
   std::int64_t arrived = 0, last_arrival = 0, wall_corrections = 0, squeezed = 0;
@@ -59,6 +59,7 @@ std::uint64_t hash_of(const Header& header) {
 static_assert(sizeof(SensedSum) == 2 * sizeof(std::int64_t), "every byte of it is written");
 static_assert(sizeof(Measured) == 6 * sizeof(std::int64_t) + 2 * sizeof(double),
               "every byte of it is written");
+static_assert(std::has_unique_object_representations_v<OnLine>, "every byte of it is written");
 
 template <class S, class F>
 void for_each_array(S& state, F visit) {
@@ -73,7 +74,8 @@ std::vector<Bytes> content(const std::string& scenario, const State& state, cons
   const auto add = [&](const auto& array) { all.push_back(std::as_bytes(std::span(array))); };
   for_each_array(state, add);
   for_each_agent_array(state.crowd, add);
-  add(state.crowd.waiting), add(state.crowd.measured), add(state.sensed);
+  add(state.crowd.waiting), add(state.crowd.measured), add(state.crowd.on_line);
+  add(state.sensed);
   add(state.sleep.calm), add(state.sleep.island);
   for_each_column(contacts, add);
   return all;
@@ -126,6 +128,7 @@ Header header_for(const CheckpointOrigin& origin, const State& state) {
   header.agents = state.crowd.stand.size();
   header.groups = state.crowd.waiting.size();
   header.measures = state.crowd.measured.size();
+  header.on_line = state.crowd.on_line.size();
   header.sensors = state.sensed.size();
   header.sleepers = state.sleep.island.size();
   header.sleeping_disc_contacts = state.sleep.disc_contacts.size();
@@ -188,6 +191,7 @@ void expect_size(const std::string& path, const Header& header, std::uint64_t si
                                   header.agents,
                                   header.groups,
                                   header.measures,
+                                  header.on_line,
                                   header.sensors,
                                   header.disc_contacts,
                                   header.point_contacts,
@@ -199,7 +203,7 @@ void expect_size(const std::string& path, const Header& header, std::uint64_t si
   if (!bounded || !crowd ||
       size != sizeof header + header.scenario_bytes + body * header.bodies + agent * header.agents +
                   sizeof(std::uint32_t) * header.groups + sizeof(Measured) * header.measures +
-                  sizeof(SensedSum) * header.sensors +
+                  sizeof(OnLine) * header.on_line + sizeof(SensedSum) * header.sensors +
                   contact * (header.disc_contacts + header.point_contacts) + sleeper * header.sleepers +
                   sleeping * (header.sleeping_disc_contacts + header.sleeping_point_contacts))
     refuse_damaged(path, "its size is not what its header says");
@@ -228,8 +232,9 @@ Checkpoint read_content(int fd, const std::string& path, const Header& header) {
     read_array(array);
   });
   state.crowd.waiting.resize(header.groups), state.crowd.measured.resize(header.measures);
-  state.sensed.resize(header.sensors);
-  read_array(state.crowd.waiting), read_array(state.crowd.measured), read_array(state.sensed);
+  state.crowd.on_line.resize(header.on_line), state.sensed.resize(header.sensors);
+  read_array(state.crowd.waiting), read_array(state.crowd.measured), read_array(state.crowd.on_line);
+  read_array(state.sensed);
   state.crowd.arrived = header.arrived, state.crowd.last_arrival = header.last_arrival;
   state.crowd.wall_corrections = header.wall_corrections;
   state.crowd.squeezed = header.squeezed;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <utility>
 
 #include "sim/recording/contact_columns.h"
 #include "sim/simulation_error.h"
@@ -46,6 +48,16 @@ bool is_sound(const Measured& measured, std::int64_t step) {
          std::isfinite(measured.speed) && measured.voronoi >= 0.0 && std::isfinite(measured.voronoi);
 }
 
+/// Each once, and nobody has gone round the end of a line so often.
+bool is_sound(const std::vector<OnLine>& on_line) {
+  const auto is_astray = [](const OnLine& a, const OnLine& b) {
+    return std::pair(a.line, a.id) >= std::pair(b.line, b.id);
+  };
+  return std::adjacent_find(on_line.begin(), on_line.end(), is_astray) == on_line.end() &&
+         std::all_of(on_line.begin(), on_line.end(),
+                     [](const OnLine& his) { return std::abs(std::int64_t{his.uncounted}) < 1 << 30; });
+}
+
 /// No body senses more than all the others, which 32 bits name.
 bool is_sound(const SensedSum& sum) {
   return is_count(sum.looks) && is_count(sum.sensed) && sum.sensed >> 32 <= sum.looks;
@@ -64,7 +76,8 @@ bool is_sound(const CrowdState& crowd, std::int64_t step) {
          std::all_of(crowd.since.begin(), crowd.since.end(), past) && past(crowd.last_arrival) &&
          is_count(crowd.arrived) && is_count(crowd.wall_corrections) && is_count(crowd.squeezed) &&
          std::all_of(crowd.measured.begin(), crowd.measured.end(),
-                     [&](const Measured& measured) { return is_sound(measured, step); });
+                     [&](const Measured& measured) { return is_sound(measured, step); }) &&
+         is_sound(crowd.on_line);
 }
 
 }  // namespace

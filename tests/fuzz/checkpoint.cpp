@@ -22,7 +22,7 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 
 // Where things stand in the header: see sim/recording/checkpoint.cpp.
-constexpr std::size_t kHeader = 248, kCounts = 56, kContentHash = 232, kHash = 240;  // bytes
+constexpr std::size_t kHeader = 256, kCounts = 56, kContentHash = 240, kHash = 248;  // bytes
 
 std::uint64_t number_at(const Bytes& bytes, std::size_t at) {
   std::uint64_t number;
@@ -44,11 +44,12 @@ std::uint64_t content_hash(const Bytes& bytes) {
     sizes.push_back(one * number_at(bytes, kCounts + 32));
   sizes.push_back(4 * number_at(bytes, kCounts + 40));  // groups
   sizes.push_back(sizeof(Measured) * number_at(bytes, kCounts + 48));
-  sizes.push_back(sizeof(SensedSum) * number_at(bytes, kCounts + 56));
-  for (const std::uint64_t one : {4, 4}) sizes.push_back(one * number_at(bytes, kCounts + 64));  // sleepers
-  for (const std::size_t kind : {16, 24, 72, 80}) {
+  sizes.push_back(sizeof(OnLine) * number_at(bytes, kCounts + 56));
+  sizes.push_back(sizeof(SensedSum) * number_at(bytes, kCounts + 64));
+  for (const std::uint64_t one : {4, 4}) sizes.push_back(one * number_at(bytes, kCounts + 72));  // sleepers
+  for (const std::size_t kind : {16, 24, 80, 88}) {
     for (const std::uint64_t one : contact) sizes.push_back(one * number_at(bytes, kCounts + kind));
-    if (kind < 72) continue;
+    if (kind < 80) continue;
     for (const std::uint64_t one : {4, 4, 4, 16}) sizes.push_back(one * number_at(bytes, kCounts + kind));
   }
   std::uint64_t chain = recording::kEmptyChain;

@@ -136,6 +136,7 @@ TEST(Entrance, FitsOnlyTheCrowdThatItIsOf) {
   EXPECT_TRUE(refused([](State& s) { s.crowd.waiting[0] = 41; }));
   EXPECT_TRUE(refused([](State& s) { s.crowd.waiting.push_back(0); }));
   EXPECT_TRUE(refused([](State& s) { s.crowd.measured.resize(1); }));
+  EXPECT_TRUE(refused([](State& s) { s.crowd.on_line = {{0, 1, 0}}; })) << "there is no line";
   EXPECT_TRUE(refused([](State& s) { ++s.crowd.arrived; }));
   EXPECT_TRUE(refused([](State& s) { s.id.back() = 40; })) << "who is still to appear";
   EXPECT_TRUE(refused([](State& s) { for_each_agent_array(s.crowd, [](auto& all) { all.clear(); }); }));

@@ -29,6 +29,17 @@ TEST(Crossing, CountsWhoStopsOnTheLineOnce) {
   EXPECT_EQ(crossing(kUp, {2.0, 0.2}, {2.0, 0.7}), 0);
 }
 
+/// Measures step by step, with what is remembered of those on the line.
+struct Watch {
+  void step(const Measure& of, std::span<const Stride> strides, std::int64_t number) {
+    before.swap(on_line), on_line.clear();
+    measure(of, strides, number, measured, {0, before, on_line});
+  }
+
+  Measured measured;
+  std::vector<OnLine> before, on_line;
+};
+
 Measure door() {
   Measure door;
   door.name = "door", door.line = kUp;
@@ -36,15 +47,16 @@ Measure door() {
 }
 
 TEST(Measure, GivesTheFlowOverALineFromItsFirstCrossingToItsLast) {
-  Measured measured;
+  Watch watch;
+  Measured& measured = watch.measured;
   const Stride over{{1.9, 0.5}, {2.1, 0.5}, 1.5}, back{{2.1, 0.5}, {1.9, 0.5}, 0.5};
-  measure(door(), {}, 1, measured);
+  watch.step(door(), {}, 1);
   EXPECT_FALSE(reading(door(), measured, 0.1).flow || reading(door(), measured, 0.1).speed);
-  measure(door(), std::array{over}, 10, measured);
+  watch.step(door(), std::array{over}, 10);
   EXPECT_EQ(reading(door(), measured, 0.1).count, 1);
   EXPECT_FALSE(reading(door(), measured, 0.1).flow);
-  measure(door(), std::array{over, back}, 20, measured);
-  measure(door(), std::array{over}, 50, measured);
+  watch.step(door(), std::array{over, back}, 20);
+  watch.step(door(), std::array{over}, 50);
   const Reading all = reading(door(), measured, 0.1);
   EXPECT_EQ(measured.count, 3);
   EXPECT_EQ(measured.back, 1);
@@ -52,6 +64,52 @@ TEST(Measure, GivesTheFlowOverALineFromItsFirstCrossingToItsLast) {
   EXPECT_DOUBLE_EQ(*all.flow, 3 / 4.0);
   EXPECT_DOUBLE_EQ(*all.speed, (3 * 1.5 + 0.5) / 4);
   EXPECT_FALSE(all.density);
+}
+
+/// Where one person is over the line x = 2 after each step, who begins left of it, 0.4 m thick; then how
+/// often he has crossed it there and back.
+std::pair<std::int64_t, std::int64_t> crossings(const std::vector<double>& way, Watch& watch) {
+  double x = 1.5;
+  std::int64_t step = 0;
+  for (const double next : way) {
+    watch.step(door(), std::array{Stride{{x, 0.5}, {next, 0.5}, 1.0, 7, 0.2}}, ++step);
+    x = next;
+  }
+  return {watch.measured.count, watch.measured.back};
+}
+
+// It happened: 70 people who waited on a line were counted 824 times.
+TEST(Measure, CountsWhoSwaysOnTheLineOnce) {
+  Watch watch;
+  EXPECT_EQ(crossings({1.95, 2.05, 1.95, 2.1, 1.9, 2.15}, watch), std::pair(1l, 0l));
+  EXPECT_EQ(watch.measured.last, 2) << "when he crossed it first";
+  EXPECT_EQ(watch.on_line.size(), 1u);
+  watch.step(door(), std::array{Stride{{2.15, 0.5}, {2.25, 0.5}, 1.0, 7, 0.2}}, 7);
+  EXPECT_TRUE(watch.on_line.empty()) << "0.25 m behind it, he is done with it";
+  EXPECT_EQ(watch.measured.count + watch.measured.back, 1);
+  EXPECT_EQ(watch.measured.samples, 1);
+}
+
+TEST(Measure, CountsHimBackWhoTurnsBackOnTheLineOnceHeIsClearOfIt) {
+  Watch watch;
+  EXPECT_EQ(crossings({2.05, 1.9}, watch), std::pair(1l, 0l)) << "so far he sways";
+  EXPECT_EQ(crossings({1.9, 1.7}, watch), std::pair(1l, 1l));
+  Watch gone;
+  EXPECT_EQ(crossings({2.05, 1.9}, gone), std::pair(1l, 0l));
+  gone.step(door(), {}, 3);
+  EXPECT_EQ(gone.measured.back, 1) << "who isn't there any more has done with it, too";
+}
+
+TEST(Measure, CountsEachPassageOfOneWhoComesAgain) {
+  Watch watch;
+  EXPECT_EQ(crossings({2.1, 2.5, 1.9, 1.5, 2.3, 1.7}, watch), std::pair(2l, 2l));
+  Watch round;
+  for (std::int64_t step = 1; step < 9; step += 2) {
+    round.step(door(), std::array{Stride{{1.9, 0.5}, {2.1, 0.5}, 1.0, 7, 0.2}}, step);
+    round.step(door(), std::array{Stride{{2.1, 0.5}, {2.5, 2.5}, 1.0, 7, 0.2}}, step + 1);
+  }
+  EXPECT_EQ(round.measured.count, 4) << "laps";
+  EXPECT_EQ(round.measured.back, 0);
 }
 
 /// Two of three agents are in an area, of which 4 m² count.
@@ -92,22 +150,22 @@ TEST(MeasureColumns, OfALineAreThoseOfItsReading) {
 TEST(Measure, LooksBetweenItsTimesAlone) {
   Measure late = door();
   late.after = 9, late.last = 20;
-  Measured measured;
+  Watch watch;
   const Stride over{{1.9, 0.5}, {2.1, 0.5}, 1.5};
-  for (int step : {9, 10, 20, 21}) measure(late, std::array{over}, step, measured);
-  EXPECT_EQ(measured.count, 2);
-  EXPECT_EQ(measured.steps, 2);
+  for (int step : {9, 10, 20, 21}) watch.step(late, std::array{over}, step);
+  EXPECT_EQ(watch.measured.count, 2);
+  EXPECT_EQ(watch.measured.steps, 2);
 }
 
 TEST(Measure, GivesDensityAndSpeedInAnArea) {
   Measure hall;
   hall.name = "hall", hall.size = 20.0;
   hall.area = {{{{0, 0}, {4, 0}, {4, 5}, {0, 5}}}};
-  Measured measured;
+  Watch watch;
   const Stride in{{1, 1}, {1.1, 1}, 1.0}, enters{{-0.1, 1}, {0.1, 1}, 2.0}, leaves{{3.9, 1}, {4.1, 1}, 9.0};
-  measure(hall, std::array{in, leaves}, 1, measured);
-  measure(hall, std::array{in, enters}, 2, measured);
-  const Reading read = reading(hall, measured, 0.1);
+  watch.step(hall, std::array{in, leaves}, 1);
+  watch.step(hall, std::array{in, enters}, 2);
+  const Reading read = reading(hall, watch.measured, 0.1);
   EXPECT_EQ(read.count, 2);
   EXPECT_DOUBLE_EQ(*read.density, 1.5 / 20);
   EXPECT_DOUBLE_EQ(*read.speed, 4.0 / 3);

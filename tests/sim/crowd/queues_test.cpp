@@ -190,7 +190,8 @@ TEST(Queue, ThatIsFullKeepsNobodyStuck) {
   EXPECT_EQ(slow.state.crowd.arrived, 0) << "a service of 1e9 s, counted in steps";
 }
 
-// They turned this way and that after 10 s, as if an arch held them.
+// They turned this way and that after 10 s, as if an arch held them; later the last in the line was pushed to
+// and fro by those behind him, 1.2 m in 10 s.
 TEST(Queue, ThatIsFullLetsThoseBehindItStandStill) {
   for (const char* model : {"collision_free_speed", "social_force", "orca"}) {
     SCOPED_TRACE(model);
@@ -205,8 +206,8 @@ TEST(Queue, ThatIsFullLetsThoseBehindItStandStill) {
       for (std::size_t row = 0; row < way.size(); ++row) way[row] += 0.02 * slow.state.velocity[row].norm();
     }
     for (std::size_t row = 0; row < way.size(); ++row)
-      EXPECT_LT(way[row], slow.state.crowd.place[row] > 0 ? 2.0 : 0.1)
-          << "m in 10 s, agent " << slow.state.id[row] << ", place " << slow.state.crowd.place[row];
+      EXPECT_LT(way[row], 0.1) << "m in 10 s, agent " << slow.state.id[row] << ", place "
+                               << slow.state.crowd.place[row];
   }
 }
 

@@ -132,6 +132,7 @@ TEST(Walk, ACheckpointKeepsAllOfACrowd) {
   run.steps(500);
   ASSERT_GT(run.state.crowd.arrived, 0);
   ASSERT_GT(run.state.crowd.measured.at(0).count, 0);
+  for (int i = 0; i < 500 && run.state.crowd.on_line.empty(); ++i) run.steps(1);
   const std::string file = ::testing::TempDir() + "crowd.ckpt";
   recording::write_checkpoint(file, {"1", "", 0, 0}, run.state);
   const State read = recording::read_checkpoint(file).state;
@@ -142,6 +143,8 @@ TEST(Walk, ACheckpointKeepsAllOfACrowd) {
   EXPECT_EQ(read.crowd.last_arrival, run.state.crowd.last_arrival);
   EXPECT_EQ(read.crowd.wall_corrections, run.state.crowd.wall_corrections);
   EXPECT_EQ(read.crowd.measured, run.state.crowd.measured);
+  EXPECT_FALSE(run.state.crowd.on_line.empty());
+  EXPECT_EQ(read.crowd.on_line, run.state.crowd.on_line);
   EXPECT_TRUE(fits(read, run.scene));
   std::remove(file.c_str());
 }

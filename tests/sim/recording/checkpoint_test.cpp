@@ -239,6 +239,15 @@ TEST(Checkpoint, RefusesCrowdsThatNoRunHas) {
   EXPECT_TRUE(measured({3, 1, 2, 5, 5, 4, -1}));
   EXPECT_TRUE(measured({3, 1, 2, 5, 5, 4, 6.5, infinity}));
   EXPECT_TRUE(measured({std::numeric_limits<std::int64_t>::max(), 1, 2, 5, 5, 4, 6.5}));
+  const auto on_line = [&](std::vector<OnLine> all) {
+    return refused([&](CrowdState& c) { c.measured.resize(2), c.on_line = all; });
+  };
+  EXPECT_FALSE(on_line({{0, 3, 0}, {1, 2, -1}, {1, 3, 2}}));
+  EXPECT_TRUE(on_line({{1, 2, 0}, {0, 3, 0}}));
+  EXPECT_TRUE(on_line({{1, 3, 0}, {1, 2, 0}}));
+  EXPECT_TRUE(on_line({{1, 3, 0}, {1, 3, 0}}));
+  EXPECT_TRUE(on_line({{1, 3, std::numeric_limits<std::int32_t>::max()}}));
+  EXPECT_TRUE(on_line({{1, 3, std::numeric_limits<std::int32_t>::min()}}));
 }
 
 TEST(Checkpoint, NamesTheLineInWhichScenariosDiffer) {
