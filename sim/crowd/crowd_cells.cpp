@@ -6,7 +6,15 @@
 
 namespace throng {
 
-void CrowdCells::sort(std::span<const Vec> position, double reach) {
+/// Those in each cell, few, by insertion.
+void CrowdCells::order_by(std::span<const std::uint32_t> id) {
+  for (std::size_t bucket = 0; bucket + 1 < start_.size(); ++bucket)
+    for (std::size_t k = start_[bucket] + std::size_t{1}; k < start_[bucket + 1]; ++k)
+      for (std::size_t j = k; j > start_[bucket] && id[row_[j]] < id[row_[j - 1]]; --j)
+        std::swap(row_[j], row_[j - 1]);
+}
+
+void CrowdCells::sort(std::span<const Vec> position, double reach, std::span<const std::uint32_t> id) {
   const std::size_t n = position.size();
   row_.resize(n), bucket_.resize(n);
   if (n == 0) return;
@@ -28,6 +36,7 @@ void CrowdCells::sort(std::span<const Vec> position, double reach) {
   std::uint32_t sum = 0;
   for (std::uint32_t& start : start_) start = sum += start;
   for (auto row = static_cast<std::uint32_t>(n); row-- > 0;) row_[--start_[bucket_[row]]] = row;
+  if (!id.empty()) order_by(id);
 }
 
 }  // namespace throng

@@ -11,15 +11,15 @@
 namespace throng {
 
 /// Agents in the order of the cells that they stand in, which each have a place in an array: who is near in
-/// the plane is near in memory. The order depends on where they stand and on the order of their rows, on
-/// nothing else.
+/// the plane is near in memory. The order depends on where they stand and on the order of their rows, or on
+/// their names, on nothing else.
 class CrowdCells {
  public:
   /// Sorts them into cells half as wide as `reach` (m, above 0), wider where that would be many more cells
-  /// than agents. O(n); allocates only to grow.
-  void sort(std::span<const Vec> position, double reach);
+  /// than agents; in each cell ascending by row, or by id where ids are given. O(n); allocates only to grow.
+  void sort(std::span<const Vec> position, double reach, std::span<const std::uint32_t> id = {});
 
-  /// The row of each place; ascending in each cell.
+  /// The row of each place.
   std::span<const std::uint32_t> row() const { return row_; }
 
   /// Places first to end - 1.
@@ -50,6 +50,8 @@ class CrowdCells {
   }
 
  private:
+  void order_by(std::span<const std::uint32_t> id);
+
   broadphase::Cells cells_;
   std::vector<std::uint32_t> start_, bucket_, row_;
 };

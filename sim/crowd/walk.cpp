@@ -6,6 +6,7 @@
 #include <map>
 
 #include "sim/crowd/entrance.h"
+#include "sim/crowd/row_order.h"
 #include "sim/crowd/stuck.h"
 #include "sim/simulation_error.h"
 
@@ -49,7 +50,8 @@ Walk::Walk(const Scene& scene)
                 2.0 * largest_radius(scene)),
       movers_(scene),
       entrances_(scene.crowd.groups.size()),
-      largest_radius_(largest_radius(scene)) {
+      largest_radius_(largest_radius(scene)),
+      measuring_(scene.crowd) {
   if (scene.crowd.size() == 0) return;
   std::map<std::pair<std::uint32_t, std::vector<double>>, std::uint32_t> known;
   for (const AgentGroup& group : scene.crowd.groups) {
@@ -65,13 +67,10 @@ Walk::Walk(const Scene& scene)
   for (std::size_t i = 0; i < scene.crowd.groups.size(); ++i)
     if (const AgentGroup& group = scene.crowd.groups[i]; group.entrance && group.count > 0)
       entrances_[i] = std::make_unique<Sampler>(group.entrance->within, least_radius(scene, group));
-  for (const Measure& measure : scene.crowd.measures)
-    voronoi_.push_back(measure.cutoff > 0.0
-                           ? std::make_unique<VoronoiDensity>(scene.crowd.walkable, measure.ground,
-                                                              measure.size, measure.cutoff)
-                           : nullptr);
   journeys_.emplace(scene, barriers_);
   if (!movers_.empty()) seen_ = barriers_;
+  rows_follow_ = scene.crowd.size() >= kMany &&
+                 std::ranges::none_of(entrances_, [](const auto& entrance) { return entrance != nullptr; });
 }
 
 void Walk::Ranks::resize(std::size_t n) {
@@ -81,24 +80,49 @@ void Walk::Ranks::resize(std::size_t n) {
   model.resize(n);
 }
 
+void Walk::sort(const State& state) {
+  cells_.sort(
+      std::span(state.position).subspan(scene_.crowd.first), reach_,
+      rows_follow_ ? std::span(state.id).subspan(scene_.crowd.first) : std::span<const std::uint32_t>());
+}
+
+/// Who is near in the plane becomes near in memory. Nothing else follows from it, as who is in a cell stands
+/// there in the order of ids.
+void Walk::let_rows_follow(State& state, Workers& workers) {
+  if (!rows_follow_ || state.step % kRowsFollow != 0) return;
+  sort(state);
+  reorder_agents(state, scene_.crowd.first, cells_.row(), workers);
+}
+
+/// Of who is in that row of the state. Many at a time, where their rows differ.
+const Walk::Known& Walk::known(const State& state, std::size_t row) {
+  Known& its = known_[row - scene_.crowd.first];
+  if (its.id == state.id[row]) return its;
+  const std::size_t agent = this->agent(state, row);
+  its = {scene_.bodies.radius[scene_.crowd.first + agent], scene_.crowd.desired_speed[agent],
+         scene_.crowd.start[agent], state.id[row], model_[scene_.crowd.group[agent]]};
+  return its;
+}
+
 /// Has the memory brought near that ranking who has that place reads.
 void Walk::prefetch(const State& state, std::size_t place) const {
   const std::size_t i = cells_.row()[place], row = scene_.crowd.first + i;
   const CrowdState& crowd = state.crowd;
   for (const void* each :
-       {static_cast<const void*>(&state.id[row]), static_cast<const void*>(&state.position[row]),
-        static_cast<const void*>(&state.velocity[row]), static_cast<const void*>(&crowd.stage[i]),
-        static_cast<const void*>(&crowd.option[i]), static_cast<const void*>(&crowd.place[i]),
-        static_cast<const void*>(&crowd.stand_step[i])})
+       {static_cast<const void*>(&known_[i]), static_cast<const void*>(&state.id[row]),
+        static_cast<const void*>(&state.position[row]), static_cast<const void*>(&state.velocity[row]),
+        static_cast<const void*>(&crowd.stage[i]), static_cast<const void*>(&crowd.option[i]),
+        static_cast<const void*>(&crowd.place[i]), static_cast<const void*>(&crowd.stand_step[i])})
     __builtin_prefetch(each);
 }
 
 void Walk::rank(const State& state, std::size_t place) {
-  const std::size_t row = this->row(place), its = agent(state, row);
+  const std::size_t row = this->row(place);
+  const Known& its = known(state, row);
   const Vec &p = state.position[row], &v = state.velocity[row];
   const std::size_t i = cells_.row()[place];
   auto [towards, distance] = journeys_->heading(state, i);
-  if (stand_at_will_[model_[scene_.crowd.group[its]]] && journeys_->has_settled(state, i, distance))
+  if (stand_at_will_[its.model] && journeys_->has_settled(state, i, distance))
     towards = Vec(0.0, 0.0), distance = 0.0;  // the very place would have others turn him for ever
   const double now = static_cast<double>(state.step) * scene_.time.dt;
   const double stood = time_stood(scene_, state, i);
@@ -107,20 +131,19 @@ void Walk::rank(const State& state, std::size_t place) {
   ranks_.x[place] = p.x(), ranks_.y[place] = p.y();
   ranks_.velocity_x[place] = v.x(), ranks_.velocity_y[place] = v.y();
   ranks_.towards_x[place] = towards.x(), ranks_.towards_y[place] = towards.y();
-  ranks_.model[place] = model_[scene_.crowd.group[its]];
-  ranks_.radius[place] = scene_.bodies.radius[scene_.crowd.first + its];
-  const bool stands = now < scene_.crowd.start[its];
-  ranks_.desired_speed[place] = stands ? 0.0 : std::min(scene_.crowd.desired_speed[its], distance / kSettle);
+  ranks_.model[place] = its.model, ranks_.radius[place] = its.radius;
+  ranks_.desired_speed[place] = now < its.start ? 0.0 : std::min(its.desired_speed, distance / kSettle);
   ranks_.id[place] = state.id[row];
   ranks_.clear[place] = (seen_ ? *seen_ : barriers_).clear(p);
 }
 
 void Walk::look(State& state, Workers& workers) {
+  let_rows_follow(state, workers);
   journeys_->look(state);
   if (seen_) movers_.show(state, *seen_);
   const std::size_t n = present(state);
-  cells_.sort(std::span(state.position).subspan(scene_.crowd.first), reach_);
-  ranks_.resize(n);
+  sort(state);
+  ranks_.resize(n), known_.resize(n);
   workers.for_ranges(n, [&](std::size_t begin, std::size_t end) {
     for (std::size_t place = begin; place < end; ++place) {
       prefetch(state, std::min(place + 2 * kAhead, end - 1));
@@ -209,44 +232,27 @@ void Walk::walk(State& state, Workers& workers) {
   movers_.move(state);
   for (std::size_t row = 0, end = all_go_on ? scene_.crowd.first : state.id.size(); row < end; ++row)
     check_body(state, row);
-  if (!scene_.crowd.measures.empty()) measure_all(state);
+  if (!measuring_.empty()) measure(state);
 }
 
-void Walk::measure_all(State& state) {
-  strides_.resize(present(state));
-  for (std::size_t place = 0; place < strides_.size(); ++place) {
+void Walk::measure(State& state) {
+  const std::span<Stride> strides = measuring_.strides(present(state));
+  for (std::size_t place = 0; place < strides.size(); ++place) {
     const std::size_t row = this->row(place);
-    strides_[place] = {{ranks_.x[place], ranks_.y[place]},
-                       state.position[row],
-                       state.velocity[row].norm(),
-                       state.id[row],
-                       ranks_.radius[place]};
+    strides[place] = {{ranks_.x[place], ranks_.y[place]},
+                      state.position[row],
+                      state.velocity[row].norm(),
+                      state.id[row],
+                      ranks_.radius[place]};
   }
-  on_line_.swap(state.crowd.on_line);
-  state.crowd.on_line.clear();
-  for (std::uint32_t i = 0; i < scene_.crowd.measures.size(); ++i) {
-    const Measure& its = scene_.crowd.measures[i];
-    measure(its, strides_, state.step, state.crowd.measured[i], {i, on_line_, state.crowd.on_line});
-    if (voronoi_[i] && its.is_on(state.step))
-      state.crowd.measured[i].voronoi +=
-          voronoi_[i]->density(std::span(state.position).subspan(scene_.crowd.first));
-  }
+  measuring_.measure(state);
 }
 
 void Walk::leave(State& state, Workers& workers) {
   journeys_->advance(state, workers, leaves_);
   const auto count = std::ranges::count(leaves_, 1);
   if (count == 0) return;
-  const auto keep = [&](auto& all, std::size_t bodies) {
-    std::size_t row = 0;
-    const auto leaves = [&](const auto&) { return leaves_[row++] != 0; };
-    all.erase(std::remove_if(all.begin() + static_cast<std::ptrdiff_t>(bodies), all.end(), leaves),
-              all.end());
-  };
-  const std::size_t bodies = scene_.crowd.first;
-  keep(state.id, bodies), keep(state.position, bodies), keep(state.velocity, bodies);
-  keep(state.angle, bodies), keep(state.spin, bodies);
-  for_each_agent_array(state.crowd, [&](auto& all) { keep(all, 0); });
+  remove_agents(state, scene_.crowd.first, leaves_, !rows_follow_);
   state.crowd.arrived += count;
   state.crowd.last_arrival = state.step;
 }

@@ -8,10 +8,10 @@
 #include "sim/crowd/barriers.h"
 #include "sim/crowd/crowd_cells.h"
 #include "sim/crowd/journeys.h"
+#include "sim/crowd/measuring.h"
 #include "sim/crowd/model.h"
 #include "sim/crowd/movers.h"
 #include "sim/crowd/slide.h"
-#include "sim/crowd/voronoi_density.h"
 #include "sim/scene.h"
 #include "sim/state.h"
 #include "sim/workers.h"
@@ -55,9 +55,18 @@ class Walk {
     void resize(std::size_t n);
   };
 
+  /// What the scene says of an agent.
+  struct Known {
+    double radius, desired_speed, start;  ///< m, m/s, s
+    std::uint32_t id = 0, model;          ///< row of models_
+  };
+
+  void sort(const State& state);
+  void let_rows_follow(State& state, Workers& workers);
+  const Known& known(const State& state, std::size_t row);
   void prefetch(const State& state, std::size_t place) const;
   void rank(const State& state, std::size_t place);
-  void measure_all(State& state);
+  void measure(State& state);
   bool is_due(const State& state, std::size_t group) const;
   bool bring_in(State& state, std::size_t group);
   struct Hindered {
@@ -82,15 +91,15 @@ class Walk {
   std::vector<std::uint32_t> model_;                   // row of models_, as Crowd::groups
   std::vector<std::unique_ptr<Sampler>> entrances_;    // as Crowd::groups, where agents appear
   double largest_radius_ = 0.0, reach_ = 0.0;          // m
+  bool rows_follow_ = false;                           // where they stand, from time to time
+  std::vector<Known> known_;                           // by row: of him whose id it is
   CrowdCells cells_;
   Ranks ranks_;
   std::vector<std::uint32_t> places_;  // those of each model together
   std::vector<Vec> velocity_;          // by place
   std::vector<std::uint8_t> leaves_;
-  Standing standing_;                                     // who is there when others appear
-  std::vector<Stride> strides_;                           // by place; where anything is measured
-  std::vector<OnLine> on_line_;                           // before the step
-  std::vector<std::unique_ptr<VoronoiDensity>> voronoi_;  // as Crowd::measures, where wanted
+  Standing standing_;  // who is there when others appear
+  Measuring measuring_;
 };
 
 }  // namespace throng
