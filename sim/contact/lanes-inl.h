@@ -163,25 +163,28 @@ struct WideWish {
   Reals mass_scale, impulse_scale;
 };
 
-/// What push_apart asks at that separation.
+/// What push_apart asks at that separation, as wish_at() in solve.cpp.
 class Pusher {
  public:
   explicit Pusher(const SolverSettings& settings)
       : rate_(hn::Set(D(), 1.0 / settings.h)),
         bias_rate_(hn::Set(D(), settings.softness.bias_rate)),
         least_(hn::Set(D(), -settings.push_out)),
+        deep_(hn::Set(D(), settings.push_out / settings.softness.bias_rate)),
         mass_scale_(hn::Set(D(), settings.softness.mass_scale)),
         impulse_scale_(hn::Set(D(), settings.softness.impulse_scale)) {}
 
   HWY_INLINE WideWish wish(Reals separation) const {
     const Mask apart = hn::Gt(separation, hn::Zero(D()));
+    const Reals limited = hn::Div(deep_, hn::Max(hn::Neg(separation), deep_));
     return {
         hn::IfThenElse(apart, hn::Mul(separation, rate_), hn::Max(hn::Mul(separation, bias_rate_), least_)),
-        hn::IfThenElse(apart, hn::Set(D(), 1.0), mass_scale_), hn::IfThenZeroElse(apart, impulse_scale_)};
+        hn::IfThenElse(apart, hn::Set(D(), 1.0), mass_scale_),
+        hn::IfThenZeroElse(apart, hn::Mul(impulse_scale_, limited))};
   }
 
  private:
-  Reals rate_, bias_rate_, least_, mass_scale_, impulse_scale_;
+  Reals rate_, bias_rate_, least_, deep_, mass_scale_, impulse_scale_;
 };
 
 /// The change of the normal impulse that grants the wish; impulses only push.

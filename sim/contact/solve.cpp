@@ -110,18 +110,23 @@ void respond(PointContact& contact, SolverBody& a, SolverBody& b, const Wish& wi
   if (friction) at.apply(a, b, 0.0, rub(contact, at.tangent_velocity(a, b)));
 }
 
+/// What push_apart asks at that separation. Where the speed is limited, the impulse that is let go is less by
+/// as much: else nothing would bear more than what the limit alone holds, and be pressed through the other.
+Wish wish_at(double separation, const SolverSettings& settings) {
+  if (separation > 0.0) return {separation * (1.0 / settings.h)};
+  const Softness& soft = settings.softness;
+  const double deep = settings.push_out / soft.bias_rate;  // m, from where on
+  const double limited = deep / std::max(-separation, deep);
+  return {std::max(separation * soft.bias_rate, -settings.push_out), soft.mass_scale,
+          soft.impulse_scale * limited};
+}
+
 template <class Contact>
 void push_apart_all(std::span<Contact> contacts, std::span<SolverBody> bodies,
                     const SolverSettings& settings) {
-  const Softness soft = settings.softness;
-  const double rate = 1.0 / settings.h;
   for (Contact& contact : contacts) {
     SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
-    const double s = separation(contact, a, b);
-    const Wish wish =
-        s > 0.0 ? Wish{s * rate}
-                : Wish{std::max(s * soft.bias_rate, -settings.push_out), soft.mass_scale, soft.impulse_scale};
-    respond(contact, a, b, wish, settings.friction);
+    respond(contact, a, b, wish_at(separation(contact, a, b), settings), settings.friction);
   }
 }
 

@@ -12,7 +12,7 @@ namespace throng {
 struct SolverSettings {
   double h;           ///< s, the substep
   Softness softness;  ///< of the biased sweep
-  double push_out;    ///< m/s, the fastest that overlapping bodies are driven apart
+  double push_out;    ///< m/s, the fastest that overlapping bodies are driven apart, whatever they bear
   bool friction;      ///< some surface rubs
   double fast;  ///< m/s, from which on a sweep leaves too much speed to a face that meets with two corners
 };

@@ -46,7 +46,7 @@ constexpr Golden kGallery[] = {
     {"polygons", 40, 0x54c1db1fe6640a98},      {"pyramid", 10, 0x638ede55caa31237},
     {"hopper", 100, 0xd9a9662857617237},       {"gears", 100, 0x0fc76281c55d3e39},
     {"billiard", 1500, 0x8dd8bcba2d1db68a},    {"cradle", 2000, 0x7db3d1ee537b00be},
-    {"mixed", 200, 0xe7a2a4a9bd39e481},        {"corridor", 1200, 0x467109d56963dd86},
+    {"mixed", 200, 0x4f0d49c045b66f7f},        {"corridor", 1200, 0x467109d56963dd86},
     {"bottleneck", 1200, 0xbdf3e5ef623827ca},  {"circle_swap", 300, 0x3098722b25df02fc},
     {"counterflow", 1200, 0x83930b1ca7987e0e}, {"evacuation", 1500, 0x86386bd794f1d43a},
     {"station", 200, 0x7d02b7eb906cc254},      {"stadium", 6, 0xea197326c117286a},

@@ -36,7 +36,7 @@ MinimalDiscs::MinimalDiscs(const Scene& scene) : scene_(scene) {
     sum += radius_.back();
   }
   bodies_.push_back({});
-  push_out_ = 10.0 * sum / static_cast<double>(n);
+  push_out_ = 2.0 * sum / static_cast<double>(n);
   angle_ = scene.bodies.angle;
   reach_.resize(n), cell_of_.resize(n), by_cell_.resize(n);
 }
@@ -188,7 +188,7 @@ void MinimalDiscs::sweep(std::vector<Contact>& contacts) {
     double wanted;
     if (kBiased && s <= 0.0)
       wanted = old - c.normal_mass * mass_scale_ * (speed + std::max(s * bias_rate_, -push_out_)) -
-               impulse_scale_ * old;
+               impulse_scale_ * (push_out_ / std::max(-s * bias_rate_, push_out_)) * old;
     else
       wanted = old - c.normal_mass * (speed + std::max(s, 0.0) * (1.0 / h_));
     c.normal_impulse = std::max(wanted, 0.0);

@@ -65,7 +65,8 @@ class Blocks : public ::testing::TestWithParam<std::int64_t> {
   }
 
   SolverSettings settings(bool friction) const {
-    return {0.0025, softness(0.18 / 0.0025, 10.0, 0.0025), 4.0, friction, 1e9};
+    // Half of what overlaps is so deep that the speed is limited.
+    return {0.0025, softness(0.18 / 0.0025, 10.0, 0.0025), 1.0, friction, 1e9};
   }
 
   void move(std::vector<SolverBody>& bodies) const {
