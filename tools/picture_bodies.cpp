@@ -5,7 +5,7 @@
 #include <numbers>
 #include <optional>
 
-#include "tools/disc_brush.h"
+#include "tools/brush.h"
 #include "tools/images.h"
 #include "tools/pen.h"
 
@@ -18,12 +18,12 @@ constexpr double kSmallest = 1.5;   // pixels of radius below which a body has n
 constexpr double kTurnShows = 4.0;  // pixels of radius from which a disc shows how it turned
 constexpr double kStands = 0.05;    // m/s up to which an agent walks nowhere
 
-/// What draws: discs are painted straight into the pixels, all else by cairo, each in its turn.
+/// What draws: most is painted straight into the pixels, the rest by cairo, each in its turn.
 class Painter {
  public:
   explicit Painter(cairo_t* cairo) : cairo_(cairo) {}
 
-  DiscBrush& discs() { return brush_ ? *brush_ : brush_.emplace(cairo_); }
+  Brush& brush() { return brush_ ? *brush_ : brush_.emplace(cairo_); }
   cairo_t* cairo() {
     brush_.reset();
     return cairo_;
@@ -31,7 +31,7 @@ class Painter {
 
  private:
   cairo_t* cairo_;
-  std::optional<DiscBrush> brush_;
+  std::optional<Brush> brush_;
 };
 
 bool is_outlined(double radius, double pixel) {
@@ -63,6 +63,18 @@ void paint(cairo_t* cairo, const Shape& shape, double radius, const Colour& colo
   cairo_fill(cairo);
 }
 
+/// The smallest ones, mere points, cairo shows as dark as they are large.
+bool is_for_brush(const Shape& shape, double radius, double pixel) {
+  return is_outlined(radius, pixel) && shape.parts.size() == 1 && shape.parts[0].vertices.size() > 2 &&
+         shape.holes.empty();
+}
+
+void paint(Brush& brush, const narrowphase::Convex& part, const narrowphase::Pose& pose, double radius,
+           const Colour& colour, double pixel) {
+  brush.rim(part, pose, 0.5 * outline_width(radius, pixel), shade(colour));
+  brush.convex(part, pose, colour);
+}
+
 Colour colour_of(const Scene& scene, const Frame& frame, std::size_t row, double top) {
   if (scene.bodies.kind[row] == BodyKind::fixed) return kFixed;
   if (scene.bodies.kind[row] == BodyKind::kinematic) return kKinematic;
@@ -82,7 +94,7 @@ std::optional<double> facing(const Scene& scene, const Frame& frame, std::size_t
 }
 
 /// A disc, and how it turned.
-void draw_disc(DiscBrush& brush, const Vec& at, double radius, const std::optional<double>& turned,
+void draw_disc(Brush& brush, const Vec& at, double radius, const std::optional<double>& turned,
                const Colour& colour, double pixel) {
   const double half = 0.5 * outline_width(radius, pixel);
   if (is_outlined(radius, pixel)) brush.ring(at, radius - half, radius + half, shade(colour));
@@ -96,7 +108,10 @@ void draw_at(Painter& painter, const Scene& scene, const Frame& frame, std::size
   const std::optional<double> turned = facing(scene, frame, row);
   const Shape& shape = scene.shapes[scene.bodies.shape[row]];
   const double radius = scene.bodies.radius[row];
-  if (shape.kind == ShapeKind::disc) return draw_disc(painter.discs(), at, radius, turned, colour, pixel);
+  if (shape.kind == ShapeKind::disc) return draw_disc(painter.brush(), at, radius, turned, colour, pixel);
+  if (is_for_brush(shape, radius, pixel))
+    return paint(painter.brush(), shape.parts[0], narrowphase::pose(at, turned.value_or(0.0)), radius, colour,
+                 pixel);
   cairo_t* const cairo = painter.cairo();
   cairo_save(cairo);
   cairo_translate(cairo, at.x(), at.y());

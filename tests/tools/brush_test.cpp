@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Discs against what cairo makes of the same arcs and lines, pixel by pixel.
-#include "tools/disc_brush.h"
+// Discs and polygons against what cairo makes of the same arcs and lines, pixel by pixel.
+#include "tools/brush.h"
 
 #include <gtest/gtest.h>
 
@@ -58,9 +58,9 @@ Difference difference(const Canvas& a, const Canvas& b) {
   return {found.mean / std::max(1.0, touched), found.most, std::abs(found.area) / std::max(1.0, painted)};
 }
 
-/// `brush` and `pen` draw the same thing, of a random place (m) and size, two hundred times.
-template <class Brush, class Pen>
-Difference worst(double least, double most, Brush brush, Pen pen) {
+/// `paint` and `pen` draw the same thing, of a random place (m) and size, two hundred times.
+template <class Paint, class Pen>
+Difference worst(double least, double most, Paint paint, Pen pen) {
   std::mt19937 random(11);
   const auto within = [&](double low, double high) {
     return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
@@ -70,10 +70,10 @@ Difference worst(double least, double most, Brush brush, Pen pen) {
     const Vec at(within(3.0, 9.0), within(3.0, 6.0));
     const double size = within(least, most), angle = within(-4.0, 4.0);
     Canvas painted, drawn;
-    DiscBrush(painted.cairo.get()).disc({-50.0, 1e9}, 1.0, kBlue);  // out of the picture
+    Brush(painted.cairo.get()).disc({-50.0, 1e9}, 1.0, kBlue);  // out of the picture
     {
-      DiscBrush tip(painted.cairo.get());
-      brush(tip, at, size, angle);
+      Brush tip(painted.cairo.get());
+      paint(tip, at, size, angle);
     }
     pen(drawn.cairo.get(), at, size, angle);
     const Difference one = difference(painted, drawn);
@@ -87,27 +87,27 @@ void fill(cairo_t* cairo, const Vec& at, double radius, double) {
   cairo_fill(cairo);
 }
 
-void paint(DiscBrush& brush, const Vec& at, double radius, double) {
+void paint_disc(Brush& brush, const Vec& at, double radius, double) {
   brush.disc(at, radius, kBlue);
 }
 
-TEST(DiscBrush, FillsDiscsAsCairoDoes) {
-  const Difference found = worst(0.2, 2.9, paint, fill);
+TEST(Brush, FillsDiscsAsCairoDoes) {
+  const Difference found = worst(0.2, 2.9, paint_disc, fill);
   EXPECT_LT(found.mean, 5.0);
   EXPECT_LT(found.most, 40.0);
   EXPECT_LT(found.area, 0.015);
 }
 
-TEST(DiscBrush, FillsTheSmallestDiscsAsDarkAsTheyAreLarge) {
-  const Difference found = worst(0.03, 0.2, paint, fill);
+TEST(Brush, FillsTheSmallestDiscsAsDarkAsTheyAreLarge) {
+  const Difference found = worst(0.03, 0.2, paint_disc, fill);
   EXPECT_LT(found.area, 0.125);
   EXPECT_LT(found.most, 100.0);
 }
 
-TEST(DiscBrush, DrawsRingsAsCairoDoes) {
+TEST(Brush, DrawsRingsAsCairoDoes) {
   const Difference found = worst(
       0.4, 2.9,
-      [](DiscBrush& brush, const Vec& at, double radius, double) {
+      [](Brush& brush, const Vec& at, double radius, double) {
         brush.ring(at, radius - 0.06, radius + 0.06, kBlue);
       },
       [](cairo_t* cairo, const Vec& at, double radius, double) {
@@ -119,10 +119,10 @@ TEST(DiscBrush, DrawsRingsAsCairoDoes) {
   EXPECT_LT(found.area, 0.03);
 }
 
-TEST(DiscBrush, DrawsLinesAsCairoDoes) {
+TEST(Brush, DrawsLinesAsCairoDoes) {
   const Difference found = worst(
       0.4, 2.9,
-      [](DiscBrush& brush, const Vec& at, double length, double angle) {
+      [](Brush& brush, const Vec& at, double length, double angle) {
         brush.spoke(at, length, angle, 0.14, kBlue);
       },
       [](cairo_t* cairo, const Vec& at, double length, double angle) {
@@ -135,12 +135,70 @@ TEST(DiscBrush, DrawsLinesAsCairoDoes) {
   EXPECT_LT(found.area, 0.12);
 }
 
+/// About the origin, as far from it as `size` (m) at most.
+narrowphase::Convex brick(double size) {
+  return narrowphase::convex({{-size, -0.5 * size},
+                              {0.4 * size, -0.6 * size},
+                              {0.9 * size, 0.1 * size},
+                              {0.5 * size, 0.7 * size},
+                              {-0.8 * size, 0.5 * size}});
+}
+/// Thirty times as long as wide.
+narrowphase::Convex sliver(double size) {
+  return narrowphase::convex({{-size, -0.033 * size}, {size, -0.033 * size}, {-size, 0.033 * size}});
+}
+
+/// Filled, or a line of that width (m) round it.
+void draw(cairo_t* cairo, const narrowphase::Convex& part, const Vec& at, double angle, double width) {
+  cairo_translate(cairo, at.x(), at.y());
+  cairo_rotate(cairo, angle);
+  for (const Vec& vertex : part.vertices) cairo_line_to(cairo, vertex.x(), vertex.y());
+  cairo_close_path(cairo);
+  cairo_set_line_width(cairo, width);
+  cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
+  width > 0.0 ? cairo_stroke(cairo) : cairo_fill(cairo);
+}
+
+Difference worst_polygon(narrowphase::Convex (*part)(double), double least, double most, double width) {
+  return worst(
+      least, most,
+      [&](Brush& brush, const Vec& at, double size, double angle) {
+        const narrowphase::Pose pose = narrowphase::pose(at, angle);
+        width > 0.0 ? brush.rim(part(size), pose, 0.5 * width, kBlue) : brush.convex(part(size), pose, kBlue);
+      },
+      [&](cairo_t* cairo, const Vec& at, double size, double angle) {
+        draw(cairo, part(size), at, angle, width);
+      });
+}
+
+TEST(Brush, FillsPolygonsAsCairoDoes) {
+  const Difference found = worst_polygon(brick, 0.2, 2.9, 0.0);
+  EXPECT_LT(found.mean, 5.0);
+  EXPECT_LT(found.most, 60.0);
+  EXPECT_LT(found.area, 0.05);
+}
+
+TEST(Brush, FillsWhatIsThinnerThanAPixelAsPaleAsCairoDoes) {
+  const Difference found = worst_polygon(sliver, 1.0, 2.9, 0.0);
+  EXPECT_LT(found.mean, 10.0);
+  EXPECT_LT(found.area, 0.15);
+}
+
+TEST(Brush, GoesRoundCornersAsCairosRoundLinesDo) {
+  for (const auto part : {brick, sliver}) {
+    const Difference found = worst_polygon(part, 0.2, 2.9, 0.16);
+    EXPECT_LT(found.mean, 8.0);
+    EXPECT_LT(found.most, 60.0);
+    EXPECT_LT(found.area, 0.05);
+  }
+}
+
 /// Of a disc as large as the picture, whole pixels within the clip and none outside.
-TEST(DiscBrush, KeepsWithinTheClip) {
+TEST(Brush, KeepsWithinTheClip) {
   Canvas canvas;
   cairo_rectangle(canvas.cairo.get(), 2.0, 1.0, 5.0, 4.0);
   cairo_clip(canvas.cairo.get());
-  DiscBrush(canvas.cairo.get()).disc({5.0, 4.0}, 1e4, kBlue);
+  Brush(canvas.cairo.get()).disc({5.0, 4.0}, 1e4, kBlue);
   for (int y = 0; y < kHigh; ++y)
     for (int x = 0; x < kWide; ++x)
       ASSERT_EQ(canvas.red(x, y) < 255, x >= 20 && x < 70 && y >= kHigh - 50 && y < kHigh - 10)
