@@ -442,7 +442,7 @@ class Files(Export):
     def test_that_are_damaged_are_refused_and_leave_nothing(self):
         with h5py.File(self.record(), "r+") as file:
             file["particles/trajectory/position/value"][20, 1, 0] += 1e-9
-        for format in ("csv", "pedpy", "h5md3", "lammps"):
+        for format in self.FORMATS:
             text = self.refused("a.h5", "--format", format, "-o", "new")
             self.assertIn("a.h5 is damaged: frame 20: it does not match its hash", text)
 
