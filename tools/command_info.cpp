@@ -231,6 +231,8 @@ std::string meaning(const std::string& key, const Json& value, const Json& descr
     return std::string(value == 1 ? " step" : " steps") + ", of what has no rate of its own below";
   const bool solves = description["agents"] == 0 && description["engine"] != "event_driven";
   if (key == "substeps") return solves ? " a step" : " a step, which do nothing here";
+  const bool change = description["agents"] != 0 || !description["within"].is_null();
+  if (key == "bodies" && change) return ", that are recorded while they are there";
   const auto found = kMeanings.find(key);
   return found == kMeanings.end() ? "" : found->second;
 }

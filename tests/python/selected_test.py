@@ -82,6 +82,14 @@ class Selected(Program):
             self.assertTrue(0 < inside.sum() < inside.size and (inside[0] != inside[-1]).any(), "some come or go")
             np.testing.assert_array_equal(recording.position[:], np.where(inside[..., None], every, np.nan))
             np.testing.assert_array_equal(recording.spin[20], np.where(inside[20], whole.spin[20], np.nan))
+            self.assertEqual(repr(recording), "<recording 'three <b>&': 21 frames of up to 4 bodies>")
+            for i in range(21):
+                frame = recording.frame(i)
+                np.testing.assert_array_equal(frame.present, inside[i])
+                np.testing.assert_array_equal(frame.ids, [1, 2, 3, 4])
+                self.assertTrue(np.isfinite(frame.position[frame.present]).all())
+            said = subprocess.run([PROGRAM, "info", self.path("selected.h5")], capture_output=True, text=True, check=True)
+            self.assertRegex(said.stdout, "\nbodies +4, that are recorded while they are there\n")
             with h5py.File(self.path("selected.h5")) as file:  # as H5MD has a number of bodies that changes
                 ids = file["particles/trajectory/id/value"]
                 self.assertEqual(ids.fillvalue, 0)
@@ -114,6 +122,8 @@ class Selected(Program):
             with h5py.File(self.path("selected.h5")) as file:
                 np.testing.assert_array_equal(file["particles/trajectory/id/step"], range(0, 21, 4))
                 self.assertEqual(len(file["particles/trajectory/id/value"]), 6)
+            self.assertIsNone(recording.frame(2).present)
+            np.testing.assert_array_equal(recording.frame(7).present, inside[5])
         self.assertEqual(self.throng("export", "selected.h5", "--format", "csv", "-o", "a.csv"),
                          (0, "throng: warning: a.csv leaves out observables, which throng_read.py reads\n"))
         with open(self.path("a.csv"), encoding="utf8") as file:

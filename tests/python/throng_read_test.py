@@ -32,9 +32,24 @@ class ThrongRead(Program):
             self.assertEqual(recording.observables, {})
             self.assertEqual(repr(recording), "<recording 'three <b>&': 21 frames of 4 bodies>")
 
+    def test_prints_in_a_line_what_it_gives(self):
+        (self.folder / "three.toml").write_text(SCENE + '[[sensors]]\nname = "eyes"\nradius = 1.5\nrecord = true\n')
+        path = self.record("a.h5", "--set", 'record.fields=["position", "contacts"]', "--set", "record.observables=1")
+        with throng_read.open(path) as recording:
+            self.assertEqual(repr(recording.bodies),
+                             "<4 bodies (3 dynamic, 1 static): shape, material, kind, radius, mass, ids>")
+            self.assertEqual(repr(recording.position), "<position: 21 of 21 frames, float64 (4, 2) each>")
+            self.assertEqual(repr(recording.spin), "<spin: 0 of 21 frames, float64 (4,) each>")
+            self.assertEqual(repr(recording[6]), "<frame of step 6, 0.06 s, 4 of 4 bodies: position>")
+            self.assertEqual(repr(recording.sensed("eyes", 6)), "<sensed by 4: 4 ids; who, count, whom, [id]>")
+            self.assertEqual(repr(recording.contacts(0)), "<0 contacts: a, b, impulse, point>")
+            self.assertEqual(repr(recording.shapes), "[<shape 'ball': disc>, <shape 'brick': polygon>]")
+            self.assertRegex(repr(recording.observables), "^<observables: there are contacts, kinetic_energy, .*>$")
+
     def test_knows_the_bodies_their_shapes_and_materials(self):
         with throng_read.open(self.record()) as recording:
             bodies = recording.bodies
+            np.testing.assert_array_equal(bodies.ids, [1, 2, 3, 4])
             self.assertEqual([recording.shapes[s].name for s in bodies.shape], ["brick"] + 3 * ["ball"])
             self.assertEqual([recording.materials[m].name for m in bodies.material], ["default"] + 3 * ["ice"])
             self.assertEqual(list(bodies.kind), ["static"] + 3 * ["dynamic"])
@@ -88,6 +103,7 @@ class ThrongRead(Program):
                 np.testing.assert_array_equal(getattr(frame, field),
                                               file[f"particles/trajectory/{field}/value"][6])
             np.testing.assert_array_equal(frame.ids, [1, 2, 3, 4])
+            self.assertTrue(frame.present.all())
             self.assertEqual([frame.step for frame in recording], list(range(21)))
 
     def test_has_none_where_a_field_was_not_recorded(self):
@@ -239,7 +255,7 @@ class Refusals(Program):
         whole = pathlib.Path(path).read_bytes()
         for size in range(12, len(whole), len(whole) // 20):
             pathlib.Path(path).write_bytes(whole[:size])
-            self.refused(path, "is damaged")
+            self.refused(path, f"is cut short: {size} of {len(whole) if size >= 36 else 48} bytes are there; copy it once more")
 
     def test_refuses_crafted_files(self):
         def replaced(name, make):

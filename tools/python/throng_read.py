@@ -11,8 +11,9 @@
 
 Indices are frames of the recording. A field that has a rate of its own is not in all of them:
 recording.velocity.frames are those that have it, recording.velocity.index_at(2.5) and .between(1, 2) choose of
-these, and recording.velocity[recording.velocity.frames] is all there is. With record.within, bodies that were
-outside have NaN. recording.contacts(i) gives where bodies pressed, recording.observables the measurements, of
+these, and recording.velocity[recording.velocity.frames] is all there is. With record.within, and of crowds, bodies come
+and go: recording.ids has all that ever may be there, who is away has NaN, and recording.frame(i).present is a mask of
+those who are there. recording.contacts(i) gives where bodies pressed, recording.observables the measurements, of
 agents also "agents", "arrived" and "measure/NAME/count" and so on, recording.bins("speeds") the edges of a histogram's
 bins; recording.sensed("NAME", i) whom a sensor found;
 recording.bodies, .shapes, .materials, .domain, .walls, of crowds .walkable (rings), .areas and .queues the scene.
@@ -50,10 +51,28 @@ DENSEST = 1032  # bytes that deflate can make of one
 
 FIELDS = ("position", "angle", "velocity", "spin")
 
-Contacts = namedtuple("Contacts", "a b impulse point")  # ids, 0 for obstacles; N s; (x, y) in m
+
+class Contacts(namedtuple("Contacts", "a b impulse point")):  # ids; N s; (x, y) in m
+    """Where bodies pressed in a frame: b is 0 for a wall, the border of the domain and whatever is static."""
+
+    def __repr__(self):
+        return f"<{len(self.a)} contacts: {', '.join(self._fields)}>"
+
+
+class Bodies(namedtuple("Bodies", "shape material kind radius mass ids")):
+    """A row a body that is recorded: rows of shapes and materials; m, kg."""
+
+    def __repr__(self):
+        kinds = ", ".join(f"{count} {kind}" for kind, count in zip(*np.unique(self.kind, return_counts=True)))
+        return f"<{len(self.ids)} bodies{f' ({kinds})' if kinds else ''}: {', '.join(self._fields)}>"
+
+
+class Shape(namedtuple("Shape", "name kind radius area centre outline parts holes")):  # parts: (vertices, radius)
+    def __repr__(self):
+        return f"<shape {self.name!r}: {self.kind}>"
+
+
 Sensor = namedtuple("Sensor", "name every radius fov_degrees sight")  # steps, m
-Shape = namedtuple("Shape", "name kind radius area centre outline parts holes")  # parts: (vertices, radius)
-Bodies = namedtuple("Bodies", "shape material kind radius mass")  # rows of shapes and materials; m, kg
 Material = namedtuple("Material", "name density restitution friction")
 Wall = namedtuple("Wall", "points closed material")
 Domain = namedtuple("Domain", "kind min max")
@@ -72,6 +91,12 @@ class Frame:
     angle: np.ndarray | None  # rad
     velocity: np.ndarray | None  # m/s
     spin: np.ndarray | None  # rad/s
+    present: np.ndarray | None  # a mask of the bodies that are there, as in position[present]; all others have NaN
+
+    def __repr__(self):
+        there = [name for name in FIELDS if getattr(self, name) is not None]
+        count = "" if self.present is None else f", {np.count_nonzero(self.present)} of {len(self.ids)} bodies"
+        return f"<frame of step {self.step}, {self.time:.9g} s{count}: {', '.join(there) or 'no fields'}>"
 
 
 class NotRecorded(IndexError, KeyError):
@@ -95,6 +120,9 @@ class Sensed:
             raise NotRecorded(f"{self._where}: body {id} was not there or doesn't have it; .who lists those who looked")
         return self.whom[int(self.begin[row]):int(self.begin[row + 1])]
 
+    def __repr__(self):
+        return f"<sensed by {len(self.who)}: {len(self.whom)} ids; who, count, whom, [id]>"
+
 
 class Measured(dict):
     """Observables by name."""
@@ -105,6 +133,9 @@ class Measured(dict):
 
     def __missing__(self, name):
         raise NotRecorded(f"{self._path} has no observable {name!r}: {_listed(self)}")
+
+    def __repr__(self):
+        return f"<observables: {_listed(self)}>"
 
 
 class NotARecording(ValueError):
@@ -180,6 +211,9 @@ class Field:
     def __array__(self, dtype=None):
         return self[:].astype(dtype or self.dtype, copy=False)
 
+    def __repr__(self):
+        return f"<{self._name}: {len(self.frames)} of {len(self)} frames, {self.dtype} {self.shape[1:]} each>"
+
 
 class Quantized:
     """Positions that are stored as whole multiples of a quantum, packed (sim/recording/packed.h), in metres."""
@@ -223,11 +257,7 @@ class Region:
         self.shape, self.dtype = values.shape, values.dtype
 
     def __getitem__(self, sample):
-        found = self._present[int(self._samples[sample])]
-        behind = found[np.count_nonzero(found):]
-        found = found[:np.count_nonzero(found)]
-        if behind.any() or not np.isin(found, self._ids).all() or not (np.diff(found.astype("i8")) > 0).all():
-            raise OSError(f"frame {self._frames[sample]} has ids that are not in order")
+        found = _ids_in_front(self._present[int(self._samples[sample])], self._ids, self._frames[sample])
         result = np.full(self.shape[1:], np.nan, self.dtype)
         rows, values = np.searchsorted(self._ids, found), self._values[sample]
         result[rows] = values[rows] if self._keeps_rows else values[:len(found)]
@@ -265,9 +295,9 @@ class Recording:
         self.resolved = _text(self._get("parameters/resolved")[()])
         self.command_line = _text(self._get("parameters/command_line")[()])
         self._read_frames()
-        self._read_scene()
         changes = "throng/bodies/id" in self._file  # bodies come into a region, and leave it
         self.ids = self._all("throng/bodies/id" if changes else "particles/trajectory/id")
+        self._read_scene()
         self._present = self._bounded("particles/trajectory/id/value", sparse=True) if changes else None
         self._present_step = self._all("particles/trajectory/id/step") if changes else None
         self.sensors = self._sensors()
@@ -300,8 +330,8 @@ class Recording:
         self.materials = [Material(_text(name), *map(float, numbers)) for name, *numbers in
                           self._columns("throng/materials", Material._fields)]
         kinds = np.array(["dynamic", "static", "kinematic", "agent"])
-        shape, material, kind, radius, mass = (self._all(f"throng/bodies/{name}") for name in Bodies._fields)
-        self.bodies = Bodies(shape, material, kinds[kind], radius, mass)
+        shape, material, kind, radius, mass = (self._all(f"throng/bodies/{name}") for name in Bodies._fields[:-1])
+        self.bodies = Bodies(shape, material, kinds[kind], radius, mass, self.ids)
         self.shapes = self._shapes()
         offset, points = self._all("throng/walls/offset"), self._all("throng/walls/points")
         self.walls = [Wall(points[a:b], bool(closed), int(material)) for a, b, closed, material in
@@ -527,9 +557,19 @@ class Recording:
         i = _frame(self._path, len(self), i)
         fields = (getattr(self, name) for name in FIELDS)
         return Frame(int(self.step[i]), float(self.time[i]), int(self.hash[i]), self.ids,
-                     *(field[i] if field.is_in(i) else None for field in fields))
+                     *(field[i] if field.is_in(i) else None for field in fields), self._mask(i))
 
     __getitem__ = frame
+
+    def _mask(self, i):
+        """Which of `ids` are in frame i; None where it has no fields of bodies that come and go."""
+        if self._present is None:
+            return np.ones(len(self.ids), bool)
+        sample = int(np.searchsorted(self._present_step, self.step[i]))
+        if sample == min(len(self._present), len(self._present_step)) or self._present_step[sample] != self.step[i]:
+            return None
+        with _damage_named(self._path, f"frame {i}, id"):
+            return np.isin(self.ids, _ids_in_front(self._present[sample], self.ids, i))
 
     def index_at(self, time):
         """The frame nearest to a time (s); the earlier of two."""
@@ -549,7 +589,8 @@ class Recording:
         self.close()
 
     def __repr__(self):
-        return f"<recording {self.name!r}: {len(self)} frames of {len(self.ids)} bodies>"
+        up_to = "" if self._present is None else "up to "
+        return f"<recording {self.name!r}: {len(self)} frames of {up_to}{len(self.ids)} bodies>"
 
 
 def open(path):
@@ -561,7 +602,7 @@ def _open_file(path):
     """As throng does: superblocks of version 3 only, and what a run didn't close is read as SWMR readers do."""
     try:
         with os.fdopen(os.open(path, os.O_RDONLY), "rb") as file:
-            head = file.read(12)
+            head, size = file.read(36), os.path.getsize(path)
     except FileNotFoundError as error:
         if not os.path.exists(path + ".part"):
             raise
@@ -570,6 +611,9 @@ def _open_file(path):
         raise NotARecording(f"{path} is no HDF5 file")
     if len(head) < 12 or head[8] != 3:
         raise NotARecording(f"{path} is HDF5 but not throng's")
+    whole = int.from_bytes(head[28:36], "little") if len(head) == 36 else 48  # where it ends, once it was closed
+    if head[11] == 0 and size < whole:
+        raise NotARecording(f"{path} is cut short: {size} of {whole} bytes are there; copy it once more from where it is whole")
     try:
         return h5py.File(path, "r", libver="latest", swmr=head[11] != 0)
     except OSError as error:
@@ -583,6 +627,14 @@ def _damage_named(path, where):
         yield
     except Exception as error:
         raise OSError(f"{path} is damaged: {where}: {error}") from error
+
+
+def _ids_in_front(row, ids, frame):
+    """The ids of a frame, of a row that has 0 behind them."""
+    found = row[:np.count_nonzero(row)]
+    if row[len(found):].any() or not np.isin(found, ids).all() or not (np.diff(found.astype("i8")) > 0).all():
+        raise OSError(f"frame {frame} has ids that are not in order")
+    return found
 
 
 def _frame(path, count, i):
