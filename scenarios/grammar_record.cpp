@@ -10,8 +10,8 @@ using namespace types;
 
 namespace {
 
-Type record_fields() {
-  return list(choice({"position", "angle", "velocity", "spin", "contacts"}), 0, "a list of fields", 16);
+Type record_fields(std::size_t least) {
+  return list(choice({"position", "angle", "velocity", "spin", "contacts"}), least, "a list of fields", 16);
 }
 
 /// One or several of what `part` is.
@@ -38,21 +38,29 @@ Type bins_table(Type up_to, const char* what) {
 
 Type record_table() {
   const Table also{{required({"every", integer(1, 1e9), "Steps from one to the next."}),
-                    required({"fields", record_fields(), "What is recorded at this rate."})}};
+                    required({"fields", record_fields(1), "What is recorded at this rate."})}};
   return table(
       {{{"every", integer(1, 1e9), "Steps from one recorded frame to the next.", "1"},
-        {"fields", record_fields(),
-         "What a frame holds; contacts: where bodies press on each other or on obstacles.",
+        {"fields", record_fields(0),
+         "What a frame holds; contacts: where bodies press on each other (a, b: their ids) or on what is "
+         "static (b: 0). []: nothing of this.",
          "[\"position\", \"angle\", \"velocity\"]"},
         {"also", tables(also), "Further fields, at rates of their own.", "[]"},
         {"observables", integer(1, 1e9),
          "Steps from one measurement to the next of energies, momentum, contacts, overlaps, and of what "
          "measures count; absent: none."},
-        {"precision", choice({"double", "single"}), "Width of recorded numbers.", "\"double\""},
+        {"precision", choice({"double", "single"}),
+         "Width of positions, angles, velocities and spins; contacts and observables are double.",
+         "\"double\""},
         {"quantize", number(1e-9, 1e3, "m"),
-         "Store positions rounded to whole multiples of this, m, and packed; absent: as they are."},
-        {"of", recorded_bodies_table(), "Which bodies are recorded: those that all of it fits; absent: all."},
-        {"within", box(), "Record bodies only while their centre is in this box, m."}}});
+         "Store positions rounded to whole multiples of this, m, and packed; at least the farthest place "
+         "over 2^31; absent: as they are."},
+        {"of", recorded_bodies_table(),
+         "Which bodies are recorded: those that all of it fits, and contacts of which one side is such a "
+         "body; absent: all. Observables and sensors go by their own."},
+        {"within", box(),
+         "Record bodies only while their centre is in this box, m, and contacts of which one side is such a "
+         "body."}}});
 }
 
 Type observe_table() {

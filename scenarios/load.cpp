@@ -67,7 +67,9 @@ void read_scene(const toml::table& root, Scene& scene, Report& report) {
   check_queues(root, scene, report);
   read_recorded_bodies(root, scene, report);
   if (report.errors() > 0) return;
+  check_quantum(root, scene, report);
   read_sensors(root, scene, report);
+  warn_of_empty_record(root, scene, report);
   settle_auto_time(root, scene, report);
   settle_soft_contacts(root, scene, report);
   if (report.errors() == 0) check_engine(root, scene, report);

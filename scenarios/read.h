@@ -62,6 +62,12 @@ void settle_auto_time(const toml::table& root, Scene& scene, Report& report);
 /// Rates, fields and form of the recording; part of read_settings.
 void read_record(const toml::table& root, Scene& scene, Report& report);
 
+/// Refuses a quantum that is too fine for where recorded bodies may be. Expects all of them in the scene.
+void check_quantum(const toml::table& root, const Scene& scene, Report& report);
+
+/// Warns where a recording would hold nothing. Expects the sensors read.
+void warn_of_empty_record(const toml::table& root, const Scene& scene, Report& report);
+
 /// What is observed of all bodies, beside energies and overlaps.
 void read_observe(const toml::table& root, Scene& scene, Report& report);
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cstdio>
 
 #include "scenarios/limits.h"
 #include "scenarios/read.h"
+#include "sim/recording/packed.h"
+#include "sim/recording/selection.h"
 
 namespace throng::scenarios {
 
@@ -110,6 +113,33 @@ void read_record(const toml::table& root, Scene& scene, Report& report) {
   read_also(table, record, report);
   read_region(table, record, report);
   read_quantum(table, record, report);
+}
+
+void check_quantum(const toml::table& root, const Scene& scene, Report& report) {
+  const Record& record = scene.record;
+  if (!(record.quantum > 0.0)) return;
+  const bool is_bounded = scene.domain.kind != DomainKind::unbounded;
+  Eigen::AlignedBox2d place = recording::place_of_bodies(scene);
+  if (record.within) place = is_bounded ? place.intersection(*record.within) : *record.within;
+  if (place.isEmpty()) return;
+  const double farthest = std::max(place.min().cwiseAbs().maxCoeff(), place.max().cwiseAbs().maxCoeff());
+  const double least = recording::least_quantum(farthest);
+  if (record.quantum >= least) return;
+  char text[120];
+  std::snprintf(text, sizeof text,
+                "is too fine where positions go up to %.6g m from 0: must be at least %.2g m", farthest,
+                least);
+  report.error(*root["record"]["quantize"].node(), "record.quantize", text);
+}
+
+void warn_of_empty_record(const toml::table& root, const Scene& scene, Report& report) {
+  const Record& record = scene.record;
+  const auto recorded = [&](RecordField field) { return is_recorded(record, field); };
+  if (record.observables > 0 || !record.sensors.empty() || std::ranges::any_of(kRecordFields, recorded))
+    return;
+  report.warning(root["record"]["fields"].node()->source(), "record.fields",
+                 "is empty, and nothing else is recorded: frames hold step, time and the state's hash, for "
+                 "replay --verify");
 }
 
 std::vector<std::uint32_t> fitting_ids(const toml::table& of, const std::string& path, const Scene& scene,

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "sim/recording/field_writer.h"
 
+#include <algorithm>
+#include <cinttypes>
+#include <cmath>
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 
@@ -40,7 +44,8 @@ FieldWriter::FieldWriter(hid_t element, RecordField field, const Record& record,
     : blocks_(make_blocks(element, field, record, selection)),
       numbers_(selection.rows() * components(field)),
       single_(record.single),
-      quantum_(is_quantized(record, field) ? record.quantum : 0.0) {
+      quantum_(is_quantized(record, field) ? record.quantum : 0.0),
+      ids_(selection.ids()) {
   if (quantum_ == 0.0) return;
   for (auto* numbers : {&now_, &before_, &earlier_}) numbers->resize(numbers_);
   stored_.resize(numbers_);
@@ -51,7 +56,7 @@ std::size_t FieldWriter::append(std::int64_t step, std::span<const double> numbe
   std::size_t bytes = numbers.size() * (single_ ? sizeof(float) : sizeof(double));
   if (quantum_ > 0.0) {
     finite = all_finite(numbers);
-    if (finite) bytes = append_quantized(numbers, hash);
+    if (finite) bytes = append_quantized(step, numbers, hash);
   } else if (single_) {
     singles_.assign(numbers.begin(), numbers.end());
     finite = append_numbers<float>(singles_, hash);
@@ -75,17 +80,31 @@ bool FieldWriter::append_numbers(std::span<const T> numbers, FrameHash& hash) {
   return finite;
 }
 
-std::size_t FieldWriter::append_quantized(std::span<const double> numbers, FrameHash& hash) {
+std::size_t FieldWriter::append_quantized(std::int64_t step, std::span<const double> numbers,
+                                          FrameHash& hash) {
   try {
     quantize(numbers, quantum_, now_);
   } catch (const std::range_error&) {
-    throw std::runtime_error("a position is too far out for record.quantize: at most 2^31 of it from 0");
+    throw std::runtime_error(too_far(step, numbers));
   }
   predict(blocks_.frames(), now_, before_, earlier_, stored_);
   hash.add(std::as_bytes(std::span(now_)));
   earlier_.swap(before_);
   before_.swap(now_);
   return blocks_.write_packed(stored_);
+}
+
+/// Of whom, and what would do for all of this frame.
+std::string FieldWriter::too_far(std::int64_t step, std::span<const double> numbers) const {
+  const auto farthest = std::ranges::max_element(numbers, {}, [](double x) { return std::abs(x); });
+  const std::size_t row = static_cast<std::size_t>(farthest - numbers.begin()) / 2;
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "position of body %u at step %" PRId64
+                " is (%.6g, %.6g) m, too far out for record.quantize = %.2g: there it must be at least %.2g",
+                ids_[row], step, numbers[2 * row], numbers[2 * row + 1], quantum_,
+                least_quantum(std::abs(*farthest)));
+  return text;
 }
 
 }  // namespace throng::recording

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "sim/recording/frame_blocks.h"
@@ -15,7 +18,7 @@ class FieldWriter {
  public:
   FieldWriter() = default;
 
-  /// Makes the field's dataset, where layout.h wants it.
+  /// Makes the field's dataset, where layout.h wants it. Refers to the selection's ids.
   FieldWriter(hid_t element, RecordField field, const Record& record, const Selection& selection);
 
   /// Room for the numbers of a frame in the making: those of a body one after the other, by row of the
@@ -38,12 +41,14 @@ class FieldWriter {
  private:
   template <class T>
   bool append_numbers(std::span<const T> numbers, FrameHash& hash);
-  std::size_t append_quantized(std::span<const double> numbers, FrameHash& hash);
+  std::size_t append_quantized(std::int64_t step, std::span<const double> numbers, FrameHash& hash);
+  std::string too_far(std::int64_t step, std::span<const double> numbers) const;
 
   FrameBlocks blocks_;
   std::size_t numbers_ = 0;  // of all bodies
   bool single_ = false;
   double quantum_ = 0.0;  // m; 0: numbers as they are
+  std::span<const std::uint32_t> ids_;
   std::vector<double> values_;
   std::vector<float> singles_;
   std::vector<std::int32_t> now_, before_, earlier_;

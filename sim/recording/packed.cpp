@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstring>
 #include <stdexcept>
 
@@ -75,6 +76,14 @@ void quantize(std::span<const double> from, double quantum, std::span<std::int32
   for (double x : from) fits &= has_31_bits(x / quantum + 0.5);
   if (!fits) throw std::range_error("beyond 31 bits");
   for (std::size_t i = 0; i < from.size(); ++i) to[i] = whole(from[i] / quantum + 0.5);
+}
+
+double least_quantum(double farthest) {
+  const double exact = farthest / (0x1p31 - 2.0);
+  if (!(exact > 0.0)) return 0.0;
+  const int digit = static_cast<int>(std::floor(std::log10(exact))) - 1;
+  return std::stod(std::to_string(static_cast<int>(std::ceil(exact / std::pow(10.0, digit)))) + "e" +
+                   std::to_string(digit));
 }
 
 void predict(std::size_t k, std::span<const std::int32_t> now, std::span<const std::int32_t> before,

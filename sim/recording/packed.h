@@ -19,6 +19,9 @@ std::int32_t quantized(double x, double quantum);
 /// to.size() >= from.size().
 void quantize(std::span<const double> from, double quantum, std::span<std::int32_t> to);
 
+/// The least quantum, rounded up to two digits, that will do for places up to `farthest` (m) from 0.
+double least_quantum(double farthest);
+
 /// What is stored of frame `k`: of a key frame (k a multiple of kKeyEvery) its numbers, of the next one by
 /// how much they grew, of all others by how much that growth grew, modulo 2^32. A sign is folded into the
 /// lowest bit, so that what is small has zeros in front: 2 d where d >= 0, else -2 d - 1. A body that goes on

@@ -8,6 +8,14 @@
 
 namespace throng::recording {
 
+Eigen::AlignedBox2d place_of_bodies(const Scene& scene) {
+  if (scene.domain.kind != DomainKind::unbounded) return {scene.domain.min, scene.domain.max};
+  if (!scene.crowd.walkable.empty()) return bounds(scene.crowd.walkable);
+  Eigen::AlignedBox2d box;
+  for (const Vec& p : scene.bodies.position) box.extend(p);
+  return box;
+}
+
 Selection::Selection(const Scene& scene)
     : ids_(scene.record.ids),
       changes_(bodies_come_and_go(scene)),

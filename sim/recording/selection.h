@@ -10,6 +10,10 @@
 
 namespace throng::recording {
 
+/// Where bodies are, by and large: in the domain or, where it has no bounds, on the floor; without either
+/// around where they begin.
+Eigen::AlignedBox2d place_of_bodies(const Scene& scene);
+
 /// Which bodies a recording holds, and in which of its rows: those of record.ids, in order of id, in each
 /// frame those whose centre is within the region of record.within, agents until they leave.
 class Selection {

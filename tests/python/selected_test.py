@@ -132,7 +132,7 @@ class Selected(Program):
         self.assertEqual(self.throng("replay", "selected.h5", "--verify"), (0, ""))
 
     def test_observables_alone_make_the_frames_that_hold_them(self):
-        with self.selected("fields=[]", "observables=5") as recording:
+        with self.selected("fields=[]", "observables=5") as recording:  # and no word of nothing being recorded
             np.testing.assert_array_equal(recording.step, range(0, 21, 5))
             self.assertEqual(len(recording.observables["momentum"][0]), 5)
 

@@ -87,6 +87,20 @@ const Case kCases[] = {
      "s.toml:2:23: error: record.quantize: must be a number from 1e-09 to 1000 m"},
     {"record = { fields = ['angle'], quantize = 1e-3 }",
      "s.toml:2:43: error: record.quantize: rounds positions, which are not in fields"},
+    {"domain = { box = [[0, 0], [20, 60]] }\nrecord = { quantize = 1e-9 }",
+     "s.toml:3:23: error: record.quantize: is too fine where positions go up to 60 m from 0: must be at "
+     "least "
+     "2.8e-08 m"},
+    {"domain = { periodic = [[-70, 0], [20, 60]] }\nrecord = { quantize = 1e-8, within = [[-30, 0], [9, 9]] "
+     "}",
+     "s.toml:3:23: error: record.quantize: is too fine where positions go up to 30 m from 0: must be at "
+     "least "
+     "1.4e-08 m"},
+    {"record = { quantize = 1e-8, within = [[-30, 0], [9, 9]] }",
+     "go up to 30 m from 0: must be at least 1.4e-08 m"},
+    {BALL "at = [0, -5]\n[record]\nquantize = 1e-9", "go up to 5 m from 0: must be at least 2.4e-09 m"},
+    {"record = { also = [{ every = 5, fields = [] }] }",
+     "s.toml:2:42: error: record.also[0].fields: must be a list of fields, and is a list of 0"},
     {"record = { within = [[0, 0], [0, 1]] }",
      "s.toml:2:21: error: record.within: must have its least x and y first"},
     {"record = { also = [{ every = 5, fields = ['velocity'] }] }",

@@ -236,6 +236,21 @@ const std::string kSoft =
     "throng = 1\ncontact = { model = 'spring', stiffness = 1e6 }\nmaterials.default.restitution = 0.5\n"
     "shapes.b.disc.radius = 1\nbodies = [{ shape = 'b', at = [0, 0] }, { shape = 'b', at = [5, 0] }]\n";
 
+TEST(Load, WarnsOfARecordingOfNothing) {
+  const auto said = [](const std::string& rest) {
+    const Loaded loaded = load_text("throng = 1\nrecord = { fields = []" + rest);
+    EXPECT_EQ(loaded.errors(), 0);
+    return faults(loaded);
+  };
+  EXPECT_EQ(
+      said(" }\n"),
+      "s.toml:2:21: warning: record.fields: is empty, and nothing else is recorded: frames hold step, time "
+      "and the state's hash, for replay --verify\n");
+  EXPECT_EQ(said(", observables = 5 }\n"), "");
+  EXPECT_EQ(said(", also = [{ every = 5, fields = ['contacts'] }] }\n"), "");
+  EXPECT_EQ(said(" }\n[[sensors]]\nname = 'a'\nradius = 1\nrecord = true\n"), "");
+}
+
 TEST(Load, GivesSoftContactsFiftySubstepsInAnImpact) {
   // pi sqrt(m / 2 / k) with m = pi kg: 3.94 ms.
   EXPECT_EQ(load_text(kSoft).scene.time.substeps, 127);

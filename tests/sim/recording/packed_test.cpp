@@ -22,6 +22,18 @@ TEST(Packed, RoundsToTheNearestMultiple) {
   EXPECT_EQ(quantized(-0.0, 1.0), 0);
 }
 
+TEST(Packed, KnowsTheLeastQuantumThatWillDo) {
+  EXPECT_EQ(least_quantum(0.0), 0.0);
+  EXPECT_EQ(least_quantum(60.0), 2.8e-8);
+  EXPECT_EQ(least_quantum(1.0), 4.7e-10);
+  for (double farthest = 1e-6; farthest < 1e12; farthest *= 1.37) {
+    const double least = least_quantum(farthest);
+    EXPECT_NO_THROW(quantized(farthest, least)) << farthest;
+    EXPECT_NO_THROW(quantized(-farthest, least)) << farthest;
+    EXPECT_THROW(quantized(farthest, 0.89 * least), std::range_error) << farthest;
+  }
+}
+
 TEST(Packed, IsWrongByHalfAQuantumAtMost) {
   std::mt19937_64 random(7);
   for (double quantum : {1e-3, 0.37, 1e-9, 1000.0})

@@ -315,7 +315,8 @@ TEST(Selected, PositionsTooFarForTheirQuantumEndTheRecordingWithASentence) {
     recorder.finish();
     FAIL() << "finished";
   } catch (const std::runtime_error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("record.quantize"));
+    EXPECT_THAT(error.what(), HasSubstr("position of body 3 at step 1 is (3, 1) m, too far out for "
+                                        "record.quantize = 1e-09: there it must be at least 1.4e-09"));
   }
   EXPECT_EQ(Recording(folder / "a.h5.part").frames(), 1u);
 }
