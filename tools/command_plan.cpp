@@ -67,10 +67,16 @@ std::string size_text(double bytes) {
 }
 
 /// What nobody knows before the run.
-const char* how_sure(const Scene& scene) {
-  if (bodies_come_and_go(scene)) return " if all were there from the first to the last; fewer take less";
-  if (every(scene.record, RecordField::contacts) > 0) return " with three contacts a body";
-  return scene.record.quantum > 0.0 ? " or less: slow bodies pack well" : "";
+std::string how_sure(const Scene& scene) {
+  std::string text;
+  const auto add = [&](bool is_so, const char* guess) {
+    if (is_so) text += (text.empty() ? " if " : ", ") + std::string(guess);
+  };
+  add(bodies_come_and_go(scene), "all are there from the first to the last");
+  add(every(scene.record, RecordField::contacts) > 0, "each has three contacts");
+  add(!scene.record.sensors.empty(), "sensors find others spread evenly");
+  add(scene.record.quantum > 0.0, "positions pack into three bytes a body");
+  return text;
 }
 
 void print(const Scene& scene, const Plan& plan) {
@@ -96,7 +102,7 @@ void print(const Scene& scene, const Plan& plan) {
     std::printf("  %-7s %-14s %s\n", stage.runs ? "runs" : "skipped", stage.name.c_str(),
                 stage.reason.c_str());
   std::printf("\nrecorded in full: %s, about %s%s\n", counted(frames(scene), "frame").c_str(),
-              size_text(recording::expected_bytes(scene)).c_str(), how_sure(scene));
+              size_text(recording::expected_bytes(scene)).c_str(), how_sure(scene).c_str());
 }
 
 struct Options {

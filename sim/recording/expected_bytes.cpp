@@ -2,93 +2,131 @@
 #include "sim/recording/expected_bytes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "sim/recording/layout.h"
 #include "sim/recording/observables.h"
+#include "sim/recording/selection.h"
 
 namespace throng::recording {
 
 namespace {
 
-constexpr double kHeadBytes = 6e4, kTableBytes = 30.0;  // of a file; of a body in the scene's tables
-constexpr double kRowBytes = 4 * 8 + 8;                 // of a frame: step, time, hashes
-constexpr double kSampleBytes = 20.0;                   // of a field in it: the index entry of a chunk
+constexpr double kHeadBytes = 4e4, kTableBytes = 30.0;  // of a file; of a body in the scene's tables
+constexpr double kChunkBytes = 20.0;                    // of a chunk: its entry in the index, its checksum
+constexpr double kSparseChunkBytes = 84.0;              // where bodies come and go: the index is a tree
 
 /// What nobody knows before the run.
 struct Guess {
   double share;      // of the bodies, where they come and go
-  double contacts;   // bytes a body
+  double contacts;   // a body
   double quantized;  // bytes a body
   bool sensed;       // whether anyone who has a sensor is there and finds others
 };
 
-constexpr Guess kAbout{1.0, 3.0 * 32.0, 3.0, true}, kLeast{0.0, 0.0, 0.0, false};
+constexpr Guess kAbout{1.0, 3.0, 3.0, true}, kLeast{0.0, 0.0, 0.0, false};
 
-double observable_bytes(const Scene& scene) {
-  double numbers = 0.0;
-  for (const Observable& one :
-       observables_of(scene.crowd.size() > 0, scene.crowd.measures, asked_columns(scene)))
-    numbers += static_cast<double>(one.components);
-  return 8.0 * numbers;
+/// Of rows that are added a few at a time: their chunks are whole.
+double rows_bytes(double rows, double row_bytes, std::size_t rows_per_chunk = kRowChunk) {
+  const auto chunk = static_cast<double>(rows_per_chunk);
+  return std::ceil(rows / chunk) * (chunk * row_bytes + kChunkBytes);
 }
 
-/// Where bodies are, by and large.
-Eigen::AlignedBox2d place(const Scene& scene) {
-  if (scene.domain.kind != DomainKind::unbounded) return {scene.domain.min, scene.domain.max};
-  if (!scene.crowd.walkable.empty()) return bounds(scene.crowd.walkable);
-  Eigen::AlignedBox2d box;
-  for (const Vec& p : scene.bodies.position) box.extend(p);
-  return box;
-}
+class Estimate {
+ public:
+  Estimate(const Scene& scene, const Guess& guess)
+      : scene_(scene),
+        guess_(guess),
+        changes_(bodies_come_and_go(scene)),
+        chosen_(
+            static_cast<double>(scene.record.ids.empty() ? scene.bodies.size() : scene.record.ids.size())),
+        bodies_(changes_ ? guess.share * chosen_ : chosen_) {}
 
-/// In one look, where all are spread evenly.
-double sensed_bytes(const Scene& scene, const Sensor& sensor) {
-  const double bodies = static_cast<double>(scene.bodies.size());
-  const double having = sensor.ids.empty() ? bodies : static_cast<double>(sensor.ids.size());
-  const double seen = std::numbers::pi * sensor.radius * sensor.radius * sensor.fov / 360.0;
-  const double area = place(scene).sizes().prod();
-  const double share = area > seen ? seen / area : 1.0;
-  return having * (8.0 + 4.0 * bodies * share);
-}
-
-/// A body's numbers in one frame.
-double body_bytes(const Record& record, RecordField field, const Guess& guess) {
-  if (field == RecordField::contacts) return guess.contacts;
-  if (is_quantized(record, field)) return guess.quantized;
-  return static_cast<double>(components(field)) * (record.single ? 4.0 : 8.0);
-}
-
-double bytes_by(const Guess& guess, const Scene& scene) {
-  const Record& record = scene.record;
-  const double chosen = static_cast<double>(record.ids.empty() ? scene.bodies.size() : record.ids.size());
-  const bool changes = bodies_come_and_go(scene);
-  const double bodies = changes ? guess.share * chosen : chosen;
-  const auto samples = [&](int every) {
-    return every == 0 ? 0.0 : static_cast<double>(scene.time.steps()) / every + 1;
-  };
-  double bytes = kHeadBytes + kTableBytes * chosen +
-                 static_cast<double>(count_frames(record, scene.time.steps())) * kRowBytes +
-                 samples(record.observables) * (kSampleBytes + observable_bytes(scene));
-  double most = 0.0;  // frames of a field
-  for (RecordField field : kRecordFields) {
-    const double frames = samples(every(record, field));
-    bytes += frames * (body_bytes(record, field, guess) * bodies + kSampleBytes);
-    most = std::max(most, frames);
+  double bytes() const {
+    const Record& record = scene_.record;
+    double sum = kHeadBytes + kTableBytes * chosen_ +
+                 4.0 * rows_bytes(static_cast<double>(count_frames(record, scene_.time.steps())), 8.0) +
+                 observables() + contacts();
+    double most = 0.0;  // frames of a field, in which the bodies are listed
+    for (RecordField field : kRecordFields) {
+      const double frames = samples(every(record, field));
+      if (field != RecordField::contacts) sum += frames * field_bytes(field);
+      most = std::max(most, frames);
+    }
+    for (const Sensor& sensor : recorded(scene_.sensors)) sum += sensed(sensor);
+    if (changes_) sum += most * frame_bytes(4.0, kRegionChunk) + 2.0 * rows_bytes(most, 8.0);
+    return sum + own_rates();
   }
-  for (const Sensor& sensor : recorded(scene.sensors))
-    bytes += samples(sensor.every) * (kSampleBytes + (guess.sensed ? sensed_bytes(scene, sensor) : 0.0));
-  return bytes + (changes ? most * 4.0 * bodies : 0.0);
-}
+
+ private:
+  /// Of what is recorded each so many steps.
+  double samples(int every) const {
+    return every == 0 ? 0.0 : static_cast<double>(scene_.time.steps() / every + 1);
+  }
+
+  /// Of one frame: its chunks are whole, too, each of at most so many bodies.
+  double frame_bytes(double body_bytes, double most) const {
+    const double chunk = std::clamp(most, 1.0, std::max(1.0, chosen_)), chunks = std::ceil(bodies_ / chunk);
+    return chunks * (chunk * body_bytes + (changes_ ? kSparseChunkBytes : kChunkBytes));
+  }
+
+  double field_bytes(RecordField field) const {
+    if (is_quantized(scene_.record, field)) return kChunkBytes + bodies_ * guess_.quantized;
+    const double body = static_cast<double>(components(field)) * (scene_.record.single ? 4.0 : 8.0);
+    return frame_bytes(body, changes_ ? kRegionChunk : kMaxChunk / body);
+  }
+
+  double observables() const {
+    double sum = 0.0;
+    for (const Observable& one :
+         observables_of(scene_.crowd.size() > 0, scene_.crowd.measures, asked_columns(scene_)))
+      sum += rows_bytes(samples(scene_.record.observables), 8.0 * static_cast<double>(one.components));
+    return sum;
+  }
+
+  double contacts() const {
+    const double count = samples(every(scene_.record, RecordField::contacts));
+    if (count == 0.0) return 0.0;
+    const double rows = count * bodies_ * guess_.contacts;
+    return rows_bytes(count + 1.0, 8.0) + 2.0 * rows_bytes(rows, 4.0, kContactChunk) +
+           rows_bytes(rows, 8.0, kContactChunk) + rows_bytes(rows, 16.0, kContactChunk);
+  }
+
+  /// Where all are spread evenly.
+  double sensed(const Sensor& sensor) const {
+    const auto bodies = static_cast<double>(scene_.bodies.size());
+    const double having = sensor.ids.empty() ? bodies : static_cast<double>(sensor.ids.size());
+    const double seen = std::numbers::pi * sensor.radius * sensor.radius * sensor.fov / 360.0;
+    const double area = place_of_bodies(scene_).sizes().prod();
+    const double looks = samples(sensor.every), rows = guess_.sensed ? looks * having : 0.0;
+    const double found = rows * bodies * (area > seen ? seen / area : 1.0);
+    return 2.0 * rows_bytes(looks + 1.0, 8.0) + 2.0 * rows_bytes(rows, 4.0, kContactChunk) +
+           rows_bytes(found, 4.0, kContactChunk);
+  }
+
+  /// Steps and times of the frames at rates that not all frames have.
+  double own_rates() const {
+    const std::vector<int> all = rates(scene_.record);
+    double sum = 0.0;
+    for (int every : all) sum += 2.0 * rows_bytes(samples(every), 8.0);
+    return all.size() > 1 ? sum : 0.0;
+  }
+
+  const Scene& scene_;
+  const Guess& guess_;
+  bool changes_;
+  double chosen_, bodies_;  // that may be recorded; that are, in each frame
+};
 
 }  // namespace
 
 double expected_bytes(const Scene& scene) {
-  return bytes_by(kAbout, scene);
+  return Estimate(scene, kAbout).bytes();
 }
 
 double least_bytes(const Scene& scene) {
-  return bytes_by(kLeast, scene);
+  return Estimate(scene, kLeast).bytes();
 }
 
 }  // namespace throng::recording

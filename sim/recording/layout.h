@@ -102,6 +102,7 @@ inline constexpr int kMinor = 8;
 inline constexpr std::size_t kMaxChunk = std::size_t{1} << 20;  ///< bytes
 inline constexpr std::size_t kRegionChunk = 256;                ///< bodies, where frames hold few of them
 inline constexpr std::size_t kRowChunk = 512;                   ///< rows: one page of 8-byte numbers
+inline constexpr std::size_t kContactChunk = 16384;             ///< rows of contacts and of what was sensed
 inline constexpr std::int64_t kRarest = 1'000'000'000;          ///< steps from one sample to the next
 
 /// What may be recorded of a body, in the order in which frame_hash covers it.

@@ -8,8 +8,6 @@ namespace throng::recording {
 
 namespace {
 
-constexpr hsize_t kContactChunk = 16384;  // rows
-
 /// A column as it is, to a log and into a hash.
 std::size_t add_all(std::span<const std::uint32_t> column, RowLog& log, FrameHash& hash) {
   const auto bytes = std::as_bytes(column);
