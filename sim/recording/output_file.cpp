@@ -46,9 +46,8 @@ void check_target(const std::string& path, bool force) {
 void check_part(const std::string& path, const std::string& part, const struct stat& found, bool force) {
   if (!S_ISREG(found.st_mode)) refuse(path, part + " is no regular file");
   if (found.st_size > 0 && !force)
-    refuse(path, part +
-                     " is left from a run that did not end, and may hold frames: throng resume goes on with "
-                     "it, --force overwrites it");
+    refuse(path, part + " is left from a run that did not end, and may hold frames: 'throng resume " + path +
+                     "' goes on with it, --force overwrites it");
 }
 
 [[noreturn]] void refuse_locked(const std::string& path, const std::string& part) {

@@ -102,7 +102,8 @@ TEST(OutputFile, RefusesThePartOfARunThatDidNotEndWithoutForce) {
   const Folder folder;
   std::ofstream(folder / "a.h5.part") << "frames";
   EXPECT_THAT(refusal(folder / "a.h5"),
-              testing::AllOf(HasSubstr("did not end"), HasSubstr("throng resume goes on")));
+              testing::AllOf(HasSubstr("did not end"),
+                             HasSubstr("'throng resume " + (folder / "a.h5") + "' goes on with it")));
   EXPECT_EQ(content(folder / "a.h5.part"), "frames");
   EXPECT_EQ(refusal(folder / "a.h5", true), "accepted");
 }
