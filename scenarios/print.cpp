@@ -101,6 +101,12 @@ void print_fields(const toml::table& table, std::string& out) {
 
 }  // namespace
 
+std::string print(const toml::node& value) {
+  std::string out;
+  print_value(value, out);
+  return out;
+}
+
 std::string print(const toml::table& root) {
   std::string out;
   for (const auto& [key, value] : root) {

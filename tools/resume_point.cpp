@@ -4,9 +4,11 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "scenarios/difference.h"
 #include "sim/input_error.h"
 #include "sim/recording/build_info.h"
 #include "sim/recording/frame_hash.h"
+#include "tools/printable.h"
 
 namespace throng::tools {
 
@@ -15,6 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kPart = ".part";
+constexpr const char* kRemedy =
+    "; remove it to go on from the start, or put the recording's own in its place";
 
 bool has_bytes(const std::string& path) {
   std::error_code none;
@@ -65,18 +69,19 @@ bool belongs(const Checkpoint& checkpoint, const std::string& file, const Kept& 
   const CheckpointOrigin& origin = checkpoint.origin;
   expect_same_version(file, origin.version);
   const std::string& scenario = kept.recording.origin().provenance.resolved;
-  if (const std::string difference = recording::scenario_difference(origin.scenario, scenario);
-      !difference.empty())
-    throw InputError(file + " is of another scenario than " + kept.source + ": " + difference);
+  if (const auto differ = scenario_difference(origin.scenario, scenario))
+    throw InputError(file + " is of another scenario than " + kept.source + ": " + printable(differ->field) +
+                     " is " + printable(differ->one) + " in the checkpoint, " + printable(differ->other) +
+                     " in the recording" + kRemedy);
   const std::size_t bodies = checkpoint.state.id.size() +
                              static_cast<std::size_t>(checkpoint.state.crowd.arrived) +
                              waiting(checkpoint.state.crowd);
   if (checkpoint.state.crowd.arrived > 0 && !are_agents(kept.recording.geometry()))
     throw InputError(file + " remembers " + std::to_string(checkpoint.state.crowd.arrived) +
-                     " arrived, but no agents are recorded in " + kept.source);
+                     " arrived, but no agents are recorded in " + kept.source + kRemedy);
   if (bodies != kept.recording.bodies_of_run())
     throw InputError(file + " has " + std::to_string(bodies) + " bodies, " + kept.source + " has " +
-                     std::to_string(kept.recording.bodies_of_run()));
+                     std::to_string(kept.recording.bodies_of_run()) + kRemedy);
   if (origin.frames > kept.frames) {
     std::fprintf(stderr, "throng: warning: %s follows %llu frames, %s has %zu: it can't be used\n",
                  file.c_str(), static_cast<unsigned long long>(origin.frames), kept.source.c_str(),
@@ -85,7 +90,7 @@ bool belongs(const Checkpoint& checkpoint, const std::string& file, const Kept& 
   }
   if (recording::chain_hash(kept.recording.frame_hashes().first(origin.frames)) != origin.frames_hash)
     throw InputError(file + " belongs to another recording than " + kept.source + ": their first " +
-                     std::to_string(origin.frames) + " frames differ; remove it to go on from the start");
+                     std::to_string(origin.frames) + " frames differ" + kRemedy);
   return true;
 }
 

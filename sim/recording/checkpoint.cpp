@@ -256,17 +256,6 @@ std::string temporary(const std::string& path) {
   return path + ".tmp";
 }
 
-/// The next line of `text`, which it is taken from, that is not about the end of the run.
-std::string next_line(std::string_view& text) {
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string line(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (!line.empty() && line != "[time]" && !line.starts_with("until = ")) return line;
-  }
-  return "nothing";
-}
-
 }  // namespace
 
 std::string checkpoint_path(const std::string& recording) {
@@ -312,15 +301,6 @@ void remove_checkpoints(const std::string& recording) {
   const std::string path = checkpoint_path(recording);
   for (const std::string& name : {path, previous_checkpoint_path(recording), temporary(path)})
     unlink(name.c_str());
-}
-
-std::string scenario_difference(const std::string& one, const std::string& other) {
-  std::string_view a = one, b = other;
-  while (!a.empty() || !b.empty()) {
-    const std::string line_a = next_line(a), line_b = next_line(b);
-    if (line_a != line_b) return line_a + " in the one, " + line_b + " in the other";
-  }
-  return "";
 }
 
 }  // namespace throng::recording

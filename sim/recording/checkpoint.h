@@ -41,9 +41,5 @@ Checkpoint read_checkpoint(const std::string& path);
 /// Removes both checkpoints of a recording, and what an attempt to write one left.
 void remove_checkpoints(const std::string& recording);
 
-/// The first line in which two resolved scenarios differ, as "X in the one, Y in the other"; the end of the
-/// run doesn't count. "" where they are the same.
-std::string scenario_difference(const std::string& one, const std::string& other);
-
 }  // namespace recording
 }  // namespace throng

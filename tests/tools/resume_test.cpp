@@ -215,14 +215,16 @@ TEST_F(Resume, RefusesAnEndBeforeWhatIsRecorded) {
   EXPECT_THAT(result.err, HasSubstr("has been run to 0.4 s: it can't end before that, at 0.3 s"));
 }
 
-TEST_F(Resume, RefusesAnotherScenariosCheckpointAndNamesTheLine) {
+/// It happened: where one has a field that the other lacks, unrelated lines were compared.
+TEST_F(Resume, RefusesAnotherScenariosCheckpointAndNamesTheField) {
   const std::string part = made("a.h5", "0.4"), other = made("b.h5", "0.4", "--set gravity=[0,-9.81]");
   std::filesystem::copy_file(other + ".ckpt", part + ".ckpt",
                              std::filesystem::copy_options::overwrite_existing);
   const Result result = resume(part + " --until 1");
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.err, HasSubstr("is of another scenario than " + part));
-  EXPECT_THAT(result.err, HasSubstr("gravity = [0, -9.81] in the one, gravity = [0, -10] in the other"));
+  EXPECT_THAT(result.err, HasSubstr(": gravity is [0, -9.81] in the checkpoint, [0, -10] in the recording; "
+                                    "remove it to go on from the start, or put the recording's own"));
 }
 
 /// The checkpoint of `file` with a change and sound checksums.

@@ -250,14 +250,5 @@ TEST(Checkpoint, RefusesCrowdsThatNoRunHas) {
   EXPECT_TRUE(on_line({{1, 3, std::numeric_limits<std::int32_t>::min()}}));
 }
 
-TEST(Checkpoint, NamesTheLineInWhichScenariosDiffer) {
-  EXPECT_EQ(scenario_difference("a = 1\n\n[time]\nuntil = 1.0\n", "a = 1\n"), "");
-  EXPECT_EQ(
-      scenario_difference("a = 1\n[time]\ndt = 1.0\nuntil = 1.0\n", "a = 1\n[time]\ndt = 1.0\nuntil = 2.0"),
-      "");
-  EXPECT_EQ(scenario_difference("a = 1\nb = 2\n", "a = 1\nb = 3\n"), "b = 2 in the one, b = 3 in the other");
-  EXPECT_EQ(scenario_difference("a = 1\n", "a = 1\nb = 3\n"), "nothing in the one, b = 3 in the other");
-}
-
 }  // namespace
 }  // namespace throng::recording
