@@ -33,6 +33,11 @@ double overlap(double x, double from, double to) {
   return std::clamp(std::min(x + 0.5, to) - std::max(x - 0.5, from), 0.0, 1.0);
 }
 
+/// The pixel from `least` to `most` that is nearest to this place.
+int pixel_at(double place, int least, int most) {
+  return place > least ? static_cast<int>(std::min<double>(place, std::max(least, most))) : least;
+}
+
 }  // namespace
 
 /// A rim that fades over one pixel adds 1/12 to the square of the radius, if that is to keep its area. The
@@ -75,36 +80,49 @@ std::uint32_t* Brush::row(int y) const {
   return reinterpret_cast<std::uint32_t*>(data_ + static_cast<std::ptrdiff_t>(y) * stride_);
 }
 
-/// Asks of each pixel, of rows from `up` above the centre to `down` below it and there of what `extent` says
-/// to both sides of it, which share is painted, by where its centre is from there.
-template <class Extent, class Share>
-void Brush::paint(const Vec& centre, double up, double down, const Colour& colour, Extent extent,
-                  Share share) {
+/// Asks of each pixel, of rows from `up` above the centre to `down` below it and there of those that `across`
+/// says are touched, which share is painted, by where its centre is from there; of those alike only once.
+template <class Look, class Share>
+void Brush::paint(const Vec& centre, double up, double down, const Colour& colour, Look across, Share share) {
   const std::uint32_t full = pixel_of(colour);
-  const auto place = [](double at, int least, int most) {
-    return static_cast<int>(std::clamp<double>(at, least, std::max(least, most)));
-  };
   const double x = centre.x(), y = centre.y();
-  const int end = place(std::ceil(y + down), top_, bottom_);
-  for (int i = place(std::floor(y - up), top_, bottom_); i < end; ++i) {
+  if (!std::isfinite(x + y + up + down)) return;
+  const auto part = [&](int k, double dy) {
+    return static_cast<std::uint32_t>(256.0 * share(k + 0.5 - x, dy) + 0.5);
+  };
+  const int end = pixel_at(std::ceil(y + down), top_, bottom_);
+  for (int i = pixel_at(std::floor(y - up), top_, bottom_); i < end; ++i) {
     const double dy = i + 0.5 - y;
-    const Stretch across = extent(dy);
+    const Across its = across(dy);
     std::uint32_t* const pixel = row(i);
-    const int stop = place(std::ceil(x + across.to), left_, right_);
-    for (int k = place(std::floor(x + across.from), left_, right_); k < stop; ++k) {
-      const auto part = static_cast<std::uint32_t>(256.0 * share(k + 0.5 - x, dy) + 0.5);
-      pixel[k] = part == 256 ? full : blended(pixel[k], full, part);
+    const auto paint_each = [&](int from, int to) {
+      for (int k = from; k < to; ++k) pixel[k] = blended(pixel[k], full, part(k, dy));
+    };
+    const int first = pixel_at(std::floor(x + its.touched.from), left_, right_),
+              stop = pixel_at(std::ceil(x + its.touched.to), first, right_),
+              alike = pixel_at(std::ceil(x + its.alike.from - 0.5), first, stop),
+              other = pixel_at(std::floor(x + its.alike.to + 0.5), alike, stop);
+    paint_each(first, alike);
+    if (alike < other) {
+      if (const std::uint32_t all = part(alike, dy); all == 256)
+        std::fill(pixel + alike, pixel + other, full);
+      else if (all > 0)
+        paint_each(alike, other);
     }
+    paint_each(other, stop);
   }
 }
 
+/// All within `reach` (pixels), alike up to `core`.
 template <class Share>
-void Brush::paint_round(const Vec& centre, double reach, const Colour& colour, Share share) {
-  const auto extent = [reach](double dy) {
-    const double half = std::sqrt(std::max(0.0, reach * reach - dy * dy));
-    return Stretch{-half, half};
+void Brush::paint_round(const Vec& centre, double reach, double core, const Colour& colour, Share share) {
+  const auto half = [](double radius, double dy) { return std::sqrt(radius * radius - dy * dy); };
+  const auto across = [&](double dy) {
+    const double touched = std::abs(dy) < reach ? half(reach, dy) : 0.0;
+    if (!(std::abs(dy) < core)) return Across{{-touched, touched}, kNowhere};
+    return Across{{-touched, touched}, {-half(core, dy), half(core, dy)}};
   };
-  paint(centre, reach, reach, colour, extent, share);
+  paint(centre, reach, reach, colour, across, share);
 }
 
 void Brush::disc(const Vec& at, double radius, const Colour& colour) {
@@ -113,7 +131,8 @@ void Brush::disc(const Vec& at, double radius, const Colour& colour) {
 
 void Brush::ring(const Vec& at, double inner, double outer, const Colour& colour) {
   const Cover in(inner * to_pixels_.xx), out(outer * to_pixels_.xx);
-  paint_round(pixels(at), out.reach, colour, [&](double dx, double dy) {
+  const double core = (in.most > 0.0 ? in : out).reach - 1.0;
+  paint_round(pixels(at), out.reach, core, colour, [&](double dx, double dy) {
     const double distance = std::sqrt(dx * dx + dy * dy);
     return out.at(distance) - in.at(distance);
   });
@@ -122,7 +141,7 @@ void Brush::ring(const Vec& at, double inner, double outer, const Colour& colour
 void Brush::spoke(const Vec& at, double length, double angle, double width, const Colour& colour) {
   const auto [sin, cos] = narrowphase::sin_cos(angle);
   const double far = length * to_pixels_.xx, half = 0.5 * width * to_pixels_.xx;
-  paint_round(pixels(at) + 0.5 * far * Vec(cos, -sin), 0.5 * far + half + 1.0, colour,
+  paint_round(pixels(at) + 0.5 * far * Vec(cos, -sin), 0.5 * far + half + 1.0, 0.0, colour,
               [&, sin = sin, cos = cos](double dx, double dy) {
                 return overlap(dx * sin + dy * cos, -half, half) *
                        overlap(dx * cos - dy * sin, -0.5 * far, 0.5 * far);
@@ -154,16 +173,17 @@ void Brush::add_sides(const narrowphase::Convex& part, const narrowphase::Pose& 
   }
 }
 
-/// Where a row that is `dy` below the body may be within `reach` of all sides' lines.
+/// Where a row that is `dy` below the body is within `reach` of all sides' lines.
 Brush::Stretch Brush::stretch(double dy, double reach) const {
-  constexpr double kLevel = 1e-6;  // of the normal: such sides bound rows, not places in them
-  Stretch found{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  for (const Side& side : sides_)
-    found = {std::min(found.from, side.start.x() - reach), std::max(found.to, side.start.x() + reach)};
+  Stretch found{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   for (const Side& side : sides_) {
     const double room = reach - side.outside(0.0, dy), nx = side.normal.x();
-    if (nx > kLevel) found.to = std::min(found.to, room / nx);
-    if (nx < -kLevel) found.from = std::max(found.from, room / nx);
+    if (nx > 0.0)
+      found.to = std::min(found.to, room / nx);
+    else if (nx < 0.0)
+      found.from = std::max(found.from, room / nx);
+    else if (room < 0.0)
+      return kNowhere;
   }
   return found;
 }
@@ -186,20 +206,26 @@ double Brush::share(double dx, double dy, double radius) const {
   return std::max(0.0, 1.0 - cut);
 }
 
-/// What is within `radius` (pixels) of the sides, or of what they enclose.
+/// What is within `radius` (pixels) of the sides, or of what they enclose; alike where it is at least
+/// `inside` them.
 template <class Share>
-void Brush::paint_within(const Vec& centre, double radius, const Colour& colour, Share share) {
+void Brush::paint_within(const Vec& centre, double radius, double inside, const Colour& colour, Share share) {
   const double reach = radius + 0.5;
-  double up = 0.0, down = 0.0;
-  for (const Side& side : sides_) up = std::max(up, -side.start.y()), down = std::max(down, side.start.y());
-  paint(
-      centre, up + reach, down + reach, colour, [&](double dy) { return stretch(dy, reach); }, share);
+  Eigen::AlignedBox2d box;
+  for (const Side& side : sides_) box.extend(side.start);
+  const auto across = [&](double dy) {
+    const Stretch touched = stretch(dy, reach);
+    return Across{
+        {std::max(touched.from, box.min().x() - reach), std::min(touched.to, box.max().x() + reach)},
+        stretch(dy, -inside)};
+  };
+  paint(centre, reach - box.min().y(), reach + box.max().y(), colour, across, share);
 }
 
 void Brush::convex(const narrowphase::Convex& part, const narrowphase::Pose& pose, const Colour& colour) {
   add_sides(part, pose);
   const double radius = part.radius * to_pixels_.xx;
-  paint_within(pixels(pose.position), radius, colour,
+  paint_within(pixels(pose.position), radius, std::max(0.0, 0.5 - radius), colour,
                [&](double dx, double dy) { return share(dx, dy, radius); });
 }
 
@@ -207,7 +233,7 @@ void Brush::rim(const narrowphase::Convex& part, const narrowphase::Pose& pose, 
                 const Colour& colour) {
   add_sides(part, pose);
   const double inner = (part.radius - half) * to_pixels_.xx, outer = (part.radius + half) * to_pixels_.xx;
-  paint_within(pixels(pose.position), outer, colour, [&](double dx, double dy) {
+  paint_within(pixels(pose.position), outer, std::max(0.0, 0.5 - inner), colour, [&](double dx, double dy) {
     return std::max(0.0, share(dx, dy, outer) - share(dx, dy, inner));
   });
 }

@@ -12,9 +12,9 @@
 
 namespace throng::tools {
 
-/// Paints discs and convex polygons straight into the pixels of a picture, several times as fast as cairo,
-/// and looks like it: a pixel at the rim is covered as far as the rim is from its centre, and the whole has
-/// about the area of what it shows.
+/// Paints discs and convex polygons straight into the pixels of a picture, small ones several times as fast
+/// as cairo, and looks like it: a pixel at the rim is covered as far as the rim is from its centre, and the
+/// whole has about the area of what it shows.
 ///
 /// Nothing else may draw on the surface while this lives.
 class Brush {
@@ -26,7 +26,7 @@ class Brush {
   Brush(const Brush&) = delete;
   Brush& operator=(const Brush&) = delete;
 
-  /// All in metres. O(pixels), fewer where they are whole.
+  /// All in metres. What would not be finite in pixels isn't painted.
   void disc(const Vec& at, double radius, const Colour& colour);
   void ring(const Vec& at, double inner, double outer, const Colour& colour);
 
@@ -57,15 +57,20 @@ class Brush {
   struct Stretch {
     double from, to;
   };
+  static constexpr Stretch kNowhere{1.0, -1.0};
+  /// Of a row of pixels: where something is painted, and where in that all of them are alike.
+  struct Across {
+    Stretch touched, alike;
+  };
   void add_sides(const narrowphase::Convex& part, const narrowphase::Pose& pose);
   template <class Share>
-  void paint_within(const Vec& centre, double radius, const Colour& colour, Share share);
+  void paint_within(const Vec& centre, double radius, double inside, const Colour& colour, Share share);
   Stretch stretch(double dy, double reach) const;
   double share(double dx, double dy, double radius) const;
-  template <class Extent, class Share>
-  void paint(const Vec& centre, double up, double down, const Colour& colour, Extent extent, Share share);
+  template <class Look, class Share>
+  void paint(const Vec& centre, double up, double down, const Colour& colour, Look across, Share share);
   template <class Share>
-  void paint_round(const Vec& centre, double reach, const Colour& colour, Share share);
+  void paint_round(const Vec& centre, double reach, double core, const Colour& colour, Share share);
   std::uint32_t* row(int y) const;
   Vec pixels(const Vec& at) const;
 

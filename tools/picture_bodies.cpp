@@ -14,9 +14,10 @@ namespace throng::tools {
 namespace {
 
 constexpr Colour kFixed{0.62, 0.63, 0.65}, kKinematic{0.45, 0.47, 0.50}, kWall{0.20, 0.21, 0.24};
-constexpr double kSmallest = 1.5;   // pixels of radius below which a body has no outline
-constexpr double kTurnShows = 4.0;  // pixels of radius from which a disc shows how it turned
-constexpr double kStands = 0.05;    // m/s up to which an agent walks nowhere
+constexpr double kSmallest = 1.5;       // pixels of radius below which a body has no outline
+constexpr double kTurnShows = 4.0;      // pixels of radius from which a disc shows how it turned
+constexpr std::size_t kMostSides = 12;  // of what the brush paints faster than cairo, but where it is large
+constexpr double kStands = 0.05;        // m/s up to which an agent walks nowhere
 
 /// What draws: most is painted straight into the pixels, the rest by cairo, each in its turn.
 class Painter {
@@ -63,10 +64,12 @@ void paint(cairo_t* cairo, const Shape& shape, double radius, const Colour& colo
   cairo_fill(cairo);
 }
 
-/// The smallest ones, mere points, cairo shows as dark as they are large.
+/// Of few sides, at each of which the brush looks for each pixel of the rim. The smallest ones, mere points,
+/// cairo shows as dark as they are large.
 bool is_for_brush(const Shape& shape, double radius, double pixel) {
-  return is_outlined(radius, pixel) && shape.parts.size() == 1 && shape.parts[0].vertices.size() > 2 &&
-         shape.holes.empty();
+  if (!is_outlined(radius, pixel) || shape.parts.size() != 1 || !shape.holes.empty()) return false;
+  const std::size_t sides = shape.parts[0].vertices.size();
+  return sides > 2 && sides <= kMostSides;
 }
 
 void paint(Brush& brush, const narrowphase::Convex& part, const narrowphase::Pose& pose, double radius,
