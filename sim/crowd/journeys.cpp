@@ -23,7 +23,8 @@ Journeys::Journeys(const Scene& scene, const Barriers& barriers)
       least_crowded_(scene, ways_),
       queues_(scene, barriers, ways_),
       samplers_(scene.crowd.goals.size()),
-      spots_(scene.crowd.goals.size()) {
+      spots_(scene.crowd.goals.size()),
+      walkers_(scene.crowd.goals.size()) {
   const Crowd& crowd = scene.crowd;
   for (const AgentGroup& group : crowd.groups)
     for (const Leg& leg : group.journey) {
@@ -109,10 +110,15 @@ Heading Journeys::heading(const State& state, Row row) const {
 }
 
 void Journeys::gather_spots(const State& state) {
-  for (Standing& spots : spots_) spots.clear();
-  for (Row row = 0; row < state.crowd.place.size(); ++row)
-    if (state.crowd.place[row] > 0 && leg(state, row).kind != Leg::Kind::queue)
-      spots_[goal(state, row)].add(state.crowd.spot[row], radius(state, row));
+  for (std::vector<Standing>* all : {&spots_, &walkers_})
+    for (Standing& some : *all) some.clear();
+  for (Row row = 0; row < state.crowd.place.size(); ++row) {
+    if (is_at_the_end(state, row) || !is_decided(state, row) || leg(state, row).kind == Leg::Kind::queue)
+      continue;
+    const bool waits = state.crowd.place[row] > 0;
+    (waits ? spots_ : walkers_)[goal(state, row)].add(waits ? state.crowd.spot[row] : position(state, row),
+                                                      radius(state, row));
+  }
   spots_known_ = true;
 }
 
@@ -144,12 +150,22 @@ bool Journeys::is_among(const State& state, Row row, std::uint32_t goal) {
                             [&](const Vec& spot) { return !barriers_.block(p, spot); });
 }
 
+/// Whether one who walks to the same goal is beside him and nearer to it.
+bool Journeys::is_behind_one(const State& state, Row row) {
+  if (!spots_known_) gather_spots(state);
+  const Vec& p = position(state, row);
+  const auto& way = ways_.to(goal(state, row));
+  const double distance = way.distance(p);
+  return walkers_[goal(state, row)].meets(p, kBeside * radius(state, row),
+                                          [&](const Vec& q) { return way.distance(q) < distance; });
+}
+
 /// Whether he has stood for a while since he set out for his goal, beside others who wait, for whatever it
-/// is: they won't make way.
+/// is: they won't make way. In a jam they do so to the foremost alone: to others they may be bystanders.
 bool Journeys::is_kept_out(const State& state, Row row) {
   if (since(state, state.crowd.stand_step[row]) < kPatience || stands_yet(state, row)) return false;
   for (std::uint32_t goal = 0; goal < spots_.size(); ++goal)
-    if (is_among(state, row, goal)) return true;
+    if (is_among(state, row, goal)) return !is_behind_one(state, row);
   return false;
 }
 
@@ -246,8 +262,8 @@ void Journeys::advance(State& state, Workers& workers, std::vector<std::uint8_t>
   queues_.advance(state, leaves);
   for (Row row = 0; row < leaves.size(); ++row) {
     if (!leaves[row] && !(asked_[row] && is_there(state, row))) continue;
-    const Journey& journey = scene_.crowd.groups[scene_.crowd.group[agent(state, row)]].journey;
-    leaves[row] = ++state.crowd.stage[row] == journey.size();
+    ++state.crowd.stage[row];
+    leaves[row] = is_at_the_end(state, row);
     if (!leaves[row]) begin_leg(state, row);
   }
 }

@@ -54,6 +54,11 @@ class Journeys {
   const Leg& leg(const State& state, Row row) const {
     return scene_.crowd.leg(agent(state, row), state.crowd.stage[row]);
   }
+  /// Whether no leg is left to him: he leaves in this step.
+  bool is_at_the_end(const State& state, Row row) const {
+    const AgentGroup& group = scene_.crowd.groups[scene_.crowd.group[agent(state, row)]];
+    return state.crowd.stage[row] == group.journey.size();
+  }
   static bool is_decided(const State& state, Row row) { return state.crowd.option[row] != kUndecided; }
   std::uint32_t goal(const State& state, Row row) const {
     return scene_.crowd.goal(leg(state, row), state.crowd.option[row]);
@@ -78,6 +83,7 @@ class Journeys {
   bool wait(State& state, Row row);
   void begin_to_wait(State& state, Row row);
   bool is_among(const State& state, Row row, std::uint32_t goal);
+  bool is_behind_one(const State& state, Row row);
   bool is_kept_out(const State& state, Row row);
   bool is_off_spot(const State& state, Row row) const;
   void wait_for_opening(State& state, Row row);
@@ -95,6 +101,7 @@ class Journeys {
   bool chooses_ = false;                            // some leg has a choice
   std::vector<std::unique_ptr<Sampler>> samplers_;  // as Crowd::goals, where agents wait
   std::vector<Standing> spots_;                     // likewise: of those who wait there
+  std::vector<Standing> walkers_;                   // likewise: those on their way there
   bool spots_known_ = false;                        // in this step
   std::vector<std::uint8_t> asked_;                 // by row: may be at his goal
 };

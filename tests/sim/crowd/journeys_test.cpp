@@ -94,6 +94,29 @@ TEST(Waiting, BeforeAnAreaThatIsFullHoldsUpNobodyWhoWantsOut) {
   }
 }
 
+// It happened: of eighty people on their way to a hall up to eighteen stayed for ever in the jam before its
+// door, where one stood who waited for something else.
+TEST(Waiting, OfABystanderStopsNobodyInAJamBesideHim) {
+  for (const char* model : {"collision_free_speed", "social_force"}) {
+    SCOPED_TRACE(model);
+    Trial run(scene_from(
+        std::string("time = { dt = 0.02, until = 200 }\nseed = 1\nwalkable = 'POLYGON ((0 0, 6 0, 6 2.5, 6.2 "
+                    "2.5, 6.2 0, 16 0, 16 6, 6.2 6, 6.2 3.5, 6 3.5, 6 6, 0 6, 0 0))'\n[areas]\n"
+                    "start = [[0, 0], [5, 0], [5, 6], [0, 6]]\n"
+                    "post = [[5, 3.7], [5.8, 3.7], [5.8, 4.3], [5, 4.3]]\n"
+                    "hall = [[8, 0.5], [15.5, 0.5], [15.5, 5.5], [8, 5.5]]\n"
+                    "[[agents]]\ncount = 1\nradius = 0.2\nplace.random.within = 'post'\n"
+                    "goal = [{ wait = 'post' }]\nmodel = '") +
+        model +
+        "'\n[[agents]]\ncount = 80\nradius = 0.2\nplace.random.within = 'start'\n"
+        "goal = [{ wait = 'hall' }]\nmodel = '" +
+        model + "'\n"));
+    run.steps(6000);
+    for (std::size_t row = 1; row < run.state.id.size(); ++row)
+      EXPECT_GT(run.state.position[row].x(), 6.2) << run.state.id[row];
+  }
+}
+
 TEST(LeastCrowded, IsChosenWhenTheySetOut) {
   Trial run(hall("count = 5\ngoal.least_crowded = ['low', 'high']\npremovement = 1\n"));
   run.steps(49);
