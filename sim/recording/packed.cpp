@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cassert>
+#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
+#include <string>
 
 #include "sim/recording/deflate_runs.h"
 #include "sim/recording/fletcher32.h"
@@ -81,9 +83,15 @@ void quantize(std::span<const double> from, double quantum, std::span<std::int32
 double least_quantum(double farthest) {
   const double exact = farthest / (0x1p31 - 2.0);
   if (!(exact > 0.0)) return 0.0;
-  const int digit = static_cast<int>(std::floor(std::log10(exact))) - 1;
-  return std::stod(std::to_string(static_cast<int>(std::ceil(exact / std::pow(10.0, digit)))) + "e" +
-                   std::to_string(digit));
+  char text[32];  // d.de-xx
+  char* const end = std::to_chars(text, text + sizeof text, exact, std::chars_format::scientific, 1).ptr;
+  double rounded = 0.0;
+  std::from_chars(text, end, rounded);
+  if (rounded >= exact) return rounded;
+  const std::string up =
+      std::to_string(10 * (text[0] - '0') + (text[2] - '0') + 1) + std::string(text + 3, end);
+  std::from_chars(up.data(), up.data() + up.size(), rounded);
+  return rounded / 10.0;
 }
 
 void predict(std::size_t k, std::span<const std::int32_t> now, std::span<const std::int32_t> before,
