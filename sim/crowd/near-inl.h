@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "sim/crowd/compress-inl.h"
 #include "sim/crowd/exponential.h"
 #include "sim/crowd/model.h"
 
@@ -140,11 +141,12 @@ struct Others {
                                  hn::Ne(places, itself));
       const auto same = hn::And(there, hn::Eq(far, hn::Zero(d)));
       if (HWY_UNLIKELY(!hn::AllFalse(d, same))) to_x = hn::IfThenElse(same, parting(crowd, own, j), to_x);
-      hn::CompressStore(to_x, there, d, near_x + count);
-      hn::CompressStore(to_y, there, d, near_y + count);
-      hn::CompressStore(hn::Add(radius, hn::LoadU(d, all_radius + j)), there, d, near_width + count);
-      if constexpr (kTell == Tell::who) hn::CompressStore(places, there, d, place.data() + count);
-      count += hn::CountTrue(d, there);
+      const Compressor those(there);
+      those.store(to_x, near_x + count);
+      those.store(to_y, near_y + count);
+      those.store(hn::Add(radius, hn::LoadU(d, all_radius + j)), near_width + count);
+      if constexpr (kTell == Tell::who) those.store(places, place.data() + count);
+      count += those.count();
     }
     size = count - first;
   }
@@ -162,10 +164,10 @@ struct Others {
     const Wide d;
     std::size_t kept = first;
     for (std::size_t k = first, last = first + size; k < last; k += kWide) {
-      const auto left = hn::And(stays(k), hn::FirstN(d, last - k));
+      const Compressor left(hn::And(stays(k), hn::FirstN(d, last - k)));
       for (std::vector<double>* all : {&dx, &dy, &width, &place})
-        hn::CompressStore(hn::LoadU(d, all->data() + k), left, d, all->data() + kept);
-      kept += hn::CountTrue(d, left);
+        left.store(hn::LoadU(d, all->data() + k), all->data() + kept);
+      kept += left.count();
     }
     size = kept - first;
   }

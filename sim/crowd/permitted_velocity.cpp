@@ -10,6 +10,8 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/crowd/compress-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace throng::HWY_NAMESPACE {
 
@@ -114,11 +116,11 @@ HWY_INLINE void set_less_outside(const HalfPlanes& planes, std::size_t hard, std
     const Planes others(planes, j);
     const Reals to_x = hn::Sub(others.x, x), to_y = hn::Sub(others.y, y);
     const Reals length = hn::Sqrt(hn::Add(hn::Mul(to_x, to_x), hn::Mul(to_y, to_y)));
-    const Mask is = hn::And(hn::Gt(length, hn::Set(d, kParallel)), hn::FirstN(d, i - j));
-    hn::CompressStore(hn::Div(to_x, length), is, d, room.normal_x.data() + room.size);
-    hn::CompressStore(hn::Div(to_y, length), is, d, room.normal_y.data() + room.size);
-    room.size += hn::CompressStore(hn::Div(hn::Sub(others.offset, offset), length), is, d,
-                                   room.offset.data() + room.size);
+    const Compressor apart(hn::And(hn::Gt(length, hn::Set(d, kParallel)), hn::FirstN(d, i - j)));
+    apart.store(hn::Div(to_x, length), room.normal_x.data() + room.size);
+    apart.store(hn::Div(to_y, length), room.normal_y.data() + room.size);
+    apart.store(hn::Div(hn::Sub(others.offset, offset), length), room.offset.data() + room.size);
+    room.size += apart.count();
   }
 }
 
