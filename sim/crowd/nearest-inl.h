@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "sim/crowd/near-inl.h"
@@ -56,33 +57,40 @@ struct Ranks {
   }
 };
 
-HWY_INLINE void rank_all(const Others& others, const Near& near, Ranks& ranks) {
+/// Behind the last one some who are farther than all fill up a vector. Returns where that ends.
+HWY_INLINE std::size_t rank_all(const Others& others, const Near& near, Ranks& ranks) {
   const Wide d;
   const hn::RebindToSigned<Wide> whole;
-  const std::size_t size = near.size;
+  const std::size_t end = (near.size + kWide - 1) / kWide * kWide;
   double* const square = ranks.square.data();
-  for (std::size_t k = 0; k < size; k += kWide) hn::StoreU(others.square(near.first + k), d, square + k);
-  const auto count = [&](auto& rank, auto is)
-                         HWY_ATTR { rank = hn::Sub(rank, hn::BitCast(whole, hn::VecFromMask(d, is))); };
-  for (std::size_t k = 0; k < size; k += kWide) {
-    const auto own = hn::LoadU(d, square + k), place = hn::Iota(d, static_cast<double>(k));
+  const auto farther = hn::Set(d, std::numeric_limits<double>::infinity());
+  for (std::size_t k = 0; k < end; k += kWide)
+    hn::StoreU(hn::IfThenElse(hn::FirstN(d, near.size - k), others.square(near.first + k), farther), d,
+               square + k);
+  const auto in_vector = hn::Iota(d, 0.0);
+  for (std::size_t k = 0; k < end; k += kWide) {
+    const auto own = hn::LoadU(d, square + k);
     auto rank = hn::Zero(whole);
-    std::size_t j = 0;
-    for (; j < k; ++j) count(rank, hn::Le(hn::Set(d, square[j]), own));
-    for (const std::size_t end = std::min(k + kWide, size); j < end; ++j) {
-      const auto other = hn::Set(d, square[j]), before = hn::Set(d, static_cast<double>(j));
-      count(rank, hn::Or(hn::Lt(other, own), hn::And(hn::Eq(other, own), hn::Lt(before, place))));
+    const auto count = [&](auto is)
+                           HWY_ATTR { rank = hn::Sub(rank, hn::BitCast(whole, hn::VecFromMask(d, is))); };
+    for (std::size_t j = 0; j < k; j += kWide)
+      for (std::size_t i = 0; i < kWide; ++i) count(hn::Le(hn::Set(d, square[j + i]), own));
+    for (std::size_t i = 0; i < kWide; ++i) {
+      const auto other = hn::Set(d, square[k + i]), before = hn::Set(d, static_cast<double>(i));
+      count(hn::Or(hn::Lt(other, own), hn::And(hn::Eq(other, own), hn::Lt(before, in_vector))));
     }
-    for (; j < size; ++j) count(rank, hn::Lt(hn::Set(d, square[j]), own));
+    for (std::size_t j = k + kWide; j < end; j += kWide)
+      for (std::size_t i = 0; i < kWide; ++i) count(hn::Lt(hn::Set(d, square[j + i]), own));
     hn::StoreU(rank, whole, ranks.rank.data() + k);
   }
+  return end;
 }
 
 /// Orders the nearest `most`. O(all^2), eight at a time.
 HWY_INLINE void order_nearest(const Others& others, const Near& near, std::size_t most, Ranks& ranks) {
   ranks.make_room(near.size, most);
-  rank_all(others, near, ranks);
-  for (std::uint32_t k = 0; k < near.size; ++k)
+  const std::size_t end = rank_all(others, near, ranks);
+  for (std::uint32_t k = 0; k < end; ++k)
     ranks.order[std::min(static_cast<std::size_t>(ranks.rank[k]), most)] = k;
 }
 
