@@ -100,11 +100,13 @@ bool Journeys::has_settled(const State& state, Row row, double distance) const {
   return distance <= std::min(radius(state, row), near);
 }
 
-Heading Journeys::heading(const State& state, Row row) const {
+Heading Journeys::heading(const State& state, Row row, std::uint32_t group) const {
   const Vec& p = position(state, row);
   if (!is_decided(state, row)) return {Vec(0.0, 0.0), 0.0};
-  if (leg(state, row).kind == Leg::Kind::queue) return queues_.heading(state, row);
-  if (state.crowd.place[row] == 0) return {ways_.to(goal(state, row)).direction(p), kFree};
+  const Leg& leg = scene_.crowd.groups[group].journey[state.crowd.stage[row]];
+  if (leg.kind == Leg::Kind::queue) return queues_.heading(state, row);
+  if (state.crowd.place[row] == 0)
+    return {ways_.to(scene_.crowd.goal(leg, state.crowd.option[row])).direction(p), kFree};
   const Vec& spot = state.crowd.spot[row];
   return straight_to(p, spot, (spot - p).norm());
 }

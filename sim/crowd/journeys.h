@@ -28,16 +28,18 @@ class Journeys {
   /// as LeastCrowded; and looks who stands in the queues. O(agents) where there are choices or queues.
   void look(State& state);
 
-  /// Of the agent in this row of the crowd's state. Expects that `look` saw the state. O(1) but at queues and
-  /// among barriers.
-  Heading heading(const State& state, std::size_t row) const;
+  /// Of the agent in this row of the crowd's state, who is of that group. Expects that `look` saw the state.
+  /// O(1) but at queues and among barriers.
+  Heading heading(const State& state, std::size_t row, std::uint32_t group) const;
 
   /// Whether he has a place, is as good as there, which is `distance` (m) away, and stands.
   bool has_settled(const State& state, std::size_t row, double distance) const;
 
   /// Has the memory brought near that `heading` of that agent will read.
-  void prefetch(const State& state, std::size_t row) const {
-    if (is_decided(state, row)) ways_.to(goal(state, row)).prefetch(position(state, row));
+  void prefetch(const State& state, std::size_t row, std::uint32_t group) const {
+    if (!is_decided(state, row)) return;
+    const Leg& leg = scene_.crowd.groups[group].journey[state.crowd.stage[row]];
+    ways_.to(scene_.crowd.goal(leg, state.crowd.option[row])).prefetch(position(state, row));
   }
 
   /// Moves them on: who gets to a goal begins the next leg, or takes a place and stays; who has waited or has

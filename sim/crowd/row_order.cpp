@@ -40,7 +40,30 @@ void fill_gaps(State& state, std::size_t first, std::span<const std::uint8_t> le
   });
 }
 
+bool is_for_all(const Goal& goal) {
+  return goal.phases.empty();
+}
+
+bool is_for_all(const Leg& leg) {
+  return leg.kind == Leg::Kind::pass && leg.capacity.empty();
+}
+
+/// Whether anything follows from who has which row.
+bool heeds_rows(const Crowd& crowd) {
+  return !crowd.measures.empty() ||
+         !std::ranges::all_of(crowd.goals, [](const Goal& goal) { return is_for_all(goal); }) ||
+         !std::ranges::all_of(crowd.groups, [](const AgentGroup& group) {
+           return std::ranges::all_of(group.journey, [](const Leg& leg) { return is_for_all(leg); });
+         });
+}
+
 }  // namespace
+
+bool rows_follow(const Crowd& crowd) {
+  const auto appears = [](const AgentGroup& group) { return group.entrance && group.count > 0; };
+  if (crowd.size() < kSome || std::ranges::any_of(crowd.groups, appears)) return false;
+  return crowd.size() >= kMany || !heeds_rows(crowd);
+}
 
 void remove_agents(State& state, std::size_t first, std::span<const std::uint8_t> leaves, bool in_order) {
   in_order ? close_gaps(state, first, leaves) : fill_gaps(state, first, leaves);

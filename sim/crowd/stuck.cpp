@@ -31,6 +31,7 @@ std::vector<StuckAgent> stuck_agents(const Scene& scene, const State& state) {
     if (time_stood(scene, state, i) >= kStuckTime && scene.crowd.desired_speed[agent] > 0.0)
       stuck.push_back({state.id[row], state.position[row]});
   }
+  std::ranges::sort(stuck, {}, &StuckAgent::id);
   return stuck;
 }
 

@@ -17,7 +17,7 @@ struct StuckAgent {
 };
 inline constexpr double kStuckTime = 10.0;  ///< s
 
-/// Those of the state, by row: agents with a desired speed and on their way somewhere, that for kStuckTime
+/// Those of the state, by id: agents with a desired speed and on their way somewhere, that for kStuckTime
 /// weren't farther than their radius from one place. Not those who stand in line, want to a queue that is
 /// full, or wait.
 std::vector<StuckAgent> stuck_agents(const Scene& scene, const State& state);

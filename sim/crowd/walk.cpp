@@ -69,8 +69,7 @@ Walk::Walk(const Scene& scene)
       entrances_[i] = std::make_unique<Sampler>(group.entrance->within, least_radius(scene, group));
   journeys_.emplace(scene, barriers_);
   if (!movers_.empty()) seen_ = barriers_;
-  rows_follow_ = scene.crowd.size() >= kMany &&
-                 std::ranges::none_of(entrances_, [](const auto& entrance) { return entrance != nullptr; });
+  rows_follow_ = rows_follow(scene.crowd);
 }
 
 void Walk::Ranks::resize(std::size_t n) {
@@ -100,7 +99,7 @@ const Walk::Known& Walk::known(const State& state, std::size_t row) {
   if (its.id == state.id[row]) return its;
   const std::size_t agent = this->agent(state, row);
   its = {scene_.bodies.radius[scene_.crowd.first + agent], scene_.crowd.desired_speed[agent],
-         scene_.crowd.start[agent], state.id[row], model_[scene_.crowd.group[agent]]};
+         scene_.crowd.start[agent], state.id[row], scene_.crowd.group[agent]};
   return its;
 }
 
@@ -119,10 +118,11 @@ void Walk::prefetch(const State& state, std::size_t place) const {
 void Walk::rank(const State& state, std::size_t place) {
   const std::size_t row = this->row(place);
   const Known& its = known(state, row);
+  const std::uint32_t model = model_[its.group];
   const Vec &p = state.position[row], &v = state.velocity[row];
   const std::size_t i = cells_.row()[place];
-  auto [towards, distance] = journeys_->heading(state, i);
-  if (stand_at_will_[its.model] && journeys_->has_settled(state, i, distance))
+  auto [towards, distance] = journeys_->heading(state, i, its.group);
+  if (stand_at_will_[model] && journeys_->has_settled(state, i, distance))
     towards = Vec(0.0, 0.0), distance = 0.0;  // the very place would have others turn him for ever
   const double now = static_cast<double>(state.step) * scene_.time.dt;
   const double stood = time_stood(scene_, state, i);
@@ -131,7 +131,7 @@ void Walk::rank(const State& state, std::size_t place) {
   ranks_.x[place] = p.x(), ranks_.y[place] = p.y();
   ranks_.velocity_x[place] = v.x(), ranks_.velocity_y[place] = v.y();
   ranks_.towards_x[place] = towards.x(), ranks_.towards_y[place] = towards.y();
-  ranks_.model[place] = its.model, ranks_.radius[place] = its.radius;
+  ranks_.model[place] = model, ranks_.radius[place] = its.radius;
   ranks_.desired_speed[place] = now < its.start ? 0.0 : std::min(its.desired_speed, distance / kSettle);
   ranks_.id[place] = state.id[row];
   ranks_.clear[place] = (seen_ ? *seen_ : barriers_).clear(p);
@@ -147,7 +147,8 @@ void Walk::look(State& state, Workers& workers) {
   workers.for_ranges(n, [&](std::size_t begin, std::size_t end) {
     for (std::size_t place = begin; place < end; ++place) {
       prefetch(state, std::min(place + 2 * kAhead, end - 1));
-      journeys_->prefetch(state, cells_.row()[std::min(place + kAhead, end - 1)]);
+      const std::size_t ahead = std::min(place + kAhead, end - 1);
+      journeys_->prefetch(state, cells_.row()[ahead], known(state, row(ahead)).group);
       rank(state, place);
     }
   });

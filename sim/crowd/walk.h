@@ -58,7 +58,7 @@ class Walk {
   /// What the scene says of an agent.
   struct Known {
     double radius, desired_speed, start;  ///< m, m/s, s
-    std::uint32_t id = 0, model;          ///< row of models_
+    std::uint32_t id = 0, group;          ///< row of Crowd::groups
   };
 
   void sort(const State& state);

@@ -97,6 +97,43 @@ TEST(RowOrder, FollowsWhereAgentsStandInLargeCrowds) {
   EXPECT_LT(apart(), 10.0);
 }
 
+TEST(RowOrder, FollowsInSmallerCrowdsWhereNothingElseDoes) {
+  EXPECT_FALSE(rows_follow(streams(kSome - 2).crowd));
+  const Scene plain = streams(kSome);
+  EXPECT_TRUE(rows_follow(plain.crowd));
+  const auto follow = [&](auto change) {
+    Crowd crowd = plain.crowd;
+    change(crowd);
+    return rows_follow(crowd);
+  };
+  EXPECT_FALSE(follow([](Crowd& crowd) { crowd.measures.emplace_back(); }));
+  EXPECT_FALSE(follow([](Crowd& crowd) { crowd.goals[1].phases.emplace_back(); }));
+  EXPECT_FALSE(follow([](Crowd& crowd) { crowd.groups[1].journey[0].kind = Leg::Kind::wait; }));
+  EXPECT_FALSE(follow([](Crowd& crowd) { crowd.groups[1].journey[0].kind = Leg::Kind::queue; }));
+  EXPECT_FALSE(follow([](Crowd& crowd) { crowd.groups[0].journey[0].capacity = {1.0}; }));
+  EXPECT_FALSE(follow([](Crowd& crowd) { crowd.groups[0].entrance.emplace(); }));
+  Crowd many = large().crowd;
+  many.measures.emplace_back();
+  EXPECT_TRUE(rows_follow(many));
+}
+
+// A measure keeps the rows of the one as they are.
+TEST(RowOrder, TakesNobodyElsewhere) {
+  const Scene plain = streams(kSome);
+  Scene measured = plain;
+  measured.crowd.measures.emplace_back().line = {Vec(1, 0), Vec(1, 3)};
+  Trial follows(plain), stays(measured);
+  follows.steps(150), stays.steps(150);
+  EXPECT_TRUE(std::ranges::is_sorted(stays.state.id));
+  EXPECT_FALSE(std::ranges::is_sorted(follows.state.id));
+  ASSERT_EQ(follows.state.id.size(), stays.state.id.size());
+  EXPECT_LT(stays.state.id.size(), kSome);
+  std::vector<std::size_t> row(kSome + 1);
+  for (std::size_t i = 0; i < follows.state.id.size(); ++i) row[follows.state.id[i]] = i;
+  for (std::size_t i = 0; i < stays.state.id.size(); ++i)
+    ASSERT_EQ(follows.state.position[row[stays.state.id[i]]], stays.state.position[i]) << stays.state.id[i];
+}
+
 // A small crowd's rows stay as they are: what happens there must not depend on it.
 TEST(RowOrder, ChangesNothingElse) {
   Trial run(large()), shuffled(large()), three(large(), 3);
