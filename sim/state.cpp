@@ -2,6 +2,7 @@
 #include "sim/state.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <numeric>
 
@@ -158,15 +159,36 @@ bool fits(const State& state, const Scene& scene) {
   return are_in_line(state, scene);
 }
 
+namespace {
+
+/// The sum of the hashes of so many bodies, from row `first` on.
+template <std::size_t rows>
+std::uint64_t sum_of_hashes(const State& state, std::size_t first) {
+  std::array<std::uint64_t, rows> one;
+  one.fill(0x7468726f6e673032ULL);
+  const auto add = [&](auto word) {
+    for (std::size_t k = 0; k < rows; ++k) one[k] = mix(one[k], word(first + k));
+  };
+  add([&](std::size_t row) { return state.id[row]; });
+  add([&](std::size_t row) { return bits(state.position[row].x()); });
+  add([&](std::size_t row) { return bits(state.position[row].y()); });
+  add([&](std::size_t row) { return bits(state.angle[row]); });
+  add([&](std::size_t row) { return bits(state.velocity[row].x()); });
+  add([&](std::size_t row) { return bits(state.velocity[row].y()); });
+  add([&](std::size_t row) { return bits(state.spin[row]); });
+  std::uint64_t sum = 0;
+  for (std::uint64_t each : one) sum += finished(each);
+  return sum;
+}
+
+}  // namespace
+
+/// Four bodies at a time: each word of one waits for the word before.
 std::uint64_t hash(const State& state) {
   std::uint64_t sum = 0;
-  for (std::size_t row = 0; row < state.id.size(); ++row) {
-    std::uint64_t one = mix(0x7468726f6e673032ULL, state.id[row]);
-    for (double x : {state.position[row].x(), state.position[row].y(), state.angle[row],
-                     state.velocity[row].x(), state.velocity[row].y(), state.spin[row]})
-      one = mix(one, bits(x));
-    sum += finished(one);
-  }
+  std::size_t row = 0;
+  for (; row + 4 <= state.id.size(); row += 4) sum += sum_of_hashes<4>(state, row);
+  for (; row < state.id.size(); ++row) sum += sum_of_hashes<1>(state, row);
   return finished(mix(mix(sum, state.id.size()), static_cast<std::uint64_t>(state.step)));
 }
 
