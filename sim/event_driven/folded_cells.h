@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/colliders.h"
+#include "sim/event_driven/huge_pages.h"
 #include "sim/scene.h"
 
 namespace throng {
@@ -86,12 +87,14 @@ class FoldedCells {
   template <class Visit>
   void for_each_slot(const Eigen::AlignedBox2d& box, Visit visit) const;
 
-  Vec origin_;                                       ///< m
-  std::array<double, 2> edge_;                       ///< m
-  std::array<std::int64_t, 2> count_;                ///< columns and rows of the table
-  std::vector<std::array<std::uint32_t, 4>> first_;  ///< of each slot its first discs, then kNobody
-  std::vector<std::uint32_t> more_;                  ///< of each slot the next one, where that is full
-  std::vector<std::uint32_t> next_;                  ///< of each disc who follows it there
+  using Four = std::array<std::uint32_t, 4>;
+
+  Vec origin_;                                ///< m
+  std::array<double, 2> edge_;                ///< m
+  std::array<std::int64_t, 2> count_;         ///< columns and rows of the table
+  std::vector<Four, HugePages<Four>> first_;  ///< of each slot its first discs, then kNobody
+  std::vector<std::uint32_t> more_;           ///< of each slot the next one, where that is full
+  std::vector<std::uint32_t> next_;           ///< of each disc who follows it there
   std::vector<std::uint32_t> begin_;     ///< of each slot in obstacle_, and the end; empty without obstacles
   std::vector<std::uint32_t> obstacle_;  ///< rows of the obstacles
 };

@@ -78,6 +78,7 @@ void HardDiscs::place_discs() {
     const Cell at = cell(row);
     return std::pair(at.at[1], at.at[0]);
   });
+  discs_.reserve(bodies_.size()), next_.reserve(bodies_.size());
   for (const std::uint32_t row : bodies_) {
     discs_.push_back({place_in(scene_.domain, bodies.position[row]), bodies.velocity[row], 0.0,
                       bodies.radius[row], bodies.spin[row]});

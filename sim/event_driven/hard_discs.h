@@ -130,8 +130,8 @@ class HardDiscs {
   const Obstacles obstacles_;
   std::vector<std::uint32_t> bodies_;  // row of each disc, cell by cell: neighbours stand near one another
   FoldedCells cells_;
-  std::vector<Flying> discs_;
-  std::vector<Next> next_;
+  std::vector<Flying, HugePages<Flying>> discs_;
+  std::vector<Next, HugePages<Next>> next_;
   Soonest soonest_;
   std::vector<Approach> approaching_;  // the first `approached_` of them, of the last search
   std::size_t approached_ = 0;

@@ -7,6 +7,8 @@
 #include <limits>
 #include <vector>
 
+#include "sim/event_driven/huge_pages.h"
+
 namespace throng {
 
 /// Which row is due first? A tree of the least times (a tournament: Knuth, TAOCP 3, 5.4.1) with eight
@@ -26,7 +28,7 @@ class Soonest {
   /// O(log n) at most; ends where a level's least time stays: for far times after two levels or so.
   void set(std::uint32_t row, double time) {
     std::size_t place = row;
-    for (std::vector<Node>& level : levels_) {
+    for (auto& level : levels_) {
       Node& node = level[place / kWidth];
       const double before = node.least();
       node.time[place % kWidth] = time;
@@ -65,7 +67,7 @@ class Soonest {
     }
   };
 
-  std::vector<std::vector<Node>> levels_;  // rows first, the root last
+  std::vector<std::vector<Node, HugePages<Node>>> levels_;  // rows first, the root last
 };
 
 }  // namespace throng
