@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -62,14 +63,34 @@ class FoldedCells {
     }
   }
 
-  /// Calls visit(disc) for each of a cell's list.
-  template <class Visit>
-  void for_each_in(std::size_t slot, Visit visit) const {
-    for (const std::uint32_t disc : first_[slot]) {
-      if (disc == kNobody) return;
-      visit(disc);
+  /// Whether all cells one away from it are in its own table.
+  bool inside(const Cell& cell) const {
+    return cell.at[0] > 0 && cell.at[0] < count_[0] - 1 && cell.at[1] > 0 && cell.at[1] < count_[1] - 1;
+  }
+
+  /// Sends for the lists round a cell that is inside.
+  void fetch(const Cell& cell) const {
+    if (!inside(cell)) return;
+    for (const std::int64_t row : {-1, 0, 1}) {
+      const Four* const middle = &first_[slot({{cell.at[0], cell.at[1] + row}})];
+      __builtin_prefetch(middle - 1), __builtin_prefetch(middle + 1);
     }
-    for (std::uint32_t disc = more_[slot]; disc != kNobody; disc = next_[disc]) visit(disc);
+  }
+
+  /// Writes a cell's list to `list` from row `count` on, and returns how many are in there then. Grows it
+  /// where there is no room. Without branches that nobody can foresee, where cells hold few.
+  std::size_t copy(std::size_t slot, std::vector<std::uint32_t>& list, std::size_t count) const {
+    if (count + kFirst > list.size()) list.resize(2 * count + kFirst);
+    const Four four = first_[slot];
+    std::copy(four.begin(), four.end(), list.begin() + static_cast<std::ptrdiff_t>(count));
+    for (const std::uint32_t disc : four) count += disc != kNobody;
+    if (four.back() == kNobody) [[likely]]
+      return count;
+    for (std::uint32_t disc = more_[slot]; disc != kNobody; disc = next_[disc]) {
+      if (count == list.size()) list.resize(2 * count);
+      list[count++] = disc;
+    }
+    return count;
   }
 
   /// Lists each obstacle in the cells from which a disc of `reach` (m) can touch it.
@@ -87,7 +108,8 @@ class FoldedCells {
   template <class Visit>
   void for_each_slot(const Eigen::AlignedBox2d& box, Visit visit) const;
 
-  using Four = std::array<std::uint32_t, 4>;
+  static constexpr std::size_t kFirst = 4;
+  using Four = std::array<std::uint32_t, kFirst>;
 
   Vec origin_;                                ///< m
   std::array<double, 2> edge_;                ///< m

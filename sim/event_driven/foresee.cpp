@@ -47,6 +47,7 @@ void HardDiscs::foresee_crossing(std::uint32_t disc, double now, const std::arra
   const Flying& one = discs_[disc];
   Next& next = next_[disc];
   next.crossing = kNever;
+  if (!plan_.gravity) return foresee_straight_crossing(one, now, next);
   for (int axis : {0, 1})
     for (int step : {-1, 1}) {
       const double pull = step * pull_[axis];
@@ -58,6 +59,20 @@ void HardDiscs::foresee_crossing(std::uint32_t disc, double now, const std::arra
       next.crossing = std::max(now, time);
       next.axis = static_cast<std::int8_t>(axis), next.step = static_cast<std::int8_t>(step);
     }
+}
+
+/// The same where nothing pulls: of each axis one border lies ahead.
+void HardDiscs::foresee_straight_crossing(const Flying& one, double now, Next& next) const {
+  for (int axis : {0, 1}) {
+    const double speed = one.velocity[axis];
+    const bool up = speed > 0.0;
+    const double way = cells_.border(axis, next.cell.at[axis] + up) - one.position[axis];
+    const double time = speed != 0.0 ? std::max(now, one.since + way / speed) : kNever;
+    const bool sooner = time < next.crossing;
+    next.crossing = sooner ? time : next.crossing;
+    next.axis = static_cast<std::int8_t>(sooner ? axis : next.axis);
+    next.step = static_cast<std::int8_t>(sooner ? 2 * up - 1 : next.step);
+  }
 }
 
 /// Those that it meets in its cell: beyond lie others, and where the domain repeats other images of them.
@@ -98,21 +113,23 @@ void HardDiscs::foresee_discs(std::uint32_t disc, double now, const Range& range
 }
 
 /// Who comes nearer and might touch before what comes next to the disc: few of those who are near. Without
-/// branches that nobody can foresee.
+/// branches that nobody can foresee; the disc comes no nearer to itself.
 void HardDiscs::find_approaching(std::uint32_t disc, double now, const Range& range) {
   const Flying& one = discs_[disc];
   const Vec from = place(one, now), speed = velocity(one, now);
   const double until = next_[disc].collision - now;
   std::size_t count = 0;
-  for_each_near(disc, range, [&](std::uint32_t other, const Vec& shift) {
-    if (count == approaching_.size()) approaching_.resize(2 * count + 16);
-    const Flying& two = discs_[other];
-    const Vec between = place(two, now) + shift - from, way = velocity(two, now) - speed;
-    const double reach = one.radius + two.radius;
-    const double excess = narrowphase::dot(between, between) - reach * reach,
-                 nearing = -narrowphase::dot(between, way);
-    approaching_[count] = {excess, nearing, narrowphase::dot(way, way), other};
-    count += static_cast<std::size_t>((nearing > 0.0) & (excess <= 2.0 * nearing * until));
+  for_each_near(disc, range, [&](std::span<const std::uint32_t> near, const Vec& shift) {
+    if (count + near.size() > approaching_.size()) approaching_.resize(2 * (count + near.size()));
+    for (const std::uint32_t other : near) {
+      const Flying& two = discs_[other];
+      const Vec between = place(two, now) + shift - from, way = velocity(two, now) - speed;
+      const double reach = one.radius + two.radius;
+      const double excess = narrowphase::dot(between, between) - reach * reach,
+                   nearing = -narrowphase::dot(between, way);
+      approaching_[count] = {excess, nearing, narrowphase::dot(way, way), other};
+      count += static_cast<std::size_t>((nearing > 0.0) & (excess <= 2.0 * nearing * until));
+    }
   });
   approached_ = count;
 }

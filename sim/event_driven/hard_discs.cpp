@@ -93,7 +93,7 @@ std::string HardDiscs::name(std::uint32_t other) const {
   return is_disc(other) ? "body " + std::to_string(body(other) + 1) : "a wall, a border or a static body";
 }
 
-void HardDiscs::refuse_overlaps() const {
+void HardDiscs::refuse_overlaps() {
   const auto refuse = [&](std::uint32_t disc, std::uint32_t other, double gap) {
     if (gap >= -kRounding * discs_[disc].radius) return;
     char depth[32];
@@ -104,9 +104,11 @@ void HardDiscs::refuse_overlaps() const {
   const std::size_t sides = obstacles_.side.size();
   for (std::uint32_t disc = 0; disc < discs_.size(); ++disc) {
     const Flying& one = discs_[disc];
-    for_each_near(disc, {}, [&](std::uint32_t other, const Vec& shift) {
-      const Vec between = discs_[other].position + shift - one.position;
-      refuse(disc, other, between.norm() - one.radius - discs_[other].radius);
+    for_each_near(disc, {}, [&](std::span<const std::uint32_t> near, const Vec& shift) {
+      for (const std::uint32_t other : near) {
+        const Vec between = discs_[other].position + shift - one.position;
+        if (other != disc) refuse(disc, other, between.norm() - one.radius - discs_[other].radius);
+      }
     });
     for (const std::uint32_t row : cells_.obstacles(cells_.slot(next_[disc].cell))) {
       const auto count = static_cast<std::uint32_t>(discs_.size());
@@ -133,7 +135,8 @@ bool HardDiscs::run_until(double time, std::vector<ContactRow>& rows, bool (*sto
   for (std::uint32_t events = 1; soonest_.time() <= time; ++events) {
     if (stop && events % kPatience == 0 && stop()) return false;
     const double now = soonest_.time();
-    const std::uint32_t disc = soonest_.row();
+    const auto [disc, after] = soonest_.rows();
+    fetch(after);  // who is next, unless this event brings somebody sooner
     const Next& next = next_[disc];
     if (next.crossing <= next.collision)
       cross(disc);
@@ -141,8 +144,23 @@ bool HardDiscs::run_until(double time, std::vector<ContactRow>& rows, bool (*sto
       foresee(disc, now, kNobody);
     else
       collide(disc, now, rows);
+    fetch_cells(after);
   }
   return true;
+}
+
+/// Memory takes its time to answer: what will be needed of the disc is sent for.
+void HardDiscs::fetch(std::uint32_t disc) const {
+  __builtin_prefetch(&next_[disc], 1), __builtin_prefetch(&discs_[disc], 1);
+  soonest_.fetch(disc);
+}
+
+/// The lists of those that will be near.
+void HardDiscs::fetch_cells(std::uint32_t disc) const {
+  const Next& next = next_[disc];
+  Cell cell = next.cell;
+  cell.at[next.axis] += next.crossing <= next.collision ? next.step : 0;
+  cells_.fetch(cell);
 }
 
 /// Into the next cell: three more cells are near, and other obstacles.
@@ -225,6 +243,7 @@ Vec HardDiscs::normal(std::uint32_t disc, std::uint32_t other) const {
 void HardDiscs::collide(std::uint32_t disc, double now, std::vector<ContactRow>& rows) {
   const std::uint32_t other = next_[disc].other;
   const bool pair = is_disc(other);
+  if (pair) cells_.fetch(next_[other].cell);
   const double flown = advance(disc, now), other_flown = pair ? advance(other, now) : 0.0;
   const Vec n = normal(disc, other);
   const double speed = closing_speed(disc, other, n);

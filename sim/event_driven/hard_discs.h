@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -81,7 +82,7 @@ class HardDiscs {
   };
 
   void place_discs();
-  void refuse_overlaps() const;
+  void refuse_overlaps();
   std::uint32_t body(std::uint32_t disc) const { return bodies_[disc]; }
   bool is_disc(std::uint32_t other) const { return other < discs_.size(); }
   const Surface& surface(std::uint32_t disc, std::uint32_t other) const;
@@ -95,25 +96,32 @@ class HardDiscs {
   Vec velocity(const Flying& disc, double time) const {
     return plan_.gravity ? Vec(disc.velocity + (time - disc.since) * pull_) : disc.velocity;
   }
-  /// Calls visit(other, shift) for each other disc in the range of cells round the disc's: its image there is
-  /// moved by `shift` (m).
+  /// Calls visit(discs, shift) for the discs in the range of cells round the disc's, itself among them, some
+  /// at a time: their images there are moved by `shift` (m).
   template <class Visit>
-  void for_each_near(std::uint32_t disc, const Range& range, Visit visit) const {
-    cells_.for_each_near(next_[disc].cell, range.first, range.last, [&](std::size_t slot, int x, int y) {
-      const Vec shift(x * period_.x(), y * period_.y());
-      cells_.for_each_in(slot, [&](std::uint32_t other) {
-        if (other != disc) visit(other, shift);
-      });
+  void for_each_near(std::uint32_t disc, const Range& range, Visit visit) {
+    const Cell& cell = next_[disc].cell;
+    const bool inside = cells_.inside(cell);
+    std::size_t count = 0;
+    cells_.for_each_near(cell, range.first, range.last, [&](std::size_t slot, int x, int y) {
+      count = cells_.copy(slot, near_, count);
+      if (inside) return;
+      visit(std::span(near_).first(count), Vec(x * period_.x(), y * period_.y()));
+      count = 0;
     });
+    if (inside) visit(std::span(near_).first(count), Vec(0.0, 0.0));
   }
 
   void foresee(std::uint32_t disc, double now, std::uint32_t collided);
   void foresee_crossing(std::uint32_t disc, double now, const std::array<int, 2>& entered);
+  void foresee_straight_crossing(const Flying& one, double now, Next& next) const;
   void foresee_obstacles(std::uint32_t disc, double now, std::uint32_t collided);
   void foresee_discs(std::uint32_t disc, double now, const Range& range, std::uint32_t collided);
   void find_approaching(std::uint32_t disc, double now, const Range& range);
   void set(std::uint32_t disc);
 
+  void fetch(std::uint32_t disc) const;
+  void fetch_cells(std::uint32_t disc) const;
   void cross(std::uint32_t disc);
   void collide(std::uint32_t disc, double now, std::vector<ContactRow>& rows);
   double advance(std::uint32_t disc, double now);
@@ -133,6 +141,7 @@ class HardDiscs {
   std::vector<Flying, HugePages<Flying>> discs_;
   std::vector<Next, HugePages<Next>> next_;
   Soonest soonest_;
+  std::vector<std::uint32_t> near_;    // discs of the last search
   std::vector<Approach> approaching_;  // the first `approached_` of them, of the last search
   std::size_t approached_ = 0;
   Collisions collisions_;

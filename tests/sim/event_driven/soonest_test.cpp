@@ -12,9 +12,9 @@ TEST(Soonest, OfEqualTimesTheLowestRow) {
   Soonest soonest(5);
   EXPECT_EQ(soonest.time(), Soonest::kNever);
   soonest.set(4, 2.0), soonest.set(3, 2.0), soonest.set(1, 3.0);
-  EXPECT_EQ(soonest.row(), 3u);
+  EXPECT_EQ(soonest.rows().row, 3u);
   soonest.set(3, 5.0);
-  EXPECT_EQ(soonest.row(), 4u);
+  EXPECT_EQ(soonest.rows().row, 4u);
   EXPECT_EQ(soonest.time(), 2.0);
 }
 
@@ -30,7 +30,15 @@ TEST(Soonest, AgreesWithLookingAtAllRows) {
       const auto least = std::ranges::min_element(times);
       ASSERT_EQ(soonest.time(), *least) << rows << " rows, change " << i;
       if (*least == Soonest::kNever) continue;
-      ASSERT_EQ(soonest.row(), least - times.begin()) << rows << " rows, change " << i;
+      const auto [first, after] = soonest.rows();
+      ASSERT_EQ(first, least - times.begin()) << rows << " rows, change " << i;
+      *least = Soonest::kNever;
+      const double second = *std::ranges::min_element(times);
+      if (second < Soonest::kNever) {
+        ASSERT_NE(after, first) << rows << " rows, change " << i;
+        ASSERT_EQ(times[after], second) << rows << " rows, change " << i;
+      }
+      times[first] = soonest.time();
     }
   }
 }
