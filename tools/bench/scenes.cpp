@@ -36,4 +36,32 @@ Scene settled(Scene scene, double seconds) {
   return result;
 }
 
+namespace {
+
+void add_image(const Bodies& from, std::size_t row, bool mirrored, const Vec& shift, Bodies& to) {
+  const double sign = mirrored ? -1.0 : 1.0;
+  const auto turned = [sign](const Vec& vector) { return Vec(sign * vector.x(), vector.y()); };
+  to.shape.push_back(from.shape[row]), to.material.push_back(from.material[row]);
+  to.kind.push_back(from.kind[row]), to.radius.push_back(from.radius[row]);
+  to.position.push_back(turned(from.position[row]) + shift);
+  to.velocity.push_back(turned(from.velocity[row]));
+  to.angle.push_back(sign * from.angle[row]), to.spin.push_back(sign * from.spin[row]);
+}
+
+}  // namespace
+
+Scene side_by_side(const Scene& scene, int copies) {
+  const double left = scene.domain.min.x(), width = scene.domain.max.x() - left;
+  Scene all = scene;
+  all.domain.max.x() = left + copies * width;
+  all.bodies = {};
+  for (std::size_t row = 0; row < scene.bodies.size(); ++row)
+    for (int i = 0; i < copies; ++i) {
+      const bool mirrored = i % 2 == 1;
+      const double shift = mirrored ? 2.0 * left + (i + 1) * width : i * width;
+      add_image(scene.bodies, row, mirrored, Vec(shift, 0.0), all.bodies);
+    }
+  return all;
+}
+
 }  // namespace throng::bench

@@ -19,4 +19,9 @@ Scene begun_at(Scene scene, const State& state);
 /// The same scene, begun where the native engine has brought it after `seconds`.
 Scene settled(Scene scene, double seconds);
 
+/// That scene of discs in a box and, in turn, its mirror image, so many times side by side in one box: who
+/// lay at a side lies beside his image then. The images of a body follow each other, so that rows say as
+/// little of places as before.
+Scene side_by_side(const Scene& scene, int copies);
+
 }  // namespace throng::bench
