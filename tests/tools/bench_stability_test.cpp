@@ -45,5 +45,19 @@ TEST_F(BenchStability, JudgesEachSceneUnderEachFactor) {
   EXPECT_NE(rows["stack: substeps"][1.0]["verdict"], "stable") << "steps of 17 ms are too long for it";
 }
 
+TEST_F(BenchStability, ShowsEachRowWhenItIsThere) {
+  const Result result =
+      throng("bench stability --quick --only restitution --json " + path("rows.json") + " 2>&1 | cat");
+  ASSERT_EQ(result.exit_code, 0);
+  EXPECT_LT(result.out.find("stack: restitution"), result.out.find("\npile\n"))
+      << "which is told as it begins";
+  EXPECT_LT(result.out.find("\npile\n"), result.out.find("pile: restitution"));
+  EXPECT_EQ(result.out.find("stack: restitution"), result.out.rfind("stack: restitution")) << "once";
+}
+
+TEST_F(BenchStability, SaysWhatItsColumnsAreIn) {
+  EXPECT_THAT(throng("bench --help").out, testing::HasSubstr("overlap, the deepest at the end, in radii"));
+}
+
 }  // namespace
 }  // namespace throng

@@ -48,14 +48,17 @@ std::vector<Row> bench_motion(const Options& options);
 /// number.
 std::vector<Row> bench_validation(const Options& options);
 
-/// Their table, on stdout: a paragraph per case.
-void print_verdicts(const std::vector<Row>& rows);
+/// Their table from row `begin` on, on stdout: a paragraph per case.
+void print_verdicts(const std::vector<Row>& rows, std::size_t begin);
 
 /// Scenes with exact solutions, each engine at several settings: time per simulated second against error.
 std::vector<Row> bench_accuracy(const Options& options);
 
-/// Their table, on stdout: a paragraph per scene, then the observed orders.
-void print_accuracy(const std::vector<Row>& rows);
+/// Their table from row `begin` on, on stdout: a paragraph per scene.
+void print_accuracy(const std::vector<Row>& rows, std::size_t begin);
+
+/// What stands below it: the observed orders.
+void print_orders(const std::vector<Row>& rows);
 
 /// What beside dt and substeps may be chosen: width of vectors, threads, sleep; times, and that bits agree.
 std::vector<Row> bench_knobs(const Options& options);
@@ -63,8 +66,11 @@ std::vector<Row> bench_knobs(const Options& options);
 /// A stack, a pile and a gas under stress: stable, drifting or exploded, in `error`.
 std::vector<Row> bench_stability(const Options& options);
 
-/// Their table, on stdout: a paragraph per factor or two.
-void print_stability(const std::vector<Row>& rows);
+/// Their table from row `begin` on, on stdout: a paragraph per factor or two.
+void print_stability(const std::vector<Row>& rows, std::size_t begin);
+
+/// What stands below it: how many are stable.
+void print_stable(const std::vector<Row>& rows);
 
 /// Steps of crowds of each model, beside two threads and their plain twins: scalar, neighbours from
 /// nanoflann.

@@ -189,14 +189,20 @@ std::vector<Row> bench_broadphase(const Options& options) {
     for (const Kind kind : {Kind::uniform, Kind::clustered, Kind::line, Kind::mixed})
       for (const double k : {10.0, 40.0})
         for (const bool spatial : {false, true})
-          if (chosen(case_name(kind, n, k, spatial), options))
+          if (chosen(case_name(kind, n, k, spatial), options)) {
             race_all_pairs(cloud(kind, n, k, spatial), options, rows);
+            options.show(rows);
+          }
   const std::size_t n = options.quick ? 1000 : 100000;
   if (chosen("sizes", options)) race_sizes(n, options, rows);
   for (const bool spatial : {false, true})
     for (const Pace& pace : kPaces)
-      if (chosen(moving_name(n, spatial, pace), options)) race_moving(n, spatial, pace, options, rows);
+      if (chosen(moving_name(n, spatial, pace), options)) {
+        race_moving(n, spatial, pace, options, rows);
+        options.show(rows);
+      }
   for (Row& row : bench_broadphase_boxes(options)) rows.push_back(std::move(row));
+  options.show(rows);
   if (chosen("two busy loops", options)) race_busy_loops(options, rows);
   for (Row& row : bench_broadphase_queries(options)) rows.push_back(std::move(row));
   return rows;

@@ -231,6 +231,7 @@ std::vector<Row> bench_bvh(const Options& options) {
       const Pair pair = make_pair(size.family, situation, size.n);
       if (!any_chosen(pair, options)) continue;
       if (situation == std::string("near")) build_rows(pair, options, rows);
+      options.show(rows);
       const Built<Ball<2>> discs("disc", pair);
       const Built<Box<2>> boxes("aabb", pair);
       const Built<OrientedBox<2>> oriented("obb", pair);

@@ -121,10 +121,13 @@ std::vector<Row> run(const Case& one, const Options& options) {
 
 std::vector<Row> bench_crowd(const Options& options) {
   std::vector<Row> rows = bench_ways(options);
+  options.show(rows);
   for (Row& row : bench_stadium(options)) rows.push_back(std::move(row));
+  options.show(rows);
   for (const Case& one : cases(options.quick)) {
     if (!chosen(one.name(), options)) continue;
     for (Row& row : run(one, options)) rows.push_back(std::move(row));
+    options.show(rows);
   }
   return rows;
 }

@@ -115,6 +115,7 @@ std::vector<Row> bench_knobs(const Options& options) {
       row.check = "";
       rows.push_back(std::move(row));
     }
+    options.show(rows);
   }
   return rows;
 }

@@ -8,6 +8,7 @@
 #include <exception>
 #include <map>
 #include <set>
+#include <span>
 
 #include "sim/input_error.h"
 #include "tools/bench/benchmarks.h"
@@ -23,6 +24,9 @@ Of lean: price_ms, the difference of the medians to the row above; contacts, tha
 Of accuracy: ms and the least of them per simulated second; the error, mostly the root mean square distance to the exact
 solution at equal times in units of the body's radius; how many times as fast native is at its cheapest setting with at
 most that error. In JSON also error_end, of the last of these times, native_ms, and the observed order.
+Of stability: energy, how much it grew at most, as a part of what the scene has to lose (where nothing rubs nor damps: how
+much it changed); overlap, the deepest at the end, in radii; speed, the root mean square at the end, over sqrt(g size), of
+the gas over what each component has at first; moved, how far a box of the stack is off its place at most, in sides.
 Of motion, where a query is a pair in motion, a figure is for one query, and the errors are
   evaluations      distances computed, or bounds of them, a query (mean)
   missed           queries that hit and were called free
@@ -66,16 +70,19 @@ class OutputAside {
   OutputAside(const OutputAside&) = delete;
   OutputAside& operator=(const OutputAside&) = delete;
 
+  /// What `print` prints goes where it belongs.
+  template <class Print>
+  void lift(Print print) {
+    std::fflush(stdout);
+    dup2(own_, STDOUT_FILENO);
+    print();
+    std::fflush(stdout);
+    dup2(STDERR_FILENO, STDOUT_FILENO);
+  }
+
  private:
   int own_;
 };
-
-std::vector<throng::bench::Row> run(
-    std::vector<throng::bench::Row> (*benchmark)(const throng::bench::Options&),
-    const throng::bench::Options& options) {
-  const OutputAside aside;
-  return benchmark(options);
-}
 
 /// Names are told up to kMost: a benchmark may have hundreds.
 std::string why_none(const std::vector<std::string>& passed_over) {
@@ -89,11 +96,40 @@ std::string why_none(const std::vector<std::string>& passed_over) {
   return told <= kMost ? result : result + "\n  and " + std::to_string(told - kMost) + " more";
 }
 
-void print(const std::string& name, const std::vector<throng::bench::Row>& rows) {
-  if (name == "validation") return throng::bench::print_verdicts(rows);
-  if (name == "accuracy") return throng::bench::print_accuracy(rows);
-  if (name == "stability") return throng::bench::print_stability(rows);
-  throng::bench::print_table(rows);
+void print(const std::string& name, const std::vector<throng::bench::Row>& rows, std::size_t begin) {
+  if (name == "validation") return throng::bench::print_verdicts(rows, begin);
+  if (name == "accuracy") return throng::bench::print_accuracy(rows, begin);
+  if (name == "stability") return throng::bench::print_stability(rows, begin);
+  throng::bench::print_table(rows, begin);
+}
+
+void print_end(const std::string& name, const std::vector<throng::bench::Row>& rows) {
+  if (name == "accuracy") throng::bench::print_orders(rows);
+  if (name == "stability") throng::bench::print_stable(rows);
+}
+
+/// Runs the benchmark, and shows each of its rows as soon as it is there: in the table, unless that would
+/// stand among JSON, and in `json`.
+void run(const std::string& name, std::vector<throng::bench::Row> (*benchmark)(const throng::bench::Options&),
+         throng::bench::Options options, bool table, throng::bench::JsonRows& json) {
+  using throng::bench::Row;
+  OutputAside aside;
+  std::size_t shown = 0;
+  options.show = [&](const std::vector<Row>& rows) {
+    expect_agreement(rows);
+    aside.lift([&] {
+      if (table && shown < rows.size()) print(name, rows, shown);
+      json.add(std::span(rows).subspan(shown));
+    });
+    shown = rows.size();
+  };
+  const std::vector<Row> rows = benchmark(options);
+  if (rows.empty()) throw throng::InputError(name + ": " + why_none(*options.passed_over));
+  options.show(rows);
+  aside.lift([&] {
+    if (table) print_end(name, rows);
+    json.end();
+  });
 }
 
 }  // namespace
@@ -144,8 +180,10 @@ int main(int argc, char** argv) {
   app.add_option("--target", target,
                  "vectors of this set of instructions alone, instead of this machine's widest")
       ->transform(CLI::IsMember(targets(), CLI::ignore_case));
-  app.add_option("--json", json,
-                 "also writes the rows to this file; -: to the standard output, and no table");
+  app.add_option(
+      "--json", json,
+      "also writes the rows to this file, a line each, as they are there; -: to the standard output, "
+      "and no table");
   app.footer(
       "Examples: throng bench step --only pile --json step.json\n"
       "          throng bench broadphase --only '^uniform n=100000 k=10 random$'  (this case alone)\n" +
@@ -154,11 +192,8 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
     refuse_what_does_nothing(name, options);
     if (!target.empty()) hwy::SetSupportedTargetsForTest(targets().at(target));
-    const std::vector<Row> rows = run(benchmarks.at(name), options);
-    if (rows.empty()) throw throng::InputError(name + ": " + why_none(*options.passed_over));
-    expect_agreement(rows);
-    if (json != "-") print(name, rows);
-    if (!json.empty()) write_json(rows, json);
+    JsonRows rows(json);
+    run(name, benchmarks.at(name), options, json != "-", rows);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   } catch (const throng::InputError& error) {

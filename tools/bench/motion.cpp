@@ -157,8 +157,11 @@ std::vector<Row> bench_motion(const Options& options) {
       {"gears n=64, random", [&] { return random_outlines("gear", 64, n / 20); }},
       {"coasts n=128, random", [&] { return random_outlines("coast", 128, n / 50); }},
       {"bracket in clutter of 400, random", [&] { return random_clutter(n / 5); }}};
-  for (const auto& [name, make] : cases)
+  for (const auto& [name, make] : cases) {
+    options.show(rows);
     if (chosen(name, options)) append(rows, run(make(), options));
+  }
+  options.show(rows);
   append(rows, motion_linkage_rows(options));
   return rows;
 }

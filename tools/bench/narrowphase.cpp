@@ -231,6 +231,7 @@ std::vector<Row> bench_narrowphase(const Options& options) {
         if (!chosen(case_name(vertices, step, gap), options)) continue;
         for (Row& row : run(convex_pairs(vertices, step, gap, options.quick), options.blocks))
           rows.push_back(std::move(row));
+        options.show(rows);
       }
   return rows;
 }

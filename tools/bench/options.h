@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace throng::bench {
+
+struct Row;
 
 struct Options {
   std::string scenarios;             ///< folder of the gallery
@@ -15,6 +18,8 @@ struct Options {
   int blocks = 7;                    ///< figures a row, engines in turn
   bool quick = false;                ///< a tenth of the work, to see that it runs
   bool large = false;                ///< broadphase: ten million points too; recording: a file of 10 GB
+  /// Shows what there is so far, when the rows of a case are complete: called with all of the benchmark's.
+  std::function<void(const std::vector<Row>&)> show = [](const std::vector<Row>&) {};
   /// Names of cases, for who asks for one that isn't there.
   std::shared_ptr<std::vector<std::string>> passed_over = std::make_shared<std::vector<std::string>>();
 };

@@ -238,6 +238,7 @@ std::vector<Row> bench_recording(const Options& options) {
   const auto add = [&](const std::string& name, auto bench) {
     if (!chosen(name, options)) return;
     for (Row& row : bench(name)) rows.push_back(std::move(row));
+    options.show(rows);
   };
   add("pile n=10000 every step, position and angle",
       [&](const std::string& name) { return bench_run(name, options, file); });

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "tools/bench/rows.h"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
-#include <fstream>
 #include <map>
 #include <stdexcept>
 
@@ -42,37 +44,49 @@ std::string short_text(const nlohmann::ordered_json& error) {
   return text;
 }
 
-void print_table(const std::vector<Row>& rows) {
-  std::printf("%-34s %-12s %10s %10s %8s  %s\n", "case", "engine", "ms", "ms_min", "ratio", "error");
+void print_table(const std::vector<Row>& rows, std::size_t begin) {
+  if (begin == 0)
+    std::printf("%-34s %-12s %10s %10s %8s  %s\n", "case", "engine", "ms", "ms_min", "ratio", "error");
   std::map<std::string, double> first;
-  for (const Row& row : rows) {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Row& row = rows[i];
     const double ms = median(row.ms);
     const double of_first = first.try_emplace(row.name, ms).first->second;
     const double reference = row.reference_ms > 0.0 ? row.reference_ms : of_first;
+    if (i < begin) continue;
     std::printf("%-34s %-12s %10.5g %10.5g %8.2f  %s\n", row.name.c_str(), row.engine.c_str(), ms,
                 minimum(row.ms), ms / reference, short_text(row.error).c_str());
   }
 }
 
-void write_json(const std::vector<Row>& rows, const std::string& file) {
-  auto list = nlohmann::ordered_json::array();
-  for (const Row& row : rows)
-    list.push_back({{"bench", row.bench},
-                    {"case", row.name},
-                    {"engine", row.engine},
-                    {"threads", row.threads},
-                    {"ms", median(row.ms)},
-                    {"ms_min", minimum(row.ms)},
-                    {"work", row.work},
-                    {"check", row.check},
-                    {"error", row.error}});
-  if (file == "-") {
-    std::puts(list.dump(2).c_str());
-    return;
+JsonRows::JsonRows(const std::string& file) : name_(file) {
+  if (file.empty()) return;
+  file_ = file == "-" ? stdout : std::fopen(file.c_str(), "a");
+  if (!file_) throw InputError(file + ": can't be written");
+}
+
+JsonRows::~JsonRows() {
+  if (file_ && file_ != stdout) std::fclose(file_);
+}
+
+void JsonRows::add(std::span<const Row> rows) {
+  if (!file_) return;
+  if (empty_ && !rows.empty() && file_ != stdout && ftruncate(fileno(file_), 0) != 0) errno = 0;  // a pipe
+  for (const Row& row : rows) {
+    const nlohmann::ordered_json line{
+        {"bench", row.bench},     {"case", row.name},     {"engine", row.engine},
+        {"threads", row.threads}, {"ms", median(row.ms)}, {"ms_min", minimum(row.ms)},
+        {"work", row.work},       {"check", row.check},   {"error", row.error}};
+    std::fprintf(file_, "%s%s", empty_ ? "[\n" : ",\n", line.dump().c_str());
+    empty_ = false;
   }
-  std::ofstream out(file);
-  out << list.dump(2) << '\n';
-  if (!out.flush()) throw InputError(file + ": can't be written");
+  std::fflush(file_);
+}
+
+void JsonRows::end() {
+  if (!file_) return;
+  std::fputs(empty_ ? "[]\n" : "\n]\n", file_);
+  if (std::fflush(file_) != 0 || std::ferror(file_)) throw InputError(name_ + ": can't be written");
 }
 
 }  // namespace throng::bench

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdio>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,11 +26,29 @@ double minimum(const std::vector<double>& values);
 /// Throws std::runtime_error naming the case where two engines' checks differ.
 void expect_agreement(const std::vector<Row>& rows);
 
-/// The table, on stdout; ratios are of medians, to the row's reference.
-void print_table(const std::vector<Row>& rows);
+/// The table from row `begin` on, on stdout, with its head before the first; ratios are of medians, to the
+/// row's reference.
+void print_table(const std::vector<Row>& rows, std::size_t begin);
 
-/// Writes the rows as a JSON list, to stdout where the file is "-". Throws InputError where the file can't be
-/// written.
-void write_json(const std::vector<Row>& rows, const std::string& file);
+/// Rows as a JSON list that grows, one a line: to stdout where the file is "-", nowhere where it is "". What
+/// there was of a run that didn't end lacks the last bracket alone.
+class JsonRows {
+ public:
+  /// What was in the file goes with the first row. Throws InputError where it can't be written.
+  explicit JsonRows(const std::string& file);
+  ~JsonRows();
+  JsonRows(const JsonRows&) = delete;
+  JsonRows& operator=(const JsonRows&) = delete;
+
+  void add(std::span<const Row> rows);
+
+  /// Ends the list. Throws InputError where some of it couldn't be written.
+  void end();
+
+ private:
+  const std::string name_;
+  std::FILE* file_ = nullptr;
+  bool empty_ = true;
+};
 
 }  // namespace throng::bench

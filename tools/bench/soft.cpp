@@ -139,7 +139,10 @@ void play(const Bed& bed, const Options& options, std::vector<Row>& rows) {
 std::vector<Row> bench_soft(const Options& options) {
   std::vector<Row> rows;
   for (const Bed& bed : kBeds)
-    if (chosen(bed.name, options)) play(bed, options, rows);
+    if (chosen(bed.name, options)) {
+      play(bed, options, rows);
+      options.show(rows);
+    }
   return rows;
 }
 

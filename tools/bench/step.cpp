@@ -192,6 +192,7 @@ std::vector<Row> bench_step(const Options& options) {
   for (const Case& one : cases()) {
     if (!chosen(one.name, options)) continue;
     for (Row& row : run(one, options)) rows.push_back(std::move(row));
+    options.show(rows);
   }
   return rows;
 }

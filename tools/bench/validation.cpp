@@ -70,16 +70,16 @@ std::vector<Row> bench_validation(const Options& options) {
     for (const Trials& trials : all) {
       std::fprintf(stderr, "%s: %s\n", one.name, trials.walker().name().c_str());
       rows.push_back(judge(one, trials));
+      options.show(rows);
     }
   }
   return rows;
 }
 
-void print_verdicts(const std::vector<Row>& rows) {
-  const std::string* last = nullptr;
-  for (const Row& row : rows) {
-    if (!last || *last != row.name) std::printf("%s (%s)\n", row.name.c_str(), row.check.c_str());
-    last = &row.name;
+void print_verdicts(const std::vector<Row>& rows, std::size_t begin) {
+  for (std::size_t i = begin; i < rows.size(); ++i) {
+    const Row& row = rows[i];
+    if (i == 0 || rows[i - 1].name != row.name) std::printf("%s (%s)\n", row.name.c_str(), row.check.c_str());
     const Json& e = row.error;
     const std::string verdict = e["verdict"], unit = e["unit"], note = e["note"];
     std::printf("  %-32s %-5s %9s %-4s  %-16s %s\n", row.engine.c_str(), verdict.c_str(),

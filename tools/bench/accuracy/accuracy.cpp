@@ -2,6 +2,7 @@
 // throng bench accuracy: run time against error, each scene on each engine at several settings.
 #include <algorithm>
 #include <cstdio>
+#include <span>
 #include <string>
 
 #include "sim/input_error.h"
@@ -62,7 +63,7 @@ void print_advantage(const std::vector<Row>& rows) {
 
 /// Calls visit(rows) for the rows of each case.
 template <class Visit>
-void for_each_case(const std::vector<Row>& rows, Visit visit) {
+void for_each_case(std::span<const Row> rows, Visit visit) {
   for (auto begin = rows.begin(); begin != rows.end();) {
     const auto end = std::find_if(begin, rows.end(), [&](const Row& row) { return row.name != begin->name; });
     visit(std::vector<Row>(begin, end));
@@ -92,6 +93,7 @@ std::vector<Row> bench_accuracy(const Options& options) {
     if (one.smooth) add_orders(of_case);
     add_native_ms(of_case);
     rows.insert(rows.end(), of_case.begin(), of_case.end());
+    options.show(rows);
   }
   for_each_case(question_rows(options), [&](std::vector<Row> of_case) {
     add_native_ms(of_case);
@@ -100,14 +102,17 @@ std::vector<Row> bench_accuracy(const Options& options) {
   return rows;
 }
 
-void print_accuracy(const std::vector<Row>& rows) {
-  for_each_case(rows, [](const std::vector<Row>& of_case) {
+void print_accuracy(const std::vector<Row>& rows, std::size_t begin) {
+  for_each_case(std::span(rows).subspan(begin), [](const std::vector<Row>& of_case) {
     std::printf("%s: %s\nError: %s.\n  %-13s %-26s %11s %11s %11s\n", of_case[0].name.c_str(),
                 of_case[0].check.c_str(), of_case[0].error["what"].get<std::string>().c_str(), "engine",
                 "setting", "ms/s", "least", "error");
     for (const Row& row : of_case) print_row(row);
     print_advantage(of_case);
   });
+}
+
+void print_orders(const std::vector<Row>& rows) {
   print_convergence(rows);
 }
 

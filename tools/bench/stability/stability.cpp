@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // throng bench stability: a stack, a pile and a gas under stress, factor by factor and in pairs.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -57,6 +58,7 @@ void add_lines(Stressed scene, const Options& options, std::vector<Row>& rows) {
       stress[i] = value;
       rows.push_back(row_of(scene, name, stress));
       add_axis(rows.back(), "x", factor, value);
+      options.show(rows);
     }
   }
 }
@@ -72,6 +74,7 @@ void add_maps(Stressed scene, const Options& options, std::vector<Row>& rows) {
         stress[static_cast<std::size_t>(x)] = at_x, stress[static_cast<std::size_t>(y)] = at_y;
         rows.push_back(row_of(scene, name, stress));
         add_axis(rows.back(), "x", x, at_x), add_axis(rows.back(), "y", y, at_y);
+        options.show(rows);
       }
   }
 }
@@ -100,18 +103,20 @@ std::vector<Row> bench_stability(const Options& options) {
   return rows;
 }
 
-void print_stability(const std::vector<Row>& rows) {
-  std::string last;
-  std::size_t stable = 0;
-  for (const Row& row : rows) {
-    if (row.name != last)
+void print_stability(const std::vector<Row>& rows, std::size_t begin) {
+  for (std::size_t i = begin; i < rows.size(); ++i) {
+    const Row& row = rows[i];
+    if (i == 0 || rows[i - 1].name != row.name)
       std::printf("%s\n  %-18s %-9s %10s %10s %10s %10s\n", row.name.c_str(), "", "", "energy", "overlap",
                   "speed", "moved");
-    last = row.name;
     print_cell(row);
-    stable += row.error["verdict"] == "stable";
   }
-  std::printf("%zu of %zu are stable\n", stable, rows.size());
+}
+
+void print_stable(const std::vector<Row>& rows) {
+  const auto stable =
+      std::ranges::count_if(rows, [](const Row& row) { return row.error["verdict"] == "stable"; });
+  std::printf("%td of %zu are stable\n", stable, rows.size());
 }
 
 }  // namespace throng::bench
