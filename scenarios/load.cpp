@@ -30,6 +30,16 @@ void warn_of_idle_borders(const toml::table& root, const Scene& scene, Report& r
                    "hold nobody: contact.model is \"none\", and they are only drawn");
 }
 
+/// A file that leaves the engine to the command line may say what others need.
+void warn_of_substeps(const toml::table& root, Report& report) {
+  const auto substeps = root["time"]["substeps"];
+  if (!substeps) return;
+  const auto is_own = [&](const toml::node& node) { return node.source().path == root.source().path; };
+  if (is_own(*substeps.node()) && !is_own(*root.get("engine"))) return;
+  report.warning(substeps.node()->source(), "time.substeps",
+                 "has no meaning: engine event_driven has no time step");
+}
+
 /// What only the engine knows, said before anything runs.
 void check_engine(const toml::table& root, const Scene& scene, Report& report) {
   std::string refusal;
@@ -37,10 +47,7 @@ void check_engine(const toml::table& root, const Scene& scene, Report& report) {
   if (scene.engine == Engine::event_driven) refusal = event_driven_refusal(scene);
   if (!refusal.empty())
     report.error(*root.get("engine"), "engine", engine_name(scene.engine) + (": " + refusal));
-  const auto substeps = root["time"]["substeps"];
-  if (scene.engine == Engine::event_driven && substeps)
-    report.warning(substeps.node()->source(), "time.substeps",
-                   "has no meaning: engine event_driven has no time step");
+  if (scene.engine == Engine::event_driven) warn_of_substeps(root, report);
 }
 
 void read_scene(const toml::table& root, Scene& scene, Report& report) {

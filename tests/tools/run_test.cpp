@@ -12,6 +12,7 @@ namespace {
 using nlohmann::json;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 const char* const kScene = R"(throng = 1
 name = "drop"
@@ -145,6 +146,17 @@ TEST_F(RunCommand, RecordsWhatReplayThenVerifies) {
   const Result verified = throng("replay --verify " + recording);
   EXPECT_EQ(verified.exit_code, 0) << verified.err;
   EXPECT_THAT(verified.out + verified.err, HasSubstr("11"));
+}
+
+TEST_F(RunCommand, HoldsNoFileToAnEngineThatItLeavesToTheCommandLine) {
+  std::string text = kTwoDiscs;
+  const std::string engine = "engine = \"event_driven\"\n";
+  text.erase(text.find(engine), engine.size());
+  const std::string run = "run " + write("a.toml", text) + " --engine event_driven";
+  const Result plain = throng(run);
+  ASSERT_EQ(plain.exit_code, 0) << plain.err;
+  EXPECT_THAT(plain.err, Not(HasSubstr("warning")));
+  EXPECT_THAT(throng(run + " --set time.substeps=2").err, HasSubstr("time.substeps: has no meaning"));
 }
 
 TEST_F(RunCommand, TellsWhatTheCollisionsOfHardDiscsSayOfThem) {
