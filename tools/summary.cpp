@@ -103,6 +103,14 @@ Json number_or_null(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
+/// From 0 to the last: one more than there are bins.
+Json edges(const Bins& bins) {
+  Json all = Json::array();
+  for (int i = 0; i < bins.count; ++i) all.push_back(i * bins.up_to / bins.count);
+  all.push_back(bins.up_to);
+  return all;
+}
+
 /// What the scene asks for: numbers, and histograms as lists.
 Json asked_summary(const Scene& scene, const Simulation& simulation) {
   std::vector<ContactRow> contacts;
@@ -114,7 +122,8 @@ Json asked_summary(const Scene& scene, const Simulation& simulation) {
     Json numbers = Json::array();
     for (std::size_t i = 0; i < column.numbers; ++i) numbers.push_back(number_or_null(values[at++]));
     if (column.bins)
-      result[column.name] = {{"up_to", column.bins.up_to}, {"values", numbers}};
+      result[column.name] = {
+          {"up_to", column.bins.up_to}, {"edges", edges(column.bins)}, {"values", numbers}};
     else
       result[column.name] = numbers[0];
   }

@@ -54,6 +54,8 @@ class Observe(Program):
                     last = summary[name]["values"] if name in ("speeds", "pair_correlation") else summary[name]
                     np.testing.assert_array_equal(value[-1], last)
                 self.assertEqual(list(gas.bins("speeds")), list(np.linspace(0, 5, 11)))
+                for name in ("speeds", "pair_correlation"):
+                    np.testing.assert_allclose(gas.bins(name), summary[name]["edges"], rtol=1e-15)
                 self.assertEqual(gas.bins("pair_correlation")[-1], 3)
                 self.assertRaisesRegex(throng_read.NotRecorded, "is no histogram", gas.bins, "temperature")
                 self.assertRaisesRegex(throng_read.NotRecorded, "has no observable 'nope'", gas.bins, "nope")
