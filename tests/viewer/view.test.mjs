@@ -301,7 +301,9 @@ test("curves are those that can be computed", () => {
   assert.deepEqual(titles({ ...scene([disc], [0]), gravity: null, fields: ["position"] }), ["Overlap 2", "Counts 1"]);
   const observed = charts({ ...scene([disc], [0]), observed: ["contacts"] }, 0.1, 0);
   assert.deepEqual(observed.map(({ title }) => title), ["Energy", "Overlap", "Counts"]);
-  const still = scene([disc], [0]), region = charts({ ...still, bodies: { ...still.bodies, changes: true }, observed: ["contacts"] }, 0.1, 0)[2].curves;
+  const still = scene([disc], [0]), some = charts({ ...still, bodies: { ...still.bodies, changes: true }, observed: ["contacts"] }, 0.1, 0);
+  assert.deepEqual(some.map(({ title, curves }) => `${title} ${curves.length}`), ["Energy of those here 1", "Overlap 2", "Counts 4"], "whose height changes as they come and go");
+  const region = some[2].curves;
   assert.deepEqual(region.map(({ name }) => name).slice(0, 3), ["here", "pairs that touch", "points that press"]);
   assert.equal(new Set(region.map(({ colour }) => colour)).size, 4, "each has a colour of its own");
   assert.deepEqual(observed[2].curves.map(({ name, value }) => [name, value({ contacts: 5, moving: 6, observed: [7] })]), [["pairs that touch", 5], ["points that press", 7], ["faster than 0.1 m/s", 6]]);

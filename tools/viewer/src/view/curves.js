@@ -13,7 +13,8 @@ import { length, short, si } from "./format.js";
 /** @param {import("../reader/recording.js").Description} d @param {number} slow  m/s @param {number} lowest  J, of the potential energy @returns {Chart[]} */
 export function charts(d, slow, lowest) {
   const joule = (/** @type {number} */ value) => si(value, "J"), number = (/** @type {number} */ value) => short(Math.round(value), 6);
-  const pressing = (d.observed ?? []).indexOf("contacts"), moves = d.fields.includes("velocity"), spins = d.fields.includes("spin"), falls = d.gravity !== null && d.gravity.some(g => g !== 0);
+  const changes = d.bodies.changes;  // then the height of all says more of who is here than of how high they are
+  const pressing = (d.observed ?? []).indexOf("contacts"), moves = d.fields.includes("velocity"), spins = d.fields.includes("spin"), falls = !changes && d.gravity !== null && d.gravity.some(g => g !== 0);
   const kinetic = (/** @type {Point} */ p) => p.kinetic + (spins ? p.turning : 0), height = (/** @type {Point} */ p) => p.potential - lowest;
   /** @type {Curve[]} */
   const energies = [];
@@ -22,9 +23,9 @@ export function charts(d, slow, lowest) {
   if (falls) energies.push({ name: "of height", colour: "var(--curve-2)", value: height });
   /** @type {Chart[]} */
   const all = [
-    { title: "Energy", unit: joule, curves: d.bodies.kind.includes(DYNAMIC) ? energies : [] },
+    { title: changes ? "Energy of those here" : "Energy", unit: joule, curves: d.bodies.kind.includes(DYNAMIC) ? energies : [] },
     { title: "Overlap", unit: length, decades: true, curves: [{ name: "largest", colour: "var(--curve-2)", value: p => p.largest }, { name: "mean", colour: "var(--curve-1)", value: p => p.mean }] },
-    { title: "Counts", unit: number, curves: [...(d.bodies.changes ? [{ name: "here", colour: "var(--ink)", value: (/** @type {Point} */ p) => p.present }] : []), { name: "pairs that touch", colour: "var(--curve-1)", value: p => p.contacts },
+    { title: "Counts", unit: number, curves: [...(changes ? [{ name: "here", colour: "var(--ink)", value: (/** @type {Point} */ p) => p.present }] : []), { name: "pairs that touch", colour: "var(--curve-1)", value: p => p.contacts },
       ...(pressing >= 0 ? [{ name: "points that press", colour: "var(--stay)", value: (/** @type {Point} */ p) => p.observed[pressing] }] : []),
       ...(moves ? [{ name: `faster than ${short(slow, 2)} m/s`, colour: "var(--curve-2)", value: (/** @type {Point} */ p) => p.moving }] : [])] },
   ];
