@@ -2,6 +2,7 @@
 // throng bench: starts the program throng-bench that stands beside this one.
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // throng export: a recording in the formats of the field's tools.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>

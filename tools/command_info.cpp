@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // throng info: what a recording holds.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <map>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // throng motion: is a path free, and if not, when is the first contact?
+#include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // throng pairs: the narrowphase as a calculator, JSON Lines in and out.
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // throng plan: the stages that a scene runs and those that it skips, each with its reason.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // throng query: who is near whom, in a scenario as it starts or in a frame of a recording.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <cmath>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // throng replay: plays, checks or draws a recording.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cinttypes>
 #include <cstdio>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // throng resume: goes on with a recording whose run was stopped or killed, or is to last longer.
+#include <CLI/CLI.hpp>
 #include <cinttypes>
 #include <cstdio>
 #include <memory>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // throng run: a scenario in, a summary out, and a recording where one is asked for.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <filesystem>

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
 
+namespace CLI {
+class App;
+class Validator;
+}  // namespace CLI
 namespace throng {
 class Recording;
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -9,6 +8,10 @@
 
 #include "sim/recording/recorder.h"
 #include "sim/simulation.h"
+
+namespace CLI {
+class App;
+}
 
 /// What `throng run` and `throng resume` have in common: steps, frames, checkpoints, signals, the summary.
 namespace throng::tools {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The program: reads the command line, runs one command, turns what went wrong into a sentence and an exit
 // code.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
