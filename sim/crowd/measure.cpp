@@ -32,21 +32,38 @@ bool is_at_line(const std::array<Vec, 2>& line, const Stride& stride) {
   return off.squaredNorm() <= stride.radius * stride.radius;
 }
 
+/// Those of `on_lines` who were on this line, or beside this area.
+class Known {
+ public:
+  explicit Known(const OnLines& on_lines)
+      : first_(std::ranges::lower_bound(on_lines.before, on_lines.line, {}, &OnLine::line)),
+        end_(std::ranges::upper_bound(on_lines.before, on_lines.line, {}, &OnLine::line)) {}
+
+  bool empty() const { return first_ == end_; }
+  auto begin() const { return first_; }
+  auto end() const { return end_; }
+
+  /// Nothing where he isn't among them.
+  OnLine* find(std::uint32_t id) const {
+    const auto at = std::ranges::lower_bound(first_, end_, id, {}, &OnLine::id);
+    return at != end_ && at->id == id ? &*at : nullptr;
+  }
+
+ private:
+  std::vector<OnLine>::iterator first_, end_;
+};
+
 void measure_line(const Measure& measure, std::span<const Stride> strides, std::int64_t step,
                   Measured& measured, const OnLines& on_lines) {
-  const auto known_first = std::ranges::lower_bound(on_lines.before, on_lines.line, {}, &OnLine::line);
-  const auto known_end = std::ranges::upper_bound(on_lines.before, on_lines.line, {}, &OnLine::line);
-  const std::span<OnLine> known(known_first, known_end);
-  const auto first = static_cast<std::ptrdiff_t>(on_lines.after.size());
+  const Known known(on_lines);
   for (const Stride& stride : strides) {
     const int way = crossing(measure.line, stride.from, stride.to);
     if (way == 0 && (known.empty() || !is_at_line(measure.line, stride))) continue;
-    const auto at = std::ranges::lower_bound(known, stride.id, {}, &OnLine::id);
-    const bool sways = at != known.end() && at->id == stride.id;
+    OnLine* const sways = known.find(stride.id);
     if (way == 0 && !sways) continue;
     std::int32_t uncounted = 0;
     if (sways) {
-      uncounted = std::exchange(at->uncounted, 0) + way;
+      uncounted = std::exchange(sways->uncounted, 0) + way;
     } else {
       count_crossings(way, step, measured);
       ++measured.samples;
@@ -58,16 +75,24 @@ void measure_line(const Measure& measure, std::span<const Stride> strides, std::
       count_crossings(uncounted, step, measured);
   }
   for (const OnLine& gone : known) count_crossings(gone.uncounted, step, measured);
-  std::ranges::sort(on_lines.after.begin() + first, on_lines.after.end(), {}, &OnLine::id);
+}
+
+bool is_beside(const Region& area, const Stride& stride) {
+  return (nearest_on_border(area, stride.to) - stride.to).squaredNorm() <= stride.radius * stride.radius;
 }
 
 void measure_area(const Measure& measure, std::span<const Stride> strides, std::int64_t step,
-                  Measured& measured) {
+                  Measured& measured, const OnLines& on_lines) {
   thread_local Inside is_in;
   is_in.set(measure.area);
+  const Known known(on_lines);
   for (const Stride& stride : strides) {
-    if (!is_in(stride.to)) continue;
-    if (measured.steps == 0 || !is_in(stride.from)) count(step, measured.count, measured);
+    const bool was_in = is_in(stride.from) || known.find(stride.id);
+    if (!is_in(stride.to)) {
+      if (was_in && is_beside(measure.area, stride)) on_lines.after.push_back({on_lines.line, stride.id, 0});
+      continue;
+    }
+    if (measured.steps == 0 || !was_in) count(step, measured.count, measured);
     ++measured.samples;
     measured.speed += stride.speed;
   }
@@ -104,8 +129,10 @@ int crossing(const std::array<Vec, 2>& line, const Vec& from, const Vec& to) {
 void measure(const Measure& measure, std::span<const Stride> strides, std::int64_t step, Measured& measured,
              const OnLines& on_lines) {
   if (!measure.is_on(step)) return;
+  const auto first = static_cast<std::ptrdiff_t>(on_lines.after.size());
   measure.area.empty() ? measure_line(measure, strides, step, measured, on_lines)
-                       : measure_area(measure, strides, step, measured);
+                       : measure_area(measure, strides, step, measured, on_lines);
+  std::ranges::sort(on_lines.after.begin() + first, on_lines.after.end(), {}, &OnLine::id);
   ++measured.steps;
 }
 

@@ -48,11 +48,11 @@ struct Stride {
   double radius = 0.0;  ///< m
 };
 
-/// Who has crossed a line and isn't farther than his radius from it yet: so long he may sway on it.
+/// Who has crossed a line, or left an area, and isn't farther than his radius from it: so long he may sway.
 struct OnLine {
   std::uint32_t line;  ///< row of Crowd::measures
   std::uint32_t id;
-  std::int32_t uncounted;  ///< of his crossings, those from the line's left less those back
+  std::int32_t uncounted;  ///< of his crossings, those from the line's left less those back; of areas 0
 
   friend bool operator==(const OnLine&, const OnLine&) = default;
 };
@@ -62,7 +62,7 @@ struct OnLine {
 /// on crosses it once.
 int crossing(const std::array<Vec, 2>& line, const Vec& from, const Vec& to);
 
-/// Those on one line before a step, ascending by id, and after it, behind others.
+/// Those on one line, or beside one area, before a step, ascending by id, and after it, behind others.
 struct OnLines {
   std::uint32_t line;
   std::vector<OnLine>&before, &after;
@@ -70,7 +70,7 @@ struct OnLines {
 
 /// Adds a step of all agents, which ends at `step`. Who crosses a line counts at once; how he sways on it
 /// then doesn't, but where he is on the wrong side of it, once he is farther off than his radius, he has
-/// crossed it again. `before` is used up. O(strides), little where they aren't near.
+/// crossed it again. So far off an area he has left it. `before` is used up. O(strides), little if far.
 void measure(const Measure& measure, std::span<const Stride> strides, std::int64_t step, Measured& measured,
              const OnLines& on_lines);
 

@@ -172,6 +172,28 @@ TEST(Measure, GivesDensityAndSpeedInAnArea) {
   EXPECT_DOUBLE_EQ(*read.flow, 1.5 / 20 * 4 / 3);
 }
 
+// It happened: who waited on the border of an area entered it with each tremble.
+TEST(Measure, CountsWhoSwaysOnTheBorderOfAnAreaOnce) {
+  Measure hall;
+  hall.name = "hall", hall.size = 20.0;
+  hall.area = {{{{0, 0}, {4, 0}, {4, 5}, {0, 5}}}};
+  Watch watch;
+  double x = -1.0;
+  std::int64_t step = 0;
+  const auto entries = [&](const std::vector<double>& way) {
+    for (const double next : way) {
+      watch.step(hall, std::array{Stride{{x, 1}, {next, 1}, 1.0, 7, 0.2}}, ++step);
+      x = next;
+    }
+    return watch.measured.count;
+  };
+  EXPECT_EQ(entries({-0.1, 0.1, -0.1, -0.15, 0.1, -0.1, 0.1}), 1);
+  EXPECT_EQ(watch.measured.samples, 3) << "when he was in it";
+  EXPECT_EQ(entries({-0.1, -0.25, -0.1}), 1);
+  EXPECT_TRUE(watch.on_line.empty()) << "once 0.25 m off it he has left it";
+  EXPECT_EQ(entries({0.1}), 2);
+}
+
 /// Three walk one after the other through the middle of a hall.
 std::string column(const std::string& measures) {
   return "time = { dt = 0.02, until = 10 }\nwalkable = 'POLYGON ((0 0, 12 0, 12 2, 0 2, 0 0))'\n"
