@@ -117,6 +117,23 @@ TEST(Waiting, OfABystanderStopsNobodyInAJamBesideHim) {
   }
 }
 
+// It happened: who was pushed round the end of a wall pressed against it, straight towards his place, until
+// he gave that up.
+TEST(Waiting, ComesBackRoundTheWallBehindWhichItIsPushed) {
+  Trial run(
+      "time = { dt = 0.02, until = 200 }\nwalkable = 'POLYGON ((0 0, 10 0, 10 3, 0 3, 0 0))'\n"
+      "walls = [{ segment = [[5, 0], [5, 2]] }]\nareas.post = [[5.2, 0], [6.2, 0], [6.2, 1], [5.2, 1]]\n"
+      "[[agents]]\nat = [9, 1]\ngoal = { wait = 'post' }\nmodel = 'collision_free_speed'\n");
+  run.steps(500);
+  ASSERT_EQ(run.state.crowd.place[0], 1u);
+  const Vec spot = run.state.crowd.spot[0];
+  EXPECT_LT((run.state.position[0] - spot).norm(), 0.1);
+  run.state.position[0] = Vec(4.6, 0.5);
+  run.steps(500);
+  EXPECT_EQ(run.state.crowd.spot[0], spot);
+  EXPECT_LT((run.state.position[0] - spot).norm(), 0.1);
+}
+
 TEST(LeastCrowded, IsChosenWhenTheySetOut) {
   Trial run(hall("count = 5\ngoal.least_crowded = ['low', 'high']\npremovement = 1\n"));
   run.steps(49);
