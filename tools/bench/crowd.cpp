@@ -19,6 +19,15 @@ constexpr double kAgreement = 1e-9;  // m, after a step from one state
 constexpr std::size_t kMostForTwins = 10'000;
 constexpr int kWarm = 20;  // steps, until nobody starts any more
 
+int steps_a_block(std::size_t agents) {
+  return std::max<int>(1, static_cast<int>(100'000 / agents));
+}
+
+/// Steps that every contestant walks at most: in blocks, of which one more isn't counted.
+int steps_in_all(std::size_t agents, int blocks) {
+  return 1 + kWarm + (blocks + 2) * steps_a_block(agents);
+}
+
 struct Case {
   const char* model;
   std::size_t agents;
@@ -43,26 +52,28 @@ std::vector<Case> cases(bool quick) {
   return all;
 }
 
-/// Two streams that cross: to the right, and upwards.
-Scene scene_of(const Case& one) {
-  const double side = std::sqrt(one.each * static_cast<double>(one.agents));
+/// Two streams that cross: to the right, and upwards, to goals that nobody reaches in so many steps.
+Scene scene_of(const Case& one, int steps) {
+  const double crowded = std::sqrt(one.each * static_cast<double>(one.agents));
+  const double inside = crowded + steps * one.dt * 2.0 * one.speed, side = inside + 2.0;
   const auto number = [](double value) { return std::to_string(value); };
-  const std::string s = number(side), inner = number(side - 2.0), half = std::to_string(one.agents / 2);
+  const std::string s = number(side), inner = number(inside), from = number(crowded);
+  const std::string half = std::to_string(one.agents / 2);
   std::string text = "throng = 1\nname = 'crowd'\nseed = 4\ntime = { dt = " + number(one.dt) +
                      ", until = 1e6 }\ndomain.box = [[0, 0], [" + s + ", " + s + "]]\n[areas]\nright = [[" +
                      inner + ", 0], [" + s + ", 0], [" + s + ", " + s + "], [" + inner + ", " + s +
                      "]]\nabove = [[0, " + inner + "], [" + s + ", " + inner + "], [" + s + ", " + s +
                      "], [0, " + s + "]]\n";
   for (const char* goal : {"right", "above"})
-    text += "[[agents]]\ncount = " + half + "\nplace = { random = { within = [[0, 0], [" + s + ", " + s +
-            "]] } }\nradius = " + number(one.radius) + "\ndesired_speed = " + number(one.speed) +
+    text += "[[agents]]\ncount = " + half + "\nplace = { random = { within = [[0, 0], [" + from + ", " +
+            from + "]] } }\nradius = " + number(one.radius) + "\ndesired_speed = " + number(one.speed) +
             "\ngoal = '" + goal + "'\nmodel = '" + one.model + "'\n" + one.parameters + "\n";
   Loaded loaded = load_scenario_text(text, "crowd");
   if (loaded.errors() > 0) throw std::runtime_error(to_string(loaded.diagnostics, "crowd"));
   return std::move(loaded.scene);
 }
 
-/// m, the farthest that two states are apart by one step from the same. Who has left is nowhere.
+/// m, the farthest that two states are apart by one step from the same.
 double disagreement(const Scene& scene) {
   const auto native = simulation(scene);
   PlainCrowd plain(scene);
@@ -82,7 +93,7 @@ void expect_same(const std::string& name, const Simulation& a, const Simulation&
 
 std::vector<Row> run(const Case& one, const Options& options) {
   std::fprintf(stderr, "placing %zu agents\n", one.agents);
-  const Scene scene = scene_of(one);
+  const Scene scene = scene_of(one, steps_in_all(one.agents, options.blocks));
   const auto native = simulation(scene), shared = simulation(scene, 2);
   std::optional<PlainCrowd> plain;
   if (one.agents <= kMostForTwins) {
@@ -92,7 +103,7 @@ std::vector<Row> run(const Case& one, const Options& options) {
       throw std::runtime_error(one.name() + ": the plain twin is " + std::to_string(apart) +
                                " m off after a step");
   }
-  const int steps = std::max<int>(1, static_cast<int>(100'000 / one.agents));
+  const int steps = steps_a_block(one.agents);
   const auto block = [steps](auto& walks) {
     return [steps, &walks] {
       for (int i = 0; i < steps; ++i) walks.step();
@@ -104,6 +115,7 @@ std::vector<Row> run(const Case& one, const Options& options) {
     for (int i = 0; i < kWarm; i += steps) contestant.block();
   interleave(contestants, options.blocks, steps);
   expect_same(one.name(), *native, *shared);
+  if (native->state().id.size() != one.agents) throw std::runtime_error(one.name() + ": agents have left");
   std::vector<Row> rows;
   for (const Contestant& contestant : contestants)
     rows.push_back({"crowd",
