@@ -52,9 +52,11 @@ class Watch {
 
   void cross(std::size_t agent, const Vec& to, double now) {
     for (std::size_t i = 0; i < measures().size(); ++i) {
-      if (!measures()[i].area.empty() || crossing(measures()[i].line, walked_.last[agent], to) <= 0) continue;
+      double& crossed = walked_.crossed[i][agent];
+      if (crossed < kNever || !measures()[i].area.empty()) continue;
+      if (crossing(measures()[i].line, walked_.last[agent], to) <= 0) continue;
       walked_.crossings[i].push_back(now);
-      walked_.crossed[i][agent] = std::min(walked_.crossed[i][agent], now);
+      crossed = now;
     }
   }
 

@@ -30,7 +30,7 @@ struct Walked {
   std::vector<double> arrival;                 ///< s, of each agent; kNever
   std::vector<double> set_out;                 ///< s, when it must have begun to walk as fast as it wants
   std::vector<Vec> last;                       ///< m, of each agent: where it was seen last
-  std::vector<std::vector<double>> crossings;  ///< s, of each measure that is a line: who crossed it forward
+  std::vector<std::vector<double>> crossings;  ///< s, of each line: when each first crossed it forward
   std::vector<std::vector<double>> crossed;    ///< s, of each such line and agent: when first; kNever
   std::vector<Measured> measured;              ///< as Crowd::measures
   double outside = 0.0;                        ///< m, the farthest that anybody's middle was off the floor
