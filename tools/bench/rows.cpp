@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <filesystem>
 #include <map>
 #include <stdexcept>
+#include <system_error>
 
 #include "sim/input_error.h"
 
@@ -66,7 +68,10 @@ JsonRows::JsonRows(const std::string& file) : name_(file) {
 }
 
 JsonRows::~JsonRows() {
-  if (file_ && file_ != stdout) std::fclose(file_);
+  if (!file_ || file_ == stdout) return;
+  std::fclose(file_);
+  std::error_code none;
+  if (empty_ && std::filesystem::file_size(name_, none) == 0) std::filesystem::remove(name_, none);
 }
 
 void JsonRows::add(std::span<const Row> rows) {
