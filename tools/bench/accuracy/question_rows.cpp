@@ -71,6 +71,7 @@ std::vector<Row> question_rows(const Options& options) {
   std::vector<Row> rows;
   Options all = options;
   all.engines.clear();
+  all.show = Options().show;  // nobody: those rows are other benchmarks'
   for (const Question& question : kQuestions)
     if (chosen(question.name, options) && options.engines.empty()) add(question, all, rows);
   return rows;
