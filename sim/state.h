@@ -50,7 +50,7 @@ struct CrowdState {
   std::int64_t wall_corrections = 0;     ///< agent-steps in which a barrier was in the way
   std::int64_t squeezed = 0;             ///< agent-steps in which a body got into one whom others held
   std::vector<Measured> measured;        ///< as Crowd::measures
-  std::vector<OnLine> on_line;           ///< who sways on the lines of these, ascending by line and id
+  std::vector<OnLine> on_line;           ///< who sways on their lines or beside their areas, ascending
 
   friend bool operator==(const CrowdState&, const CrowdState&) = default;
 };
