@@ -17,6 +17,7 @@ struct ContactImpulse {
   std::uint32_t feature;   ///< the pair of features in contact, and the reference face
   double normal, tangent;  ///< N s
   double rolling = 0.0;    ///< N m s, where the surfaces resist rolling
+  double preload = 0.0;    ///< N s, as in ContactBase
 };
 
 /// A contact that pressed when its bodies fell asleep, and does so still.

@@ -17,8 +17,9 @@ namespace throng {
 namespace {
 
 constexpr double kContactHertz = 0.18;  // of the substep's rate: stiffer, tall pyramids tremble
-constexpr double kContactDamping = 10.0;
-constexpr double kPushOut = 2.0;    // radii a second: the fastest that overlap is undone
+constexpr double kContactDamping = 20.0;
+constexpr double kLearning = 1.0 / 300.0;  // a substep: learnt faster, tall pyramids swing
+constexpr double kPushOut = 2.0;           // radii a second: the fastest that overlap is undone
 constexpr int kElasticSweeps = 64;  // of bounces in a substep: what still meets then ends without bounce,
 constexpr int kBounceSweeps = 8;    // where each takes energy sooner, as dense clusters do anyway
 constexpr double kRestSpeed = 2.0;  // slower than what gravity gives in so many substeps, a contact rests
@@ -162,8 +163,11 @@ Workspace::Workspace(const Scene& scene, const Plan& plan, int threads)
     bodies[i].inverse_inertia = 1.0 / inertia(scene, i);
   }
   const double h = plan.substep;
-  solver = {h, softness(kContactHertz / h, kContactDamping, h),
-            kPushOut * mean_radius(candidates.colliders()), plan.friction, finder.fast()};
+  const double radius = mean_radius(candidates.colliders());
+  const Softness spring = softness(kContactHertz / h, kContactDamping, h);
+  const Learning learning{std::min(kLearning * scene.time.substeps, 1.0),
+                          plan.gravity ? h * scene.gravity.norm() : 0.0, radius * kLearning / h};
+  solver = {h, spring, learning, kPushOut * radius, plan.friction, finder.fast()};
 }
 
 /// Agents choose their velocity and walk.
@@ -215,7 +219,10 @@ void push(const Scene& scene, const Plan& plan, State& state, Workspace& work, S
     work.finder.find(work.candidates, state, work.bodies, awake, work.contacts, work.workers);
     clock.lap(work.times.find_contacts);
   }
-  for (int i = 0; i < scene.time.substeps; ++i) substep(scene, plan, work);
+  for (int i = 0; i < scene.time.substeps; ++i) {
+    work.solver.swapped = (state.step * scene.time.substeps + i) % 2 == 1;
+    substep(scene, plan, work);
+  }
   clock.lap(work.times.solve);
 }
 
@@ -236,7 +243,7 @@ void step_bodies(const Scene& scene, const Plan& plan, State& state, Workspace& 
   else if (plan.flights)
     ++state.collisions.pushed;
   store(scene, plan, work.bodies, work.sleepers.bodies(), state);
-  if (plan.contacts()) work.contacts.save(state);
+  if (plan.contacts()) work.contacts.save(state, work.solver.learning, work.bodies);
   clock.lap(work.times.store);
   if (!plan.sleep) return;
   work.sleepers.settle(state, work.candidates, work.contacts, work.bodies);

@@ -42,6 +42,7 @@ struct ContactBase {
   double lever = 0.0;            ///< m, as in RollContact; for bounces, and 0 where nothing resists rolling
   double normal_impulse = 0.0;   ///< N s, on b; a feels the opposite
   double tangent_impulse = 0.0;  ///< N s, likewise, along the normal turned left
+  double preload = 0.0;  ///< N s, of the normal impulse, what it bears without giving way: see Learning
 };
 
 /// Two discs, each about its body's centre: the arm is radius times normal, and both are exact in each
@@ -69,5 +70,19 @@ struct Softness {
 
 /// `hertz`: the spring's frequency; `damping`: its ratio; `h`: the substep (s).
 Softness softness(double hertz, double damping, double h);
+
+/// How contacts learn what they bear. A spring gives way to its load, in a pile each layer more; what a
+/// contact has learnt, its preload, it bears without, so that what has stood for a while has hardly sunk.
+struct Learning {
+  double share;   ///< of what is missing, in a step: slower than the scene's slowest mode swings, or it rings
+  double weight;  ///< m/s, what gravity gives in a substep: times the mass that is felt, its own weight
+  double slow;    ///< m/s: bodies that pass each other faster don't stay together for as long as it takes
+
+  /// The preload after a step that ended with that impulse (N s), never more than it. Some of a load is left
+  /// to the spring, which brings to rest what friction leaves undetermined; and what bears very many own
+  /// weights learns nothing: it swings too slowly.
+  /// `speed` (m/s): of b against a.
+  double operator()(double preload, double normal_impulse, double normal_mass, double speed) const;
+};
 
 }  // namespace throng

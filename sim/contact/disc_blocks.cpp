@@ -11,8 +11,8 @@ void clear_lane(DiscBlock& block, std::size_t lane, std::uint32_t nobody) {
   block.a[lane] = block.b[lane] = nobody;
   for (DiscBlock::Row* row :
        {&block.normal_x, &block.normal_y, &block.image, &block.separation, &block.normal_mass,
-        &block.tangent_mass, &block.friction, &block.normal_impulse, &block.tangent_impulse, &block.radius_a,
-        &block.radius_b, &block.turn_a, &block.turn_b})
+        &block.tangent_mass, &block.friction, &block.normal_impulse, &block.tangent_impulse, &block.preload,
+        &block.radius_a, &block.radius_b, &block.turn_a, &block.turn_b})
     (*row)[lane] = 0.0;
 }
 
@@ -22,6 +22,7 @@ void fill_lane(DiscBlock& block, std::size_t lane, const DiscContact& contact, c
   block.normal_mass[lane] = contact.normal_mass, block.tangent_mass[lane] = contact.tangent_mass;
   block.friction[lane] = contact.friction;
   block.normal_impulse[lane] = contact.normal_impulse, block.tangent_impulse[lane] = contact.tangent_impulse;
+  block.preload[lane] = contact.preload;
   block.radius_a[lane] = contact.radius_a, block.radius_b[lane] = contact.radius_b;
   block.turn_a[lane] = a.inverse_inertia * contact.radius_a;
   block.turn_b[lane] = b.inverse_inertia * contact.radius_b;
@@ -65,7 +66,8 @@ void DiscBlocks::vacate(std::size_t seat) {
   DiscBlock& block = this->block(seat_lane_[seat]);
   const std::size_t lane = seat_lane_[seat].lane % kWidth;
   block.a[lane] = block.b[lane] = groups_[seat_lane_[seat].group].nobody;
-  block.normal_mass[lane] = block.normal_impulse[lane] = block.tangent_impulse[lane] = 0.0;
+  block.normal_mass[lane] = block.normal_impulse[lane] = block.tangent_impulse[lane] = block.preload[lane] =
+      0.0;
 }
 
 void DiscBlocks::occupy(std::size_t seat) {
@@ -90,10 +92,11 @@ bool DiscBlocks::take(std::span<const std::uint64_t> keys) {
   return true;
 }
 
-void DiscBlocks::set_impulses(std::size_t i, double normal, double tangent) {
+void DiscBlocks::set_impulses(std::size_t i, double normal, double tangent, double preload) {
   DiscBlock& block = this->block(lane_[i]);
   block.normal_impulse[lane_[i].lane % kWidth] = normal;
   block.tangent_impulse[lane_[i].lane % kWidth] = tangent;
+  block.preload[lane_[i].lane % kWidth] = preload;
 }
 
 double DiscBlocks::normal_impulse(std::size_t i) const {
@@ -102,6 +105,20 @@ double DiscBlocks::normal_impulse(std::size_t i) const {
 
 double DiscBlocks::tangent_impulse(std::size_t i) const {
   return block(lane_[i]).tangent_impulse[lane_[i].lane % kWidth];
+}
+
+std::pair<std::uint32_t, std::uint32_t> DiscBlocks::bodies(std::size_t i) const {
+  const DiscBlock& block = this->block(lane_[i]);
+  const std::size_t lane = lane_[i].lane % kWidth;
+  return {block.a[lane], block.b[lane]};
+}
+
+double DiscBlocks::normal_mass(std::size_t i) const {
+  return block(lane_[i]).normal_mass[lane_[i].lane % kWidth];
+}
+
+double DiscBlocks::preload(std::size_t i) const {
+  return block(lane_[i]).preload[lane_[i].lane % kWidth];
 }
 
 DiscContact DiscBlocks::operator[](std::size_t i) const {

@@ -3,6 +3,7 @@
 
 #include <cassert>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "sim/contact/block_order.h"
@@ -22,6 +23,7 @@ struct alignas(64) DiscBlock {
   Row separation;  ///< m, before bodies move
   Row normal_mass, tangent_mass, friction;  ///< as in ContactBase
   Row normal_impulse, tangent_impulse;      ///< N s
+  Row preload;                              ///< N s, as in ContactBase
   Row radius_a, radius_b;                   ///< m
   Row turn_a, turn_b;                       ///< 1/(kg m), radius over moment of inertia
 };
@@ -50,12 +52,15 @@ class DiscBlocks {
   void clear() { lane_.clear(); }
 
   /// Of the i-th contact, N s.
-  void set_impulses(std::size_t i, double normal, double tangent);
+  void set_impulses(std::size_t i, double normal, double tangent, double preload);
 
   std::size_t seats() const { return key_.size(); }
   std::size_t size() const { return lane_.size(); }
-  double normal_impulse(std::size_t i) const;   ///< N s, of the i-th contact
-  double tangent_impulse(std::size_t i) const;  ///< N s
+  double normal_impulse(std::size_t i) const;                           ///< N s, of the i-th contact
+  double tangent_impulse(std::size_t i) const;                          ///< N s
+  double preload(std::size_t i) const;                                  ///< N s
+  double normal_mass(std::size_t i) const;                              ///< kg
+  std::pair<std::uint32_t, std::uint32_t> bodies(std::size_t i) const;  ///< their rows
 
   /// Its bodies, radii, normal and impulses as the solver left them; what else a contact has is not set.
   DiscContact operator[](std::size_t i) const;

@@ -8,9 +8,9 @@ namespace {
 constexpr std::size_t kWidth = BlockOrder::kWidth;
 
 void clear_point(FaceBlock::Point& p, std::size_t lane) {
-  for (FaceBlock::Row* row :
-       {&p.arm_ax, &p.arm_ay, &p.arm_bx, &p.arm_by, &p.offset, &p.separation, &p.normal_mass, &p.tangent_mass,
-        &p.normal_impulse, &p.tangent_impulse, &p.first_ax, &p.first_ay, &p.first_bx, &p.first_by, &p.gap})
+  for (FaceBlock::Row* row : {&p.arm_ax, &p.arm_ay, &p.arm_bx, &p.arm_by, &p.offset, &p.separation,
+                              &p.normal_mass, &p.tangent_mass, &p.normal_impulse, &p.tangent_impulse,
+                              &p.preload, &p.first_ax, &p.first_ay, &p.first_bx, &p.first_by, &p.gap})
     (*row)[lane] = 0.0;
 }
 
@@ -33,6 +33,7 @@ void fill_lane(FaceBlock& block, std::size_t lane, const PointContact& contact) 
 void fill_point(FaceBlock::Point& point, std::size_t lane, const PointContact& contact) {
   point.normal_mass[lane] = contact.normal_mass, point.tangent_mass[lane] = contact.tangent_mass;
   point.normal_impulse[lane] = contact.normal_impulse, point.tangent_impulse[lane] = contact.tangent_impulse;
+  point.preload[lane] = contact.preload;
   point.first_ax[lane] = contact.first_a.x(), point.first_ay[lane] = contact.first_a.y();
   point.first_bx[lane] = contact.first_b.x(), point.first_by[lane] = contact.first_b.y();
   point.gap[lane] = contact.gap;
@@ -83,6 +84,20 @@ double FaceBlocks::normal_impulse(std::size_t i) const {
 
 double FaceBlocks::tangent_impulse(std::size_t i) const {
   return point(i).tangent_impulse[seat_[i].lane % kWidth];
+}
+
+std::pair<std::uint32_t, std::uint32_t> FaceBlocks::bodies(std::size_t i) const {
+  const FaceBlock& block = this->block(i);
+  const std::size_t lane = seat_[i].lane % kWidth;
+  return {block.a[lane], block.b[lane]};
+}
+
+double FaceBlocks::normal_mass(std::size_t i) const {
+  return point(i).normal_mass[seat_[i].lane % kWidth];
+}
+
+double FaceBlocks::preload(std::size_t i) const {
+  return point(i).preload[seat_[i].lane % kWidth];
 }
 
 PointContact FaceBlocks::operator[](std::size_t i) const {

@@ -3,6 +3,7 @@
 
 #include <cassert>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "sim/contact/block_order.h"
@@ -23,6 +24,7 @@ struct alignas(64) FaceBlock {
     Row separation;                                   ///< m, before bodies move
     Row normal_mass, tangent_mass;                    ///< kg
     Row normal_impulse, tangent_impulse;              ///< N s
+    Row preload;                                      ///< N s, as in ContactBase
     Row first_ax, first_ay, first_bx, first_by, gap;  ///< m, as in PointContact
   };
 
@@ -49,6 +51,9 @@ class FaceBlocks {
   std::size_t size() const { return seat_.size(); }  ///< points
   double normal_impulse(std::size_t i) const;        ///< N s, of the i-th point that was added
   double tangent_impulse(std::size_t i) const;       ///< N s
+  double preload(std::size_t i) const;               ///< N s
+  double normal_mass(std::size_t i) const;           ///< kg
+  std::pair<std::uint32_t, std::uint32_t> bodies(std::size_t i) const;  ///< their rows
 
   /// Its bodies, normal, arms and impulses as the solver left them; what else a contact has is not set.
   PointContact operator[](std::size_t i) const;

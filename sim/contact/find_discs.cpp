@@ -52,7 +52,7 @@ void DiscFinder::find(const Candidates& candidates, const State& state, std::spa
   KeptImpulses memory(state.disc_contacts);
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const ContactImpulse* kept = memory.find(keys[i]);
-    discs.set_impulses(i, kept ? kept->normal : 0.0, kept ? kept->tangent : 0.0);
+    discs.set_impulses(i, kept ? kept->normal : 0.0, kept ? kept->tangent : 0.0, kept ? kept->preload : 0.0);
   }
 }
 

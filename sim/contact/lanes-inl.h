@@ -187,11 +187,13 @@ class Pusher {
   Reals rate_, bias_rate_, least_, deep_, mass_scale_, impulse_scale_;
 };
 
-/// The change of the normal impulse that grants the wish; impulses only push.
-HWY_INLINE Reals press(Reals& impulse, Reals mass, Reals velocity, const WideWish& wish) {
+/// The change of the normal impulse that grants the wish; impulses only push. Of the preload nothing is let
+/// go.
+HWY_INLINE Reals press(Reals& impulse, Reals preload, Reals mass, Reals velocity, const WideWish& wish) {
   const Reals old = impulse;
   const Reals change = hn::Mul(hn::Mul(mass, wish.mass_scale), hn::Add(velocity, wish.bias));
-  const Reals wanted = hn::Sub(hn::Sub(old, change), hn::Mul(wish.impulse_scale, old));
+  const Reals gives_way = hn::Max(hn::Sub(old, preload), hn::Zero(D()));
+  const Reals wanted = hn::Sub(hn::Sub(old, change), hn::Mul(wish.impulse_scale, gives_way));
   impulse = hn::Max(wanted, hn::Zero(D()));
   return hn::Sub(impulse, old);
 }

@@ -9,12 +9,25 @@
 
 namespace throng {
 
+namespace {
+
+constexpr double kLearnt = 0.8;   // of a load: all of it, piles creep; see Learning
+constexpr double kMost = 1000.0;  // own weights: what bears more swings too slowly
+
+}  // namespace
+
 Softness softness(double hertz, double damping, double h) {
   const double omega = 2.0 * std::numbers::pi * hertz;
   const double a1 = 2.0 * damping + h * omega;
   const double a2 = h * omega * a1;
   const double a3 = 1.0 / (1.0 + a2);
   return {omega / a1, a2 * a3, a3};
+}
+
+double Learning::operator()(double preload, double normal_impulse, double normal_mass, double speed) const {
+  const bool learns = normal_impulse < kMost * (normal_mass * weight) && speed < slow;
+  const double missing = learns ? std::max(kLearnt * normal_impulse - preload, 0.0) : 0.0;
+  return std::min(preload + share * missing, normal_impulse);
 }
 
 namespace {
@@ -78,11 +91,12 @@ struct Wish {
   double mass_scale = 1.0, impulse_scale = 0.0;
 };
 
-/// The change of the normal impulse that grants the wish; impulses only push.
+/// The change of the normal impulse that grants the wish; impulses only push. Of the preload nothing is let
+/// go.
 double press(ContactBase& contact, double velocity, const Wish& wish) {
   const double old = contact.normal_impulse;
-  const double wanted =
-      old - contact.normal_mass * wish.mass_scale * (velocity + wish.bias) - wish.impulse_scale * old;
+  const double wanted = old - contact.normal_mass * wish.mass_scale * (velocity + wish.bias) -
+                        wish.impulse_scale * std::max(old - contact.preload, 0.0);
   contact.normal_impulse = std::max(wanted, 0.0);
   return contact.normal_impulse - old;
 }
@@ -121,25 +135,46 @@ Wish wish_at(double separation, const SolverSettings& settings) {
           soft.impulse_scale * limited};
 }
 
+bool share_face(const PointContact& i, const PointContact& j) {
+  return i.a == j.a && i.b == j.b && i.normal == j.normal;
+}
+
+template <class F>
+void for_each_in_turn(std::span<DiscContact> contacts, const SolverSettings&, F f) {
+  for (DiscContact& contact : contacts) f(contact);
+}
+
+/// Faces in their order, and their points in theirs, or swapped.
+template <class F>
+void for_each_in_turn(std::span<PointContact> contacts, const SolverSettings& settings, F f) {
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    if (settings.swapped && i + 1 < contacts.size() && share_face(contacts[i], contacts[i + 1])) {
+      f(contacts[i + 1]), f(contacts[i]);
+      ++i;
+    } else {
+      f(contacts[i]);
+    }
+}
+
 template <class Contact>
 void push_apart_all(std::span<Contact> contacts, std::span<SolverBody> bodies,
                     const SolverSettings& settings) {
-  for (Contact& contact : contacts) {
+  for_each_in_turn(contacts, settings, [&](Contact& contact) {
     SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
     respond(contact, a, b, wish_at(separation(contact, a, b), settings), settings.friction);
-  }
+  });
 }
 
 template <class Contact>
 void relax_all(std::span<Contact> contacts, std::span<SolverBody> bodies, const SolverSettings& settings) {
   const double rate = 1.0 / settings.h;
-  for (Contact& contact : contacts) {
+  for_each_in_turn(contacts, settings, [&](Contact& contact) {
     if (contact.normal_impulse == 0.0)
-      continue;  // what may yet meet is the next substep's matter, and may bounce
+      return;  // what may yet meet is the next substep's matter, and may bounce
     SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
     const double s = separation(contact, a, b);
     respond(contact, a, b, Wish{std::max(s, 0.0) * rate}, settings.friction);
-  }
+  });
 }
 
 template <class Contact>
@@ -233,7 +268,7 @@ bool bounce(const Contact& contact, std::span<SolverBody> bodies, const BounceRu
 /// Two points of one face that meet at once: one after the other would set a box that lands flat spinning.
 bool bounce(const PointContact& i, const PointContact& j, std::span<SolverBody> bodies,
             const BounceRule& rule) {
-  if (i.a != j.a || i.b != j.b || i.normal != j.normal) return false;
+  if (!share_face(i, j)) return false;
   SolverBody &a = bodies[i.a], &b = bodies[i.b];
   const double added_i = rebound(i, a, b, rule), added_j = rebound(j, a, b, rule);
   if (!(added_i > 0.0 && added_j > 0.0)) return false;

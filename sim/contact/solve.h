@@ -12,9 +12,13 @@ namespace throng {
 struct SolverSettings {
   double h;           ///< s, the substep
   Softness softness;  ///< of the biased sweep
-  double push_out;    ///< m/s, the fastest that overlapping bodies are driven apart, whatever they bear
-  bool friction;      ///< some surface rubs
+  Learning learning;
+  double push_out;  ///< m/s, the fastest that overlapping bodies are driven apart, whatever they bear
+  bool friction;    ///< some surface rubs
   double fast;  ///< m/s, from which on a sweep leaves too much speed to a face that meets with two corners
+  /// Of a face's two points the second comes first. So in every other substep, or all that stands straight is
+  /// turned to one side.
+  bool swapped = false;
 };
 
 /// Normals, arms and offsets at the bodies' present positions. `period`: the domain's, or null.

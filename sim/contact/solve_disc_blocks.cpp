@@ -32,8 +32,8 @@ HWY_INLINE bool respond(DiscBlock& c, std::size_t k, Motion& a, Motion& b, const
   const Reals nx = load(c.normal_x + k), ny = load(c.normal_y + k);
   const Reals dx = hn::Sub(b.velocity_x, a.velocity_x), dy = hn::Sub(b.velocity_y, a.velocity_y);
   Reals impulse = load(c.normal_impulse + k), tangent = hn::Zero(D());
-  const Reals normal =
-      hn::IfThenElseZero(pressing, press(impulse, load(c.normal_mass + k), dot(dx, dy, nx, ny), wish));
+  const Reals normal = hn::IfThenElseZero(
+      pressing, press(impulse, load(c.preload + k), load(c.normal_mass + k), dot(dx, dy, nx, ny), wish));
   if (idle(impulse, load(c.normal_impulse + k))) return false;
   store(hn::IfThenElse(pressing, impulse, load(c.normal_impulse + k)), c.normal_impulse + k);
   if (friction) {

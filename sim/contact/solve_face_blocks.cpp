@@ -57,7 +57,8 @@ HWY_INLINE bool respond(FaceBlock::Point& p, std::size_t k, Pair& pair, Reals ro
                         Mask pressing, bool friction) {
   Reals impulse = load(p.normal_impulse + k);
   const Reals speed = dot(pair.velocity_x(p, k), pair.velocity_y(p, k), pair.nx, pair.ny);
-  const Reals normal = hn::IfThenElseZero(pressing, press(impulse, load(p.normal_mass + k), speed, wish));
+  const Reals normal =
+      hn::IfThenElseZero(pressing, press(impulse, load(p.preload + k), load(p.normal_mass + k), speed, wish));
   if (idle(impulse, load(p.normal_impulse + k))) return false;
   store(hn::IfThenElse(pressing, impulse, load(p.normal_impulse + k)), p.normal_impulse + k);
   pair.apply(p, k, hn::Mul(normal, pair.nx), hn::Mul(normal, pair.ny));
@@ -111,25 +112,30 @@ void prepare_and_start(std::span<FaceBlock> blocks, SolverBody* bodies) {
 void push_apart(std::span<FaceBlock> blocks, SolverBody* bodies, const SolverSettings& settings) {
   const Pusher pusher(settings);
   const Mask all = hn::FirstN(D(), kLanes);
-  for_each_part(blocks, bodies, [=, friction = settings.friction](FaceBlock& c, std::size_t k) HWY_ATTR {
+  const bool friction = settings.friction, swapped = settings.swapped;
+  for_each_part(blocks, bodies, [=](FaceBlock& c, std::size_t k) HWY_ATTR {
     Pair bound = pair(c, k, bodies, place(bodies, c.a + k), place(bodies, c.b + k));
     bool changed = false;
-    for (FaceBlock::Point& point : std::span(c.points, c.count))
+    for (std::size_t i = 0; i < c.count; ++i) {
+      FaceBlock::Point& point = c.points[swapped ? c.count - 1 - i : i];
       changed |= respond(point, k, bound, load(c.friction + k), pusher.wish(load(point.separation + k)), all,
                          friction);
+    }
     if (changed) keep(bound, c, k, bodies);
   });
 }
 
 void relax(std::span<FaceBlock> blocks, SolverBody* bodies, const SolverSettings& settings) {
   const Reals rate = hn::Set(D(), 1.0 / settings.h);
-  for_each_part(blocks, bodies, [=, friction = settings.friction](FaceBlock& c, std::size_t k) HWY_ATTR {
+  const bool friction = settings.friction, swapped = settings.swapped;
+  for_each_part(blocks, bodies, [=](FaceBlock& c, std::size_t k) HWY_ATTR {
     const D d;
     const Place a = place(bodies, c.a + k), b = place(bodies, c.b + k);
     Pair bound = pair(c, k, bodies, a, b);
     const Reals way = dot(bound.nx, bound.ny, hn::Sub(b.x, a.x), hn::Sub(b.y, a.y));
     bool changed = false;
-    for (FaceBlock::Point& point : std::span(c.points, c.count)) {
+    for (std::size_t i = 0; i < c.count; ++i) {
+      FaceBlock::Point& point = c.points[swapped ? c.count - 1 - i : i];
       const Mask pressing = hn::Ne(load(point.normal_impulse + k), hn::Zero(d));
       const Reals separation = hn::Add(load(point.offset + k), way);
       const WideWish wish{hn::Mul(hn::Max(separation, hn::Zero(d)), rate), hn::Set(d, 1.0), hn::Zero(d)};

@@ -31,7 +31,7 @@ namespace {
 using Bytes = std::span<const std::byte>;
 
 constexpr std::array<char, 8> kMagic{'t', 'h', 'r', 'o', 'n', 'g', 'C', 'K'};
-constexpr std::uint64_t kLayout = 10;  // grows with every change of State
+constexpr std::uint64_t kLayout = 11;  // grows with every change of State
 
 struct Header {
   std::array<char, 8> magic = kMagic;
@@ -183,7 +183,7 @@ Header read_header(int fd, const std::string& path, std::uint64_t size) {
 void expect_size(const std::string& path, const Header& header, std::uint64_t size) {
   constexpr std::uint64_t body = sizeof(std::uint32_t) + 6 * sizeof(double);
   constexpr std::uint64_t agent = 4 * sizeof(double) + 2 * sizeof(std::int64_t) + 3 * sizeof(std::uint32_t);
-  constexpr std::uint64_t contact = sizeof(std::uint64_t) + sizeof(std::uint32_t) + 3 * sizeof(double);
+  constexpr std::uint64_t contact = sizeof(std::uint64_t) + sizeof(std::uint32_t) + 4 * sizeof(double);
   constexpr std::uint64_t sleeper = 2 * sizeof(std::uint32_t);
   constexpr std::uint64_t sleeping = contact + 3 * sizeof(std::uint32_t) + 2 * sizeof(double);
   const std::uint64_t counts[] = {header.scenario_bytes,

@@ -13,14 +13,14 @@ namespace throng::recording {
 struct Columns {
   std::vector<std::uint64_t> key;
   std::vector<std::uint32_t> feature;
-  std::vector<double> normal, tangent, rolling;
+  std::vector<double> normal, tangent, rolling, preload;
 
-  explicit Columns(std::size_t n) : key(n), feature(n), normal(n), tangent(n), rolling(n) {}
+  explicit Columns(std::size_t n) : key(n), feature(n), normal(n), tangent(n), rolling(n), preload(n) {}
 
   explicit Columns(const std::vector<ContactImpulse>& contacts) : Columns(contacts.size()) {
     for (std::size_t i = 0; i < contacts.size(); ++i) {
-      const auto& [k, f, n, t, r] = contacts[i];  // a member added there belongs here too
-      key[i] = k, feature[i] = f, normal[i] = n, tangent[i] = t, rolling[i] = r;
+      const auto& [k, f, n, t, r, p] = contacts[i];  // a member added there belongs here too
+      key[i] = k, feature[i] = f, normal[i] = n, tangent[i] = t, rolling[i] = r, preload[i] = p;
     }
   }
 
@@ -28,7 +28,7 @@ struct Columns {
     std::vector<ContactImpulse> result;
     result.reserve(key.size());
     for (std::size_t i = 0; i < key.size(); ++i)
-      result.push_back({key[i], feature[i], normal[i], tangent[i], rolling[i]});
+      result.push_back({key[i], feature[i], normal[i], tangent[i], rolling[i], preload[i]});
     return result;
   }
 };
@@ -75,7 +75,7 @@ template <class C, class F>
 void for_each_column(C& all, F visit) {
   const auto shared = [&](auto& columns) {
     visit(columns.key), visit(columns.feature), visit(columns.normal), visit(columns.tangent),
-        visit(columns.rolling);
+        visit(columns.rolling), visit(columns.preload);
   };
   const auto sleeping = [&](auto& columns) {
     shared(columns);

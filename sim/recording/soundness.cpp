@@ -17,7 +17,8 @@ bool is_sound(const std::vector<ContactImpulse>& contacts) {
   return std::is_sorted(contacts.begin(), contacts.end(),
                         [](const ContactImpulse& a, const ContactImpulse& b) { return a.key < b.key; }) &&
          std::all_of(contacts.begin(), contacts.end(), [](const ContactImpulse& c) {
-           return std::isfinite(c.normal) && std::isfinite(c.tangent) && std::isfinite(c.rolling);
+           return std::isfinite(c.normal) && std::isfinite(c.tangent) && std::isfinite(c.rolling) &&
+                  std::isfinite(c.preload);
          });
 }
 

@@ -37,7 +37,7 @@ void put(Bytes& bytes, std::size_t at, std::uint64_t number) {
 /// The hash of all behind the header, cut as its counts say; 0 where the file is too short for them.
 std::uint64_t content_hash(const Bytes& bytes) {
   constexpr std::array<std::uint64_t, 5> body{4, 16, 8, 16, 8};
-  constexpr std::array<std::uint64_t, 5> contact{8, 4, 8, 8, 8};
+  constexpr std::array<std::uint64_t, 6> contact{8, 4, 8, 8, 8, 8};
   std::vector<std::uint64_t> sizes{number_at(bytes, kCounts)};
   for (const std::uint64_t one : body) sizes.push_back(one * number_at(bytes, kCounts + 8));
   for (const std::uint64_t one : {16, 8, 4, 4, 4, 8, 16})  // agents

@@ -22,10 +22,10 @@ TEST_P(AStackOfTwentyBoxes, StandsTenThousandSteps) {
   Trial run(site.text());
   run.steps(10000);  // it sways for the first of them
   for (std::size_t i = 0; i < 20; ++i) {
-    EXPECT_NEAR(run.state.position[i].x(), 0.0, 0.005) << i;
-    EXPECT_NEAR(run.state.angle[i], 0.0, 0.001) << i;
+    EXPECT_NEAR(run.state.position[i].x(), 0.0, 0.001) << i;
+    EXPECT_NEAR(run.state.angle[i], 0.0, 0.0002) << i;
   }
-  EXPECT_NEAR(run.state.position[19].y(), 19.5, 0.05);
+  EXPECT_NEAR(run.state.position[19].y(), 19.5, 0.01);
   EXPECT_LT(overlap(run.scene, run.state).max, 0.005);
   EXPECT_LT(fastest(run.state), 1e-3);
 }

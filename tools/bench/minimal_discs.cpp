@@ -24,7 +24,7 @@ double margin(const Vec& velocity, double radius, double dt, double fall, double
 MinimalDiscs::MinimalDiscs(const Scene& scene) : scene_(scene) {
   const std::size_t n = scene.bodies.size();
   h_ = scene.time.dt / scene.time.substeps;
-  const Softness soft = softness(0.18 / h_, 10.0, h_);
+  const Softness soft = softness(0.18 / h_, 20.0, h_);
   bias_rate_ = soft.bias_rate, mass_scale_ = soft.mass_scale, impulse_scale_ = soft.impulse_scale;
   friction_ = scene.materials[0].friction;
   double sum = 0.0;

@@ -62,11 +62,12 @@ class Blocks : public ::testing::TestWithParam<std::int64_t> {
     const bool pressed = random_() % 3 != 0;
     contact.normal_impulse = pressed ? uniform(0.0, 0.1) : 0.0;
     contact.tangent_impulse = pressed ? uniform(-0.05, 0.05) : 0.0;
+    contact.preload = random_() % 2 ? uniform(0.0, 1.0) * contact.normal_impulse : 0.0;
   }
 
   SolverSettings settings(bool friction) const {
     // Half of what overlaps is so deep that the speed is limited.
-    return {0.0025, softness(0.18 / 0.0025, 10.0, 0.0025), 1.0, friction, 1e9};
+    return {0.0025, softness(0.18 / 0.0025, 10.0, 0.0025), {0.0, 0.0, 0.0}, 1.0, friction, 1e9};
   }
 
   void move(std::vector<SolverBody>& bodies) const {
@@ -142,7 +143,7 @@ class DiscBlocksOnEachTarget : public Blocks {
     EXPECT_TRUE(blocks.take(even));
     EXPECT_EQ(blocks.size(), contacts.size());
     for (std::size_t i = 0; i < contacts.size(); ++i)
-      blocks.set_impulses(i, contacts[i].normal_impulse, contacts[i].tangent_impulse);
+      blocks.set_impulses(i, contacts[i].normal_impulse, contacts[i].tangent_impulse, contacts[i].preload);
   }
 
   void compare(const Vec* period, bool friction) {
@@ -234,11 +235,12 @@ class FaceBlocksOnEachTarget : public Blocks {
   void compare(bool friction) {
     std::vector<PointContact> one = contacts();
     std::vector<SolverBody> bodies = bodies_;
-    const SolverSettings how = settings(friction);
+    SolverSettings how = settings(friction);
     FaceBlocks blocks;
     fill(blocks, contacts());  // forgotten, and then other lanes are left over
     fill(blocks, one);
     for (int i = 0; i < 3; ++i) {
+      how.swapped = i == 1;
       prepare(one, bodies_), warm_start(one, bodies_);
       push_apart(one, bodies_, how);
       expect_some_press(one);

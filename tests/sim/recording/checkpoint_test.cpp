@@ -50,6 +50,7 @@ void expect_equal(const std::vector<ContactImpulse>& a, const std::vector<Contac
     EXPECT_EQ(a[i].normal, b[i].normal);
     EXPECT_EQ(a[i].tangent, b[i].tangent);
     EXPECT_EQ(a[i].rolling, b[i].rolling);
+    EXPECT_EQ(a[i].preload, b[i].preload);
   }
 }
 
@@ -175,6 +176,7 @@ TEST(Checkpoint, RefusesStatesThatNoRunHas) {
   EXPECT_TRUE(refused([](State& s) { s.disc_contacts[1].normal = nan; }));
   EXPECT_TRUE(refused([](State& s) { s.point_contacts[2].tangent = nan; }));
   EXPECT_TRUE(refused([](State& s) { s.disc_contacts[0].rolling = nan; }));
+  EXPECT_TRUE(refused([](State& s) { s.point_contacts[1].preload = nan; }));
   EXPECT_TRUE(refused([](State& s) { std::swap(s.disc_contacts[0], s.disc_contacts[1]); }));
   EXPECT_TRUE(refused([](State& s) { std::swap(s.point_contacts[0], s.point_contacts[2]); }));
   EXPECT_TRUE(refused([](State& s) { s.id[3] = s.id[2]; }));
