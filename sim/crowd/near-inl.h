@@ -33,20 +33,27 @@ using WideReals = hn::Vec<Wide>;
 using WideMask = hn::Mask<Wide>;
 constexpr std::size_t kWide = hn::MaxLanes(Wide());
 
-/// throng::exponential of each lane, bit for bit.
-template <class Tag, class Numbers = hn::Vec<Tag>>
-HWY_INLINE Numbers exponential_of(Tag d, Numbers x) {
+/// Makes each lane of some vectors throng::exponential of it, bit for bit. Each step of one waits for the
+/// step before, in whose time those of others are done.
+template <std::size_t kCount, class Tag, class Numbers = hn::Vec<Tag>>
+HWY_INLINE void exponentiate(Tag d, Numbers (&x)[kCount]) {
   const hn::RebindToSigned<Tag> whole;
   const Numbers rounding = hn::Set(d, 0x1.8p52);
-  x = hn::Max(x, hn::Set(d, -708.0));
-  const Numbers shifted = hn::Add(hn::Mul(x, hn::Set(d, 0x1.71547652b82fep0)), rounding);
-  const Numbers n = hn::Sub(shifted, rounding);
-  const Numbers r = hn::Sub(hn::Sub(x, hn::Mul(n, hn::Set(d, 0x1.62e42fee00000p-1))),
-                            hn::Mul(n, hn::Set(d, 0x1.a39ef35793c76p-33)));
-  Numbers series = hn::Zero(d);
-  for (const double term : kInverseFactorials) series = hn::Add(hn::Mul(series, r), hn::Set(d, term));
-  const auto exponent = hn::Add(hn::BitCast(whole, shifted), hn::Set(whole, 1023));
-  return hn::Mul(series, hn::BitCast(d, hn::ShiftLeft<52>(exponent)));
+  Numbers shifted[kCount], series[kCount];
+  for (std::size_t i = 0; i < kCount; ++i) {
+    x[i] = hn::Max(x[i], hn::Set(d, -708.0));
+    shifted[i] = hn::Add(hn::Mul(x[i], hn::Set(d, 0x1.71547652b82fep0)), rounding);
+    const Numbers n = hn::Sub(shifted[i], rounding);
+    x[i] = hn::Sub(hn::Sub(x[i], hn::Mul(n, hn::Set(d, 0x1.62e42fee00000p-1))),
+                   hn::Mul(n, hn::Set(d, 0x1.a39ef35793c76p-33)));
+    series[i] = hn::Zero(d);
+  }
+  for (const double term : kInverseFactorials)
+    for (std::size_t i = 0; i < kCount; ++i) series[i] = hn::Add(hn::Mul(series[i], x[i]), hn::Set(d, term));
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const auto exponent = hn::Add(hn::BitCast(whole, shifted[i]), hn::Set(whole, 1023));
+    x[i] = hn::Mul(series[i], hn::BitCast(d, hn::ShiftLeft<52>(exponent)));
+  }
 }
 
 /// Sums of what comes at places 0, 1, 2 and 3 of each four; their sum is that of both halves.
@@ -206,21 +213,37 @@ struct Pushes {
   }
 };
 
-/// By `strength` (of any unit) where the two just touch, e times less each `range` (m) farther; by nothing
-/// where that is too little to matter.
-HWY_INLINE void push(double strength, double range, const Others& others, Pushes& pushes) {
+/// The same as `push` of so many vectors, from the k-th number on.
+template <std::size_t kVectors>
+HWY_INLINE void push_some(double strength, double range, const Others& others, std::size_t k,
+                          Pushes& pushes) {
   const Wide d;
   const auto negligible = hn::Set(d, kNegligibleRanges * range), where_touching = hn::Set(d, strength);
   const auto per_range = hn::Set(d, -1.0 / range), most = hn::Set(d, kMostExponent);
-  pushes.resize(others.dx.size());
-  for (std::size_t k = 0; k < others.end(); k += kWide) {
-    const auto distance = hn::Sqrt(others.square(k));
-    const auto free = hn::Sub(distance, hn::LoadU(d, others.width.data() + k));
-    const auto strong = hn::Mul(where_touching, exponential_of(d, hn::Min(hn::Mul(free, per_range), most)));
-    hn::StoreU(free, d, pushes.gap.data() + k);
-    hn::StoreU(hn::IfThenElseZero(hn::Le(free, negligible), hn::Div(strong, distance)), d,
-               pushes.per_metre.data() + k);
+  WideReals distance[kVectors], free[kVectors], power[kVectors];
+  for (std::size_t i = 0; i < kVectors; ++i) {
+    distance[i] = hn::Sqrt(others.square(k + i * kWide));
+    free[i] = hn::Sub(distance[i], hn::LoadU(d, others.width.data() + k + i * kWide));
+    power[i] = hn::Min(hn::Mul(free[i], per_range), most);
   }
+  exponentiate(d, power);
+  for (std::size_t i = 0; i < kVectors; ++i) {
+    const auto per_metre = hn::Div(hn::Mul(where_touching, power[i]), distance[i]);
+    hn::StoreU(free[i], d, pushes.gap.data() + k + i * kWide);
+    hn::StoreU(hn::IfThenElseZero(hn::Le(free[i], negligible), per_metre), d,
+               pushes.per_metre.data() + k + i * kWide);
+  }
+}
+
+/// By `strength` (of any unit) where the two just touch, e times less each `range` (m) farther; by nothing
+/// where that is too little to matter.
+HWY_INLINE void push(double strength, double range, const Others& others, Pushes& pushes) {
+  constexpr std::size_t kAtOnce = 4;
+  pushes.resize(others.dx.size());
+  std::size_t k = 0;
+  for (; k + kAtOnce * kWide <= others.end(); k += kAtOnce * kWide)
+    push_some<kAtOnce>(strength, range, others, k, pushes);
+  for (; k < others.end(); k += kWide) push_some<1>(strength, range, others, k, pushes);
 }
 
 /// How all near him push the agent away, or turn him.
