@@ -108,6 +108,13 @@ void relax(Workspace& work, bool periodic) {
   resist_rolling(work);
 }
 
+void learn(Workspace& work) {
+  work.workers.for_each(work.finder.parts().groups(), [&](std::size_t group) {
+    learn(work.contacts.discs.blocks(group), work.bodies, work.solver.learning);
+    learn(work.contacts.faces.blocks(group), work.bodies, work.solver.learning);
+  });
+}
+
 void substep(const Scene& scene, const Plan& plan, Workspace& work) {
   const Vec kick = work.solver.h * scene.gravity;
   const Vec size = scene.domain.max - scene.domain.min, *period = plan.periodic ? &size : nullptr;
@@ -223,6 +230,7 @@ void push(const Scene& scene, const Plan& plan, State& state, Workspace& work, S
     work.solver.swapped = (state.step * scene.time.substeps + i) % 2 == 1;
     substep(scene, plan, work);
   }
+  if (plan.gravity && plan.contacts()) learn(work);
   clock.lap(work.times.solve);
 }
 
@@ -243,7 +251,7 @@ void step_bodies(const Scene& scene, const Plan& plan, State& state, Workspace& 
   else if (plan.flights)
     ++state.collisions.pushed;
   store(scene, plan, work.bodies, work.sleepers.bodies(), state);
-  if (plan.contacts()) work.contacts.save(state, work.solver.learning, work.bodies);
+  if (plan.contacts()) work.contacts.save(state);
   clock.lap(work.times.store);
   if (!plan.sleep) return;
   work.sleepers.settle(state, work.candidates, work.contacts, work.bodies);

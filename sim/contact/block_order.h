@@ -8,6 +8,11 @@
 /// Which contacts may be solved at once.
 namespace throng {
 
+/// What a contact in a block keeps for the next step (N s), as in ContactBase.
+struct BlockImpulses {
+  double normal, tangent, preload;
+};
+
 /// Puts contacts, in their order, into blocks of `kWidth` lanes. No body that a contact can move stands twice
 /// in a block, and each contact comes in a later block than every earlier one that shares such a body: to
 /// solve block after block, all lanes at once, gives the bits of solving contact after contact. So the

@@ -74,6 +74,9 @@ Softness softness(double hertz, double damping, double h);
 /// How contacts learn what they bear. A spring gives way to its load, in a pile each layer more; what a
 /// contact has learnt, its preload, it bears without, so that what has stood for a while has hardly sunk.
 struct Learning {
+  static constexpr double kLearnt = 0.8;   // of a load: all of it, piles creep
+  static constexpr double kMost = 1000.0;  // own weights: what bears more swings too slowly
+
   double share;   ///< of what is missing, in a step: slower than the scene's slowest mode swings, or it rings
   double weight;  ///< m/s, what gravity gives in a substep: times the mass that is felt, its own weight
   double slow;    ///< m/s: bodies that pass each other faster don't stay together for as long as it takes
@@ -81,8 +84,8 @@ struct Learning {
   /// The preload after a step that ended with that impulse (N s), never more than it. Some of a load is left
   /// to the spring, which brings to rest what friction leaves undetermined; and what bears very many own
   /// weights learns nothing: it swings too slowly.
-  /// `speed` (m/s): of b against a.
-  double operator()(double preload, double normal_impulse, double normal_mass, double speed) const;
+  /// `speed_squared` (m²/s²): of b against a.
+  double operator()(double preload, double normal_impulse, double normal_mass, double speed_squared) const;
 };
 
 }  // namespace throng

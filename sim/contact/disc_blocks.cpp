@@ -99,28 +99,6 @@ void DiscBlocks::set_impulses(std::size_t i, double normal, double tangent, doub
   block.preload[lane_[i].lane % kWidth] = preload;
 }
 
-double DiscBlocks::normal_impulse(std::size_t i) const {
-  return block(lane_[i]).normal_impulse[lane_[i].lane % kWidth];
-}
-
-double DiscBlocks::tangent_impulse(std::size_t i) const {
-  return block(lane_[i]).tangent_impulse[lane_[i].lane % kWidth];
-}
-
-std::pair<std::uint32_t, std::uint32_t> DiscBlocks::bodies(std::size_t i) const {
-  const DiscBlock& block = this->block(lane_[i]);
-  const std::size_t lane = lane_[i].lane % kWidth;
-  return {block.a[lane], block.b[lane]};
-}
-
-double DiscBlocks::normal_mass(std::size_t i) const {
-  return block(lane_[i]).normal_mass[lane_[i].lane % kWidth];
-}
-
-double DiscBlocks::preload(std::size_t i) const {
-  return block(lane_[i]).preload[lane_[i].lane % kWidth];
-}
-
 DiscContact DiscBlocks::operator[](std::size_t i) const {
   const DiscBlock& block = this->block(lane_[i]);
   const std::size_t lane = lane_[i].lane % kWidth;

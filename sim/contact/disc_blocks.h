@@ -3,7 +3,6 @@
 
 #include <cassert>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "sim/contact/block_order.h"
@@ -56,11 +55,14 @@ class DiscBlocks {
 
   std::size_t seats() const { return key_.size(); }
   std::size_t size() const { return lane_.size(); }
-  double normal_impulse(std::size_t i) const;                           ///< N s, of the i-th contact
-  double tangent_impulse(std::size_t i) const;                          ///< N s
-  double preload(std::size_t i) const;                                  ///< N s
-  double normal_mass(std::size_t i) const;                              ///< kg
-  std::pair<std::uint32_t, std::uint32_t> bodies(std::size_t i) const;  ///< their rows
+  double normal_impulse(std::size_t i) const { return impulses(i).normal; }  ///< N s, of the i-th contact
+
+  /// All that the i-th contact keeps for the next step.
+  BlockImpulses impulses(std::size_t i) const {
+    const DiscBlock& block = this->block(lane_[i]);
+    const std::size_t lane = lane_[i].lane % BlockOrder::kWidth;
+    return {block.normal_impulse[lane], block.tangent_impulse[lane], block.preload[lane]};
+  }
 
   /// Its bodies, radii, normal and impulses as the solver left them; what else a contact has is not set.
   DiscContact operator[](std::size_t i) const;
@@ -111,5 +113,6 @@ void prepare_and_start(std::span<DiscBlock> blocks, std::span<SolverBody> bodies
 void push_apart(std::span<DiscBlock> blocks, std::span<SolverBody> bodies, const SolverSettings& settings);
 void relax(std::span<DiscBlock> blocks, std::span<SolverBody> bodies, const SolverSettings& settings,
            bool periodic);
+void learn(std::span<DiscBlock> blocks, std::span<const SolverBody> bodies, const Learning& learning);
 
 }  // namespace throng

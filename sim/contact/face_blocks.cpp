@@ -74,32 +74,6 @@ void FaceBlocks::finish() {
     }
 }
 
-const FaceBlock& FaceBlocks::block(std::size_t i) const {
-  return groups_[seat_[i].group].blocks[seat_[i].lane / kWidth];
-}
-
-double FaceBlocks::normal_impulse(std::size_t i) const {
-  return point(i).normal_impulse[seat_[i].lane % kWidth];
-}
-
-double FaceBlocks::tangent_impulse(std::size_t i) const {
-  return point(i).tangent_impulse[seat_[i].lane % kWidth];
-}
-
-std::pair<std::uint32_t, std::uint32_t> FaceBlocks::bodies(std::size_t i) const {
-  const FaceBlock& block = this->block(i);
-  const std::size_t lane = seat_[i].lane % kWidth;
-  return {block.a[lane], block.b[lane]};
-}
-
-double FaceBlocks::normal_mass(std::size_t i) const {
-  return point(i).normal_mass[seat_[i].lane % kWidth];
-}
-
-double FaceBlocks::preload(std::size_t i) const {
-  return point(i).preload[seat_[i].lane % kWidth];
-}
-
 PointContact FaceBlocks::operator[](std::size_t i) const {
   const FaceBlock& block = this->block(i);
   const FaceBlock::Point& p = point(i);

@@ -3,7 +3,6 @@
 
 #include <cassert>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "sim/contact/block_order.h"
@@ -49,11 +48,14 @@ class FaceBlocks {
   void finish();
 
   std::size_t size() const { return seat_.size(); }  ///< points
-  double normal_impulse(std::size_t i) const;        ///< N s, of the i-th point that was added
-  double tangent_impulse(std::size_t i) const;       ///< N s
-  double preload(std::size_t i) const;               ///< N s
-  double normal_mass(std::size_t i) const;           ///< kg
-  std::pair<std::uint32_t, std::uint32_t> bodies(std::size_t i) const;  ///< their rows
+  double normal_impulse(std::size_t i) const { return impulses(i).normal; }  ///< N s, of the i-th point added
+
+  /// All that the i-th point that was added keeps for the next step.
+  BlockImpulses impulses(std::size_t i) const {
+    const FaceBlock::Point& p = point(i);
+    const std::size_t lane = seat_[i].lane % BlockOrder::kWidth;
+    return {p.normal_impulse[lane], p.tangent_impulse[lane], p.preload[lane]};
+  }
 
   /// Its bodies, normal, arms and impulses as the solver left them; what else a contact has is not set.
   PointContact operator[](std::size_t i) const;
@@ -76,7 +78,9 @@ class FaceBlocks {
     std::uint32_t nobody = 0;       // whose row a lane without a contact has
   };
 
-  const FaceBlock& block(std::size_t i) const;
+  const FaceBlock& block(std::size_t i) const {
+    return groups_[seat_[i].group].blocks[seat_[i].lane / BlockOrder::kWidth];
+  }
   const FaceBlock::Point& point(std::size_t i) const { return block(i).points[seat_[i].point]; }
 
   std::vector<Group> groups_{1};
@@ -89,5 +93,6 @@ void prepare_and_start(std::span<FaceBlock> blocks, std::span<SolverBody> bodies
 /// As those of solve.h.
 void push_apart(std::span<FaceBlock> blocks, std::span<SolverBody> bodies, const SolverSettings& settings);
 void relax(std::span<FaceBlock> blocks, std::span<SolverBody> bodies, const SolverSettings& settings);
+void learn(std::span<FaceBlock> blocks, std::span<const SolverBody> bodies, const Learning& learning);
 
 }  // namespace throng

@@ -241,42 +241,14 @@ void Contacts::start(std::size_t bodies, std::size_t groups) {
   disc_rolls.clear(), point_rolls.clear();
 }
 
-namespace {
-
-/// m/s, of one body against the other.
-double speed(std::pair<std::uint32_t, std::uint32_t> rows, std::span<const SolverBody> bodies) {
-  return (bodies[rows.second].velocity - bodies[rows.first].velocity).norm();
-}
-
-/// The preload of the points of one face, which begin with the i-th: as if they bore alike. Each on its own
-/// would learn a tower's lean, until it falls: it stands by what they bear more or less than one another.
-double learnt_by_face(const Contacts& contacts, std::size_t i, const Learning& learn,
-                      std::span<const SolverBody> bodies) {
-  const FaceBlocks& faces = contacts.faces;
-  double preload = faces.preload(i), normal = faces.normal_impulse(i);
-  if (i + 1 < faces.size() && contacts.point_key[i + 1] == contacts.point_key[i]) {
-    preload = std::max(preload, faces.preload(i + 1));
-    normal = 0.5 * (normal + faces.normal_impulse(i + 1));
-  }
-  return learn(preload, normal, faces.normal_mass(i), speed(faces.bodies(i), bodies));
-}
-
-}  // namespace
-
-void Contacts::save(State& state, const Learning& learn, std::span<const SolverBody> bodies) const {
+void Contacts::save(State& state) const {
   state.disc_contacts.clear(), state.point_contacts.clear();
   for (std::size_t i = 0; i < discs.size(); ++i)
-    if (const double normal = discs.normal_impulse(i); normal > 0.0)
-      state.disc_contacts.push_back(
-          {disc_key[i], 0, normal, discs.tangent_impulse(i), 0.0,
-           learn(discs.preload(i), normal, discs.normal_mass(i), speed(discs.bodies(i), bodies))});
-  double preload = 0.0;
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    if (i == 0 || point_key[i] != point_key[i - 1]) preload = learnt_by_face(*this, i, learn, bodies);
-    if (const double normal = faces.normal_impulse(i); normal > 0.0)
-      state.point_contacts.push_back(
-          {point_key[i], point_feature[i], normal, faces.tangent_impulse(i), 0.0, std::min(preload, normal)});
-  }
+    if (const auto [normal, tangent, preload] = discs.impulses(i); normal > 0.0)
+      state.disc_contacts.push_back({disc_key[i], 0, normal, tangent, 0.0, preload});
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    if (const auto [normal, tangent, preload] = faces.impulses(i); normal > 0.0)
+      state.point_contacts.push_back({point_key[i], point_feature[i], normal, tangent, 0.0, preload});
   save_rolls(discs, disc_rolls, state.disc_contacts);
   save_rolls(faces, point_rolls, state.point_contacts);
 }

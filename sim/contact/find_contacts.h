@@ -33,8 +33,8 @@ struct Contacts {
   /// Forgets all; of so many rows of bodies the last ones, one a group, never move.
   void start(std::size_t bodies, std::size_t groups);
 
-  /// The impulses of contacts that press, and what they learn of them, for the next step.
-  void save(State& state, const Learning& learn, std::span<const SolverBody> bodies) const;
+  /// The impulses of contacts that press, for the next step.
+  void save(State& state) const;
 };
 
 /// Narrowphase: what the solver must look at among the candidates, with the impulses of the step before. A

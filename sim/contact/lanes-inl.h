@@ -198,6 +198,21 @@ HWY_INLINE Reals press(Reals& impulse, Reals preload, Reals mass, Reals velocity
   return hn::Sub(impulse, old);
 }
 
+/// Learning, in lanes. `slow`: where the two bodies don't pass each other.
+HWY_INLINE Reals learnt(const Learning& learning, Reals preload, Reals load, Reals mass, Mask slow) {
+  const D d;
+  const Reals most = hn::Mul(hn::Set(d, Learning::kMost), hn::Mul(mass, hn::Set(d, learning.weight)));
+  const Mask learns = hn::And(hn::Lt(load, most), slow);
+  const Reals missing = hn::IfThenElseZero(
+      learns, hn::Max(hn::Sub(hn::Mul(hn::Set(d, Learning::kLearnt), load), preload), hn::Zero(d)));
+  return hn::Min(hn::Add(preload, hn::Mul(hn::Set(d, learning.share), missing)), load);
+}
+
+HWY_INLINE Mask is_slow(const Motion& a, const Motion& b, const Learning& learning) {
+  const Reals x = hn::Sub(b.velocity_x, a.velocity_x), y = hn::Sub(b.velocity_y, a.velocity_y);
+  return hn::Lt(dot(x, y, x, y), hn::Set(D(), learning.slow * learning.slow));
+}
+
 /// Whether both are zero in all lanes.
 HWY_INLINE bool idle(Reals impulse, Reals old) {
   const Reals zero = hn::Zero(D());

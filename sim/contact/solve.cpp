@@ -9,13 +9,6 @@
 
 namespace throng {
 
-namespace {
-
-constexpr double kLearnt = 0.8;   // of a load: all of it, piles creep; see Learning
-constexpr double kMost = 1000.0;  // own weights: what bears more swings too slowly
-
-}  // namespace
-
 Softness softness(double hertz, double damping, double h) {
   const double omega = 2.0 * std::numbers::pi * hertz;
   const double a1 = 2.0 * damping + h * omega;
@@ -24,8 +17,9 @@ Softness softness(double hertz, double damping, double h) {
   return {omega / a1, a2 * a3, a3};
 }
 
-double Learning::operator()(double preload, double normal_impulse, double normal_mass, double speed) const {
-  const bool learns = normal_impulse < kMost * (normal_mass * weight) && speed < slow;
+double Learning::operator()(double preload, double normal_impulse, double normal_mass,
+                            double speed_squared) const {
+  const bool learns = normal_impulse < kMost * (normal_mass * weight) && speed_squared < slow * slow;
   const double missing = learns ? std::max(kLearnt * normal_impulse - preload, 0.0) : 0.0;
   return std::min(preload + share * missing, normal_impulse);
 }
@@ -283,6 +277,11 @@ bool bounce(const PointContact& i, const PointContact& j, std::span<SolverBody> 
   return true;
 }
 
+/// m²/s², of b against a.
+double speed_squared(const ContactBase& contact, std::span<const SolverBody> bodies) {
+  return (bodies[contact.b].velocity - bodies[contact.a].velocity).squaredNorm();
+}
+
 /// The vector after a turn by a small angle: two terms of sine and cosine, exact to its cube.
 Vec turned(const Vec& v, double angle) {
   return v + angle * tangent(v) - 0.5 * angle * angle * v;
@@ -329,6 +328,25 @@ void relax(std::span<DiscContact> contacts, std::span<SolverBody> bodies, const 
 }
 void relax(std::span<PointContact> contacts, std::span<SolverBody> bodies, const SolverSettings& settings) {
   relax_all(contacts, bodies, settings);
+}
+
+void learn(std::span<DiscContact> contacts, std::span<const SolverBody> bodies, const Learning& learning) {
+  for (DiscContact& contact : contacts)
+    contact.preload = learning(contact.preload, contact.normal_impulse, contact.normal_mass,
+                               speed_squared(contact, bodies));
+}
+
+void learn(std::span<PointContact> contacts, std::span<const SolverBody> bodies, const Learning& learning) {
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    PointContact &first = contacts[i], *second = nullptr;
+    if (i + 1 < contacts.size() && share_face(first, contacts[i + 1])) second = &contacts[++i];
+    const double preload = second ? std::max(first.preload, second->preload) : first.preload;
+    const double load =
+        second ? 0.5 * (first.normal_impulse + second->normal_impulse) : first.normal_impulse;
+    const double learnt = learning(preload, load, first.normal_mass, speed_squared(first, bodies));
+    first.preload = std::min(learnt, first.normal_impulse);
+    if (second) second->preload = std::min(learnt, second->normal_impulse);
+  }
 }
 
 bool bounce(std::span<DiscContact> contacts, std::span<SolverBody> bodies, const SolverSettings& settings,

@@ -115,6 +115,14 @@ void relax(std::span<DiscBlock> blocks, SolverBody* bodies, const SolverSettings
   });
 }
 
+void learn(std::span<DiscBlock> blocks, const SolverBody* bodies, const Learning& learning) {
+  for_each_part(blocks, bodies, [=](DiscBlock& c, std::size_t k) HWY_ATTR {
+    const Mask slow = is_slow(motion(bodies, c.a + k), motion(bodies, c.b + k), learning);
+    store(learnt(learning, load(c.preload + k), load(c.normal_impulse + k), load(c.normal_mass + k), slow),
+          c.preload + k);
+  });
+}
+
 }  // namespace
 }  // namespace throng::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -126,6 +134,7 @@ namespace {
 HWY_EXPORT(prepare_and_start);
 HWY_EXPORT(push_apart);
 HWY_EXPORT(relax);
+HWY_EXPORT(learn);
 }  // namespace
 
 void prepare_and_start(std::span<DiscBlock> blocks, std::span<SolverBody> bodies, const Vec* period) {
@@ -137,6 +146,9 @@ void push_apart(std::span<DiscBlock> blocks, std::span<SolverBody> bodies, const
 void relax(std::span<DiscBlock> blocks, std::span<SolverBody> bodies, const SolverSettings& settings,
            bool periodic) {
   HWY_DYNAMIC_DISPATCH(relax)(blocks, bodies.data(), settings, periodic);
+}
+void learn(std::span<DiscBlock> blocks, std::span<const SolverBody> bodies, const Learning& learning) {
+  HWY_DYNAMIC_DISPATCH(learn)(blocks, bodies.data(), learning);
 }
 
 }  // namespace throng

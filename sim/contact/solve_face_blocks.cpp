@@ -145,6 +145,22 @@ void relax(std::span<FaceBlock> blocks, SolverBody* bodies, const SolverSettings
   });
 }
 
+void learn(std::span<FaceBlock> blocks, const SolverBody* bodies, const Learning& learning) {
+  for_each_part(blocks, bodies, [=](FaceBlock& c, std::size_t k) HWY_ATTR {
+    const Mask slow = is_slow(motion(bodies, c.a + k), motion(bodies, c.b + k), learning);
+    FaceBlock::Point &first = c.points[0], &second = c.points[1];
+    const Reals mass = load(first.normal_mass + k), load_1 = load(first.normal_impulse + k);
+    if (c.count < 2) {
+      store(learnt(learning, load(first.preload + k), load_1, mass, slow), first.preload + k);
+      return;
+    }
+    const Reals load_2 = load(second.normal_impulse + k);
+    const Reals preload = learnt(learning, hn::Max(load(first.preload + k), load(second.preload + k)),
+                                 hn::Mul(hn::Set(D(), 0.5), hn::Add(load_1, load_2)), mass, slow);
+    store(hn::Min(preload, load_1), first.preload + k), store(hn::Min(preload, load_2), second.preload + k);
+  });
+}
+
 }  // namespace
 }  // namespace throng::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -156,6 +172,7 @@ namespace {
 HWY_EXPORT(prepare_and_start);
 HWY_EXPORT(push_apart);
 HWY_EXPORT(relax);
+HWY_EXPORT(learn);
 }  // namespace
 
 void prepare_and_start(std::span<FaceBlock> blocks, std::span<SolverBody> bodies) {
@@ -166,6 +183,9 @@ void push_apart(std::span<FaceBlock> blocks, std::span<SolverBody> bodies, const
 }
 void relax(std::span<FaceBlock> blocks, std::span<SolverBody> bodies, const SolverSettings& settings) {
   HWY_DYNAMIC_DISPATCH(relax)(blocks, bodies.data(), settings);
+}
+void learn(std::span<FaceBlock> blocks, std::span<const SolverBody> bodies, const Learning& learning) {
+  HWY_DYNAMIC_DISPATCH(learn)(blocks, bodies.data(), learning);
 }
 
 }  // namespace throng
