@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "narrowphase/face.h"
 
-#include <algorithm>
 #include <limits>
 
 #include "narrowphase/relative.h"
+#include "narrowphase/scan_face.h"
 
 namespace throng::narrowphase {
 
@@ -44,40 +44,6 @@ double height(const Convex& a, std::size_t edge, const Convex& b, std::size_t ve
   return dot(normal, b.vertices[vertex]) + dot(a.normals[edge], b_in_a.position - a.vertices[edge]);
 }
 
-/// Four edges at a time: elementwise, so that their width changes no bit.
-constexpr std::size_t kLanes = 4;
-using Lanes = Eigen::Array<double, kLanes, 1>;
-
-/// How far all of `b` stays before the lines of four edges of `a` from `edge` on; the last edge fills up.
-Lanes separations(const Convex& a, const Convex& b, const Pose& b_in_a, std::size_t edge) {
-  Lanes x, y, to_b_x, to_b_y;
-  for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    const std::size_t i = std::min(edge + lane, a.normals.size() - 1);
-    const int l = static_cast<int>(lane);
-    x[l] = a.normals[i].x(), y[l] = a.normals[i].y();
-    to_b_x[l] = b_in_a.position.x() - a.vertices[i].x(), to_b_y[l] = b_in_a.position.y() - a.vertices[i].y();
-  }
-  const Lanes in_b_x = b_in_a.cos * x + b_in_a.sin * y, in_b_y = b_in_a.cos * y - b_in_a.sin * x;
-  Lanes least = Lanes::Constant(std::numeric_limits<double>::infinity());
-  for (const Vec& v : b.vertices) least = least.min(in_b_x * v.x() + in_b_y * v.y());
-  return least + (x * to_b_x + y * to_b_y);
-}
-
-/// For few vertices: all of them for every edge, without a branch to mispredict.
-Face scan(const Convex& a, const Convex& b, const Pose& b_in_a) {
-  double widest = -std::numeric_limits<double>::infinity();
-  std::size_t widest_edge = 0;
-  for (std::size_t first = 0; first < a.normals.size(); first += kLanes) {
-    const Lanes s = separations(a, b, b_in_a, first);
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      const double separation = s[static_cast<int>(lane)];
-      widest_edge = separation > widest ? first + lane : widest_edge;
-      widest = separation > widest ? separation : widest;
-    }
-  }
-  return {widest, widest_edge, deepest_vertex(b, b_in_a.unrotate(a.normals[widest_edge]))};
-}
-
 /// For many vertices: from edge to edge the deepest vertex only moves on.
 Face walk(const Convex& a, const Convex& b, const Pose& b_in_a) {
   Face best{-std::numeric_limits<double>::infinity(), 0, 0};
@@ -106,7 +72,7 @@ Face facing_face(const Convex& a, const Convex& b, const Pose& b_in_a) {
 
 Face widest_face(const Convex& a, const Convex& b, const Pose& b_in_a) {
   constexpr std::size_t kFew = 32;  // where the two cost the same
-  return b.vertices.size() <= kFew ? scan(a, b, b_in_a) : walk(a, b, b_in_a);
+  return b.vertices.size() <= kFew ? scan_face(a, b, b_in_a) : walk(a, b, b_in_a);
 }
 
 Faces widest_faces(const Convex& a, const Convex& b, const Pose& b_in_a, const Pose& a_in_b) {

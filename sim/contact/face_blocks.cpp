@@ -50,19 +50,22 @@ void FaceBlocks::start(std::size_t bodies, std::size_t groups) {
   seat_.clear();
 }
 
-void FaceBlocks::add(std::span<const PointContact> face, const SolverBody& a, const SolverBody& b,
-                     std::size_t group) {
+std::size_t FaceBlocks::seat(std::size_t points, std::uint32_t a, bool a_moves, std::uint32_t b, bool b_moves,
+                             std::size_t group) {
   Group& own = groups_[group];
-  const std::uint32_t lane =
-      own.order.place(face[0].a, a.inverse_mass > 0.0, face[0].b, b.inverse_mass > 0.0, face.size() - 1);
+  const std::uint32_t lane = own.order.place(a, a_moves, b, b_moves, points - 1);
   if (own.blocks.size() < own.order.blocks()) own.blocks.resize(own.order.blocks());
-  FaceBlock& block = own.blocks[lane / kWidth];
-  block.count = face.size();
-  fill_lane(block, lane % kWidth, face[0]);
-  for (std::uint16_t p = 0; p < face.size(); ++p) {
-    fill_point(block.points[p], lane % kWidth, face[p]);
-    seat_.push_back({lane, static_cast<std::uint16_t>(group), p});
-  }
+  own.blocks[lane / kWidth].count = points;
+  const std::size_t first = seat_.size();
+  for (std::uint16_t p = 0; p < points; ++p) seat_.push_back({lane, static_cast<std::uint16_t>(group), p});
+  return first;
+}
+
+void FaceBlocks::fill(std::size_t i, std::span<const PointContact> face) {
+  FaceBlock& block = groups_[seat_[i].group].blocks[seat_[i].lane / kWidth];
+  const std::size_t lane = seat_[i].lane % kWidth;
+  fill_lane(block, lane, face[0]);
+  for (std::size_t p = 0; p < face.size(); ++p) fill_point(block.points[p], lane, face[p]);
 }
 
 void FaceBlocks::finish() {

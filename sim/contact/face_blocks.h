@@ -39,15 +39,18 @@ class FaceBlocks {
   /// Forgets all contacts. `bodies`: how many rows there are, of which the last `groups` never move.
   void start(std::size_t bodies, std::size_t groups = 1);
 
-  /// Adds the one or two points of a face between those bodies. Blocks hold contacts of one group. Allocates
-  /// only to grow.
-  void add(std::span<const PointContact> face, const SolverBody& a, const SolverBody& b,
-           std::size_t group = 0);
+  /// Seats a face of one or two points between those rows; says how many points were seated before. Blocks
+  /// hold contacts of one group. Allocates only to grow.
+  std::size_t seat(std::size_t points, std::uint32_t a, bool a_moves, std::uint32_t b, bool b_moves,
+                   std::size_t group = 0);
 
   /// To be called behind the last.
   void finish();
 
-  std::size_t size() const { return seat_.size(); }  ///< points
+  /// The points of a face that was seated, from the i-th on. Different faces may be filled at the same time.
+  void fill(std::size_t i, std::span<const PointContact> face);
+
+  std::size_t size() const { return seat_.size(); }                          ///< points
   double normal_impulse(std::size_t i) const { return impulses(i).normal; }  ///< N s, of the i-th point added
 
   /// All that the i-th point that was added keeps for the next step.

@@ -102,7 +102,7 @@ void ContactFinder::find_touches(const Candidates& candidates, const State& stat
                                  std::span<const SolverBody> bodies, Rows awake, Contacts& contacts,
                                  Workers& workers) {
   if (touches_.empty()) return;
-  manifolds_.resize(touches_.size());
+  manifolds_.resize(touches_.size()), points_.resize(touches_.size());
   if (plan_.polygons) {
     pose_.resize(state.position.size());
     workers.for_ranges(awake.size(), [&](std::size_t begin, std::size_t end) {
@@ -112,10 +112,14 @@ void ContactFinder::find_touches(const Candidates& candidates, const State& stat
   }
   workers.for_ranges(touches_.size(), [&](std::size_t begin, std::size_t end) {
     KeptImpulses memory(state.point_contacts, touches_[begin].key());
-    for (std::size_t i = begin; i < end; ++i)
+    for (std::size_t i = begin; i < end; ++i) {
       manifolds_[i] = manifold(candidates, state, touches_[i], memory.find(touches_[i].key()));
+      points_[i] = static_cast<std::uint8_t>(manifolds_[i].count);
+    }
   });
-  add_points(candidates, state, bodies, contacts);
+  seat_faces(candidates.colliders(), contacts);
+  fill_faces(candidates, state, bodies, contacts, workers);
+  if (!plan_.restitution) list_fast(candidates, bodies, contacts.point_bounces);
 }
 
 /// Pairs of two discs have their contacts' keys then; what else there is must be looked at.
@@ -176,9 +180,7 @@ void ContactFinder::describe(const Colliders& colliders, const Obstacles& obstac
                              const Vec& normal, PointContact& contact) const {
   const auto [row_a, row_b] = touch.pair;
   contact.normal = normal;
-  contact.a = colliders.body[row_a];
-  contact.b = touch.obstacle ? static_cast<std::uint32_t>(scene_.bodies.size() + parts_.group(contact.a))
-                             : colliders.body[row_b];
+  contact.a = colliders.body[row_a], contact.b = other_row(colliders, touch);
   contact.turns_a = is_disc(colliders, row_a) ? 0.0 : 1.0;
   contact.turns_b = !touch.obstacle && is_disc(colliders, row_b) ? 0.0 : 1.0;
   const std::uint32_t material_b =
@@ -199,39 +201,82 @@ bool ContactFinder::closes_fast(std::span<const PointContact> face,
   });
 }
 
-void ContactFinder::add_points(const Candidates& candidates, const State& state,
-                               std::span<const SolverBody> bodies, Contacts& contacts) const {
-  const Colliders& colliders = candidates.colliders();
-  KeptImpulses memory(state.point_contacts);
-  std::array<PointContact, 2> face;
+/// The body that the touch's first one meets, or the row that stands for all obstacles.
+std::uint32_t ContactFinder::other_row(const Colliders& colliders, const Touch& touch) const {
+  const auto [row_a, row_b] = touch.pair;
+  return touch.obstacle
+             ? static_cast<std::uint32_t>(scene_.bodies.size() + parts_.group(colliders.body[row_a]))
+             : colliders.body[row_b];
+}
+
+/// In the order of touches: what a lane then holds may come in any.
+void ContactFinder::seat_faces(const Colliders& colliders, Contacts& contacts) {
+  first_.resize(touches_.size());
   for (std::size_t i = 0; i < touches_.size(); ++i) {
+    if (points_[i] == 0) continue;
     const Touch& touch = touches_[i];
-    const Manifold& m = manifolds_[i];
-    if (m.count == 0) continue;
-    const std::uint64_t key = touch.key();
-    const double radius_a = colliders.radius[touch.pair.a];
-    const double radius_b = touch.obstacle ? 0.0 : colliders.radius[touch.pair.b];
-    const auto count = static_cast<std::size_t>(m.count);
-    for (std::size_t p = 0; p < count; ++p) {
-      PointContact& contact = face[p];
-      describe(colliders, candidates.obstacles(), touch, m.normal, contact);
-      place(contact, m.points[p], bodies[contact.a], bodies[contact.b], touch.shift, radius_a, radius_b);
-      const ContactImpulse* kept = memory.find(key, m.points[p].feature);
-      contact.normal_impulse = kept ? kept->normal : 0.0;
-      contact.tangent_impulse = kept ? kept->tangent : 0.0;
-      contact.preload = kept ? kept->preload : 0.0;
-      contacts.point_key.push_back(key);
-      contacts.point_feature.push_back(m.points[p].feature);
-    }
-    const bool fast = count == 2 && !(face[0].restitution > 0.0) && closes_fast(face, bodies);
-    face[0].fast = face[1].fast = fast;
-    if (fast || plan_.restitution)
-      contacts.point_bounces.insert(contacts.point_bounces.end(), face.begin(), face.begin() + m.count);
-    const std::uint32_t a = face[0].a, b = face[0].b;
-    contacts.faces.add({face.data(), count}, bodies[a], bodies[b],
-                       touch.obstacle ? parts_.group(a) : parts_.group(a, b));
+    const std::uint32_t a = colliders.body[touch.pair.a], b = other_row(colliders, touch);
+    const bool a_moves = colliders.movable[touch.pair.a];
+    const bool b_moves = !touch.obstacle && colliders.movable[touch.pair.b];
+    first_[i] = static_cast<std::uint32_t>(contacts.faces.seat(
+        points_[i], a, a_moves, b, b_moves, touch.obstacle ? parts_.group(a) : parts_.group(a, b)));
   }
   contacts.faces.finish();
+}
+
+/// The points of a touch's manifold, without impulses.
+std::span<PointContact> ContactFinder::face(const Candidates& candidates, std::span<const SolverBody> bodies,
+                                            std::size_t touch, std::array<PointContact, 2>& points) const {
+  const Colliders& colliders = candidates.colliders();
+  const auto& [pair, obstacle, shift] = touches_[touch];
+  const Manifold& m = manifolds_[touch];
+  const double radius_a = colliders.radius[pair.a], radius_b = obstacle ? 0.0 : colliders.radius[pair.b];
+  const auto count = static_cast<std::size_t>(m.count);
+  for (std::size_t p = 0; p < count; ++p) {
+    describe(colliders, candidates.obstacles(), touches_[touch], m.normal, points[p]);
+    place(points[p], m.points[p], bodies[points[p].a], bodies[points[p].b], shift, radius_a, radius_b);
+  }
+  const std::span<PointContact> face(points.data(), count);
+  points[0].fast = points[1].fast = count == 2 && !(points[0].restitution > 0.0) && closes_fast(face, bodies);
+  return face;
+}
+
+void ContactFinder::fill_faces(const Candidates& candidates, const State& state,
+                               std::span<const SolverBody> bodies, Contacts& contacts, Workers& workers) {
+  const std::size_t size = contacts.faces.size();
+  contacts.point_key.resize(size), contacts.point_feature.resize(size);
+  if (plan_.restitution) contacts.point_bounces.resize(size);
+  is_fast_.assign(touches_.size(), 0);
+  workers.for_ranges(touches_.size(), [&](std::size_t begin, std::size_t end) {
+    KeptImpulses memory(state.point_contacts, touches_[begin].key());
+    std::array<PointContact, 2> points;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (points_[i] == 0) continue;
+      const std::span<PointContact> face = this->face(candidates, bodies, i, points);
+      for (std::size_t p = 0; p < face.size(); ++p) {
+        const std::uint64_t key = contacts.point_key[first_[i] + p] = touches_[i].key();
+        const std::uint32_t feature = contacts.point_feature[first_[i] + p] = manifolds_[i].points[p].feature;
+        const ContactImpulse* kept = memory.find(key, feature);
+        face[p].normal_impulse = kept ? kept->normal : 0.0;
+        face[p].tangent_impulse = kept ? kept->tangent : 0.0;
+        face[p].preload = kept ? kept->preload : 0.0;
+      }
+      contacts.faces.fill(first_[i], face);
+      if (plan_.restitution) std::ranges::copy(face, contacts.point_bounces.begin() + first_[i]);
+      is_fast_[i] = face[0].fast;
+    }
+  });
+}
+
+/// Those of fast faces, where no surface bounces.
+void ContactFinder::list_fast(const Candidates& candidates, std::span<const SolverBody> bodies,
+                              std::vector<PointContact>& bounces) const {
+  std::array<PointContact, 2> points;
+  for (auto fast = is_fast_.begin(); (fast = std::find(fast, is_fast_.end(), 1)) != is_fast_.end(); ++fast) {
+    const auto face =
+        this->face(candidates, bodies, static_cast<std::size_t>(fast - is_fast_.begin()), points);
+    bounces.insert(bounces.end(), face.begin(), face.end());
+  }
 }
 
 void Contacts::start(std::size_t bodies, std::size_t groups) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -70,9 +71,15 @@ class ContactFinder {
   narrowphase::Pose pose(const State& state, std::uint32_t body) const;
   narrowphase::Manifold manifold(const Candidates& candidates, const State& state, const Touch& touch,
                                  const ContactImpulse* kept) const;
-  void add_points(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
-                  Contacts& contacts) const;
+  std::uint32_t other_row(const Colliders& colliders, const Touch& touch) const;
+  void seat_faces(const Colliders& colliders, Contacts& contacts);
+  void fill_faces(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
+                  Contacts& contacts, Workers& workers);
+  void list_fast(const Candidates& candidates, std::span<const SolverBody> bodies,
+                 std::vector<PointContact>& bounces) const;
   bool closes_fast(std::span<const PointContact> face, std::span<const SolverBody> bodies) const;
+  std::span<PointContact> face(const Candidates& candidates, std::span<const SolverBody> bodies,
+                               std::size_t touch, std::array<PointContact, 2>& points) const;
   void describe(const Colliders& colliders, const Obstacles& obstacles, const Touch& touch, const Vec& normal,
                 PointContact& contact) const;
 
@@ -84,6 +91,9 @@ class ContactFinder {
   std::vector<narrowphase::Pose> pose_;  // of each body; only where some are no discs
   std::vector<Touch> touches_;
   std::vector<narrowphase::Manifold> manifolds_;  // of each touch
+  std::vector<std::uint8_t> points_;              // how many each has
+  std::vector<std::uint32_t> first_;              // of each touch with points: how many come before
+  std::vector<std::uint8_t> is_fast_;             // of each touch
 };
 
 }  // namespace throng

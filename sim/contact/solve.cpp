@@ -341,8 +341,7 @@ void learn(std::span<PointContact> contacts, std::span<const SolverBody> bodies,
     PointContact &first = contacts[i], *second = nullptr;
     if (i + 1 < contacts.size() && share_face(first, contacts[i + 1])) second = &contacts[++i];
     const double preload = second ? std::max(first.preload, second->preload) : first.preload;
-    const double load =
-        second ? 0.5 * (first.normal_impulse + second->normal_impulse) : first.normal_impulse;
+    const double load = second ? 0.5 * (first.normal_impulse + second->normal_impulse) : first.normal_impulse;
     const double learnt = learning(preload, load, first.normal_mass, speed_squared(first, bodies));
     first.preload = std::min(learnt, first.normal_impulse);
     if (second) second->preload = std::min(learnt, second->normal_impulse);

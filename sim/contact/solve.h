@@ -40,9 +40,9 @@ void push_apart(std::span<PointContact> contacts, std::span<SolverBody> bodies,
 void relax(std::span<DiscContact> contacts, std::span<SolverBody> bodies, const SolverSettings& settings);
 void relax(std::span<PointContact> contacts, std::span<SolverBody> bodies, const SolverSettings& settings);
 
-/// After the last substep: what contacts learn of what they bear. The points of one face learn as if they bore
-/// alike: each on its own would learn a tower's lean, until it falls, as it stands by what they bear more or
-/// less than one another.
+/// After the last substep: what contacts learn of what they bear. The points of one face learn as if they
+/// bore alike: each on its own would learn a tower's lean, until it falls, as it stands by what they bear
+/// more or less than one another.
 void learn(std::span<DiscContact> contacts, std::span<const SolverBody> bodies, const Learning& learning);
 void learn(std::span<PointContact> contacts, std::span<const SolverBody> bodies, const Learning& learning);
 

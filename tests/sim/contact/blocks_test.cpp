@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <random>
+#include <ranges>
 
 #include "sim/contact/disc_blocks.h"
 #include "sim/contact/face_blocks.h"
@@ -15,6 +16,8 @@ namespace {
 
 constexpr std::uint32_t kBodies = 90;  // the last stands for all obstacles
 const Vec kPeriod(12.0, 11.0);
+/// Of which some contacts learn, and others bear too much or pass each other.
+constexpr Learning kLearning{0.3, 3e-5, 1.0};
 
 /// What both ways begin with.
 class Blocks : public ::testing::TestWithParam<std::int64_t> {
@@ -161,8 +164,14 @@ class DiscBlocksOnEachTarget : public Blocks {
       prepare_and_start(blocks.blocks(), bodies, period);
       push_apart(blocks.blocks(), bodies, how), move(bodies), relax(blocks.blocks(), bodies, how, period);
     }
+    learn(one, bodies_, kLearning), learn(blocks.blocks(), bodies, kLearning);
+    learn(one, bodies_, kLearning), learn(blocks.blocks(), bodies, kLearning);
     expect_same(bodies_, bodies);
-    for (std::size_t i = 0; i < one.size(); ++i) expect_same(one[i], blocks[i]);
+    for (std::size_t i = 0; i < one.size(); ++i) {
+      expect_same(one[i], blocks[i]);
+      EXPECT_EQ(one[i].preload, blocks.impulses(i).preload);
+      EXPECT_EQ(one[i].preload, blocks.impulses(i).preload);
+    }
   }
 };
 
@@ -224,12 +233,18 @@ class FaceBlocksOnEachTarget : public Blocks {
 
   void fill(FaceBlocks& blocks, std::span<const PointContact> points) const {
     blocks.start(bodies_.size());
-    for (std::size_t i = 0, next; i < points.size(); i = next) {
+    std::vector<std::span<const PointContact>> faces;
+    for (std::size_t i = 0; i < points.size(); i += faces.back().size()) {
       const bool two = i + 1 < points.size() && points[i + 1].normal == points[i].normal;
-      next = i + (two ? 2 : 1);
-      blocks.add(points.subspan(i, next - i), bodies_[points[i].a], bodies_[points[i].b]);
+      faces.push_back(points.subspan(i, two ? 2 : 1));
+      const auto [a, b] = std::pair(points[i].a, points[i].b);
+      EXPECT_EQ(blocks.seat(faces.back().size(), a, bodies_[a].inverse_mass > 0.0, b,
+                            bodies_[b].inverse_mass > 0.0),
+                i);
     }
     blocks.finish();
+    std::size_t end = points.size();
+    for (const auto& face : std::views::reverse(faces)) blocks.fill(end -= face.size(), face);
   }
 
   void compare(bool friction) {
