@@ -28,6 +28,15 @@ constexpr double kRestSpeed = 2.0;  // slower than what gravity gives in so many
 /// are looked at as far as the farthest one got.
 constexpr int kAttempts = 20, kLocalAttempts = 4;
 
+/// Calls f(rows) with those of each part, by the thread that solves the contacts of the part: it has the
+/// bodies at hand.
+template <class F>
+void for_each_part(Workspace& work, F f) {
+  const Parts& parts = work.finder.parts();
+  if (parts.count() == 1) return f(work.sleepers.bodies());
+  work.workers.for_each(parts.count(), [&](std::size_t part) { f(parts.rows(part)); });
+}
+
 void load(const State& state, Rows awake, std::span<SolverBody> bodies) {
   awake.for_each([&](std::uint32_t i) {
     bodies[i].position = state.position[i];
@@ -118,14 +127,13 @@ void learn(Workspace& work) {
 void substep(const Scene& scene, const Plan& plan, Workspace& work) {
   const Vec kick = work.solver.h * scene.gravity;
   const Vec size = scene.domain.max - scene.domain.min, *period = plan.periodic ? &size : nullptr;
-  const Rows awake = work.sleepers.bodies();
   if (plan.restitution || !work.contacts.point_bounces.empty()) {
     prepare_bounce(work, period);
     bounce(work, plan.gravity ? kick : Vec(0.0, 0.0), plan.elastic ? kElasticSweeps : kBounceSweeps);
   }
-  if (plan.gravity) fall(work.bodies, awake, kick);
+  if (plan.gravity) for_each_part(work, [&](Rows rows) { fall(work.bodies, rows, kick); });
   if (plan.contacts()) start_and_push_apart(work, period);
-  move(work.bodies, awake, work.solver.h);
+  for_each_part(work, [&](Rows rows) { move(work.bodies, rows, work.solver.h); });
   if (plan.contacts()) relax(work, plan.periodic);
 }
 
@@ -221,7 +229,8 @@ void find_pairs(const Scene& scene, const Plan& plan, State& state, Workspace& w
 void push(const Scene& scene, const Plan& plan, State& state, Workspace& work, StageClock& clock) {
   if (plan.contacts()) find_pairs(scene, plan, state, work, clock);
   const Rows awake = work.sleepers.bodies();
-  load(state, awake, work.bodies);
+  if (plan.contacts()) work.finder.divide(state, awake);
+  for_each_part(work, [&](Rows rows) { load(state, rows, work.bodies); });
   if (plan.contacts()) {
     work.finder.find(work.candidates, state, work.bodies, awake, work.contacts, work.workers);
     clock.lap(work.times.find_contacts);
@@ -250,7 +259,7 @@ void step_bodies(const Scene& scene, const Plan& plan, State& state, Workspace& 
     state.collisions += work.flights.collisions();
   else if (plan.flights)
     ++state.collisions.pushed;
-  store(scene, plan, work.bodies, work.sleepers.bodies(), state);
+  for_each_part(work, [&](Rows rows) { store(scene, plan, work.bodies, rows, state); });
   if (plan.contacts()) work.contacts.save(state);
   clock.lap(work.times.store);
   if (!plan.sleep) return;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "narrowphase/half_plane.h"
 #include "sim/contact/contact_key.h"
@@ -88,9 +89,9 @@ ContactFinder::ContactFinder(const Scene& scene, const Plan& plan)
 void ContactFinder::find(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
                          Rows awake, Contacts& contacts, Workers& workers) {
   contacts.start(bodies.size(), parts_.groups());
-  const bool moved = parts_.place(state, awake);
   sort_out(candidates, contacts);
-  discs_.find(candidates, state, bodies, parts_, moved, contacts.disc_key, contacts.discs);
+  discs_.find(candidates, state, bodies, parts_, std::exchange(moved_, false), contacts.disc_key,
+              contacts.discs);
   if (plan_.restitution)
     for (const std::uint64_t key : contacts.disc_key)
       contacts.disc_bounces.push_back(discs_.contact_of(candidates.colliders(), pair_of(key), bodies));

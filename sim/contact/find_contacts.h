@@ -51,8 +51,11 @@ class ContactFinder {
   /// Contacts are in that many groups: see Parts.
   const Parts& parts() const { return parts_; }
 
+  /// Finds out who of those awake is in which part; before each find().
+  void divide(const State& state, Rows awake) { moved_ |= parts_.place(state, awake); }
+
   /// Replaces `contacts`. `bodies` has a row for each body of `state`, then one a group that stands for all
-  /// obstacles; candidates are of those that are `awake`.
+  /// obstacles; candidates are of those that are `awake`, whom divide() was given.
   void find(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies, Rows awake,
             Contacts& contacts, Workers& workers);
 
@@ -87,6 +90,7 @@ class ContactFinder {
   const Plan& plan_;
   double fast_;
   Parts parts_;
+  bool moved_ = false;  // somebody is in another part than when contacts were found last
   DiscFinder discs_;
   std::vector<narrowphase::Pose> pose_;  // of each body; only where some are no discs
   std::vector<Touch> touches_;

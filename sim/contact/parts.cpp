@@ -37,17 +37,21 @@ Parts::Parts(const Scene& scene, const Plan& plan) {
     const double cut = std::midpoint(places[right - 1], places[right]);
     if (cuts_.empty() || cut > cuts_.back()) cuts_.push_back(cut);
   }
-  if (!cuts_.empty()) part_.resize(places.size());
+  if (cuts_.empty()) return;
+  part_.resize(places.size());
+  rows_.resize(count());
 }
 
 bool Parts::place(const State& state, Rows awake) {
   if (cuts_.empty()) return false;
+  for (auto& rows : rows_) rows.clear();
   bool moved = false;
   awake.for_each([&](std::uint32_t row) {
     std::uint8_t part = 0;
     for (const double cut : cuts_) part += state.position[row][axis_] >= cut;
     moved |= part != part_[row];
     part_[row] = part;
+    rows_[part].push_back(row);
   });
   return moved;
 }

@@ -28,6 +28,9 @@ class Parts {
   /// Who of those awake is where. Returns whether anybody is in another part than before. O(awake).
   bool place(const State& state, Rows awake);
 
+  /// Of those whom place() was given last, who is in that part, ascending. Expects several parts.
+  Rows rows(std::size_t part) const { return Rows::of(rows_[part]); }
+
   std::size_t group(std::uint32_t a) const { return cuts_.empty() ? 0 : part_[a]; }
   std::size_t group(std::uint32_t a, std::uint32_t b) const {
     return group(a) == group(b) ? group(a) : count();
@@ -35,8 +38,9 @@ class Parts {
 
  private:
   Eigen::Index axis_ = 0;
-  std::vector<double> cuts_;        // m, along that axis, ascending
-  std::vector<std::uint8_t> part_;  // of each body; empty where there is one
+  std::vector<double> cuts_;                      // m, along that axis, ascending
+  std::vector<std::uint8_t> part_;                // of each body; empty where there is one
+  std::vector<std::vector<std::uint32_t>> rows_;  // of each part; likewise
 };
 
 }  // namespace throng

@@ -73,6 +73,27 @@ TEST(Parts, AreCutAcrossTheGroundAndTellWhoLeavesThem) {
   EXPECT_EQ(parts.group(first), 1u);
 }
 
+TEST(Parts, ListThoseAwakeEachInItsPart) {
+  const Scene scene = scene_from(heap(100));
+  Parts parts(scene, plan_for(scene));
+  const State state = initial_state(scene);
+  std::vector<std::uint32_t> third;
+  for (std::uint32_t i = 0; i < state.position.size(); i += 3) third.push_back(i);
+  parts.place(state, Rows::all(state.position.size()));
+  parts.place(state, Rows::of(third));
+  std::vector<std::uint32_t> listed;
+  for (const std::size_t part : {0, 1}) {
+    const std::size_t before = listed.size();
+    parts.rows(part).for_each([&](std::uint32_t row) {
+      EXPECT_EQ(parts.group(row), part) << row;
+      listed.push_back(row);
+    });
+    EXPECT_TRUE(std::ranges::is_sorted(std::span(listed).subspan(before)));
+  }
+  std::ranges::sort(listed);
+  EXPECT_EQ(listed, third);
+}
+
 // A cut through a column's centres would have its bodies change sides with each rounding.
 TEST(Parts, AreCutBetweenColumns) {
   const Scene scene = scene_from(heap(100));
