@@ -12,6 +12,7 @@ namespace throng {
 inline Vec wrapped(const Vec& p, const Domain& domain) {
   Vec result = p;
   for (int axis : {0, 1}) {
+    if (p[axis] >= domain.min[axis] && p[axis] < domain.max[axis]) continue;  // nearly all: no division
     const double size = domain.max[axis] - domain.min[axis];
     result[axis] -= size * std::floor((p[axis] - domain.min[axis]) / size);
     if (!(result[axis] >= domain.min[axis] && result[axis] < domain.max[axis]))
