@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sim/contact/flights.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -18,6 +20,7 @@ using narrowphase::DiscFlight;
 namespace {
 
 constexpr double kRounding = 1e-9;  // of the reach: deeper overlaps come from the scene, not from collisions
+constexpr std::size_t kAhead = 12;            // pairs: so long before it is needed a body is asked for
 constexpr std::size_t kMostCollisions = 100;  // a body and step, all together
 
 }  // namespace
@@ -106,6 +109,11 @@ DiscFlight Flights::first_flight(const Pair& pair) const {
                                   all.radius[pair.a] + all.radius[pair.b], scene_.time.dt);
 }
 
+/// The second body of a later pair: it stands anywhere, where the first one is the last pair's, mostly.
+void Flights::ask_for(const Pair& pair) const {
+  hwy::Prefetch(&bodies_[candidates_->colliders().body[pair.b]]);
+}
+
 /// The collisions that the step begins with. False where bodies overlap.
 bool Flights::foresee_all(Workers& workers) {
   first_.resize(count()), heap_.clear();
@@ -113,6 +121,7 @@ bool Flights::foresee_all(Workers& workers) {
   std::atomic<bool> overlap = false;
   workers.for_ranges(first_.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
+      if (i + kAhead < pairs.size()) ask_for(pairs[i + kAhead]);
       const DiscFlight next =
           i < pairs.size() ? first_flight(pairs[i]) : flight(static_cast<std::uint32_t>(i), 0.0);
       first_[i] = next.time;

@@ -55,6 +55,7 @@ class Flights {
   Vec normal(std::uint32_t pair, double now) const;
   const Surface& surface(std::uint32_t pair) const;
 
+  void ask_for(const broadphase::Pair& pair) const;
   bool foresee_all(Workers& workers);
   narrowphase::DiscFlight first_flight(const broadphase::Pair& pair) const;
   bool is_deep(double gap, std::uint32_t pair) const;
