@@ -20,7 +20,7 @@ using narrowphase::DiscFlight;
 namespace {
 
 constexpr double kRounding = 1e-9;  // of the reach: deeper overlaps come from the scene, not from collisions
-constexpr std::size_t kAhead = 12;            // pairs: so long before it is needed a body is asked for
+constexpr std::size_t kAhead = 12;  // pairs: so long before it is needed a body is asked for
 constexpr std::size_t kMostCollisions = 100;  // a body and step, all together
 
 }  // namespace
