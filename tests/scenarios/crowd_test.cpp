@@ -85,11 +85,14 @@ TEST(Crowd, StartsFromAPresetOfItsModel) {
   for (std::size_t i = 0; i < kind.parameters.size(); ++i)
     EXPECT_EQ(group.parameters[i],
               std::string(kind.parameters[i].key) == "reaction_time" ? 0.7 : kind.presets[0].values[i]);
-  const Loaded other =
-      load_text(kFloor + "[[agents]]\ncount = 20\ngoal = \"exit\"\nmodel = \"collision_free_speed\"\n" +
-                kRandom + "collision_free_speed = { preset = \"calibrated\" }\n");
-  ASSERT_EQ(other.errors(), 0) << faults(other);
-  EXPECT_EQ(other.scene.crowd.groups.at(0).parameters[0], 0.85) << "s, the time gap";
+  for (const auto& [preset, time_gap] : {std::pair("calibrated", 1.0), std::pair("bottleneck", 0.5)}) {
+    const Loaded other =
+        load_text(kFloor + "[[agents]]\ncount = 20\ngoal = \"exit\"\nmodel = \"collision_free_speed\"\n" +
+                  kRandom + "collision_free_speed = { preset = \"" + preset + "\" }\n");
+    ASSERT_EQ(other.errors(), 0) << faults(other);
+    EXPECT_EQ(other.scene.crowd.groups.at(0).parameters[0], time_gap) << preset << ", s";
+    EXPECT_EQ(other.scene.crowd.groups.at(0).parameters[2], 0.14) << preset << ", m, the range";
+  }
   expect_fault(kFloor + kGroup + kRandom + "social_force = { preset = \"calibrate\" }\n",
                "agents[0].social_force.preset");
 }
