@@ -71,7 +71,7 @@ Face facing_face(const Convex& a, const Convex& b, const Pose& b_in_a) {
 }
 
 Face widest_face(const Convex& a, const Convex& b, const Pose& b_in_a) {
-  constexpr std::size_t kFew = 32;  // where the two cost the same
+  constexpr std::size_t kFew = 32;  // where the two cost about the same
   return b.vertices.size() <= kFew ? scan_face(a, b, b_in_a) : walk(a, b, b_in_a);
 }
 

@@ -7,6 +7,7 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 
 HWY_BEFORE_NAMESPACE();
@@ -20,14 +21,14 @@ constexpr std::size_t kMostLanes = hn::MaxLanes(D());
 static_assert(sizeof(Vec) == 2 * sizeof(double));
 
 /// A face in each lane, edge and vertex as numbers.
-struct Faces {
+struct WideFace {
   Reals separation, edge, vertex;
 };
 
 /// Those of the edges whose normals and first vertices begin there, elementwise: how many at a time changes
 /// no bit.
-HWY_INLINE Faces faces_at(const Vec* normals, const Vec* vertices, std::size_t edge, const Convex& b,
-                          const Pose& b_in_a) {
+HWY_INLINE WideFace face_at(const Vec* normals, const Vec* vertices, std::size_t edge, const Convex& b,
+                            const Pose& b_in_a) {
   const D d;
   Reals x, y, from_x, from_y;
   hn::LoadInterleaved2(d, normals[edge].data(), x, y);
@@ -49,12 +50,12 @@ HWY_INLINE Faces faces_at(const Vec* normals, const Vec* vertices, std::size_t e
 }
 
 /// The widest of the lanes, and of those the first edge's.
-HWY_INLINE Face widest(const Faces& faces) {
+HWY_INLINE Face widest(const WideFace& face) {
   alignas(64) double separation[kMostLanes], edge[kMostLanes], vertex[kMostLanes];
   const D d;
-  hn::Store(faces.separation, d, separation);
-  hn::Store(faces.edge, d, edge);
-  hn::Store(faces.vertex, d, vertex);
+  hn::Store(face.separation, d, separation);
+  hn::Store(face.edge, d, edge);
+  hn::Store(face.vertex, d, vertex);
   std::size_t best = 0;
   for (std::size_t lane = 1; lane < hn::Lanes(d); ++lane) {
     const bool wider = separation[lane] > separation[best];
@@ -67,6 +68,7 @@ HWY_INLINE Face widest(const Faces& faces) {
 Face scan_face(const Convex& a, const Convex& b, const Pose& b_in_a) {
   const D d;
   const std::size_t lanes = hn::Lanes(d);
+  assert(a.normals.size() >= 2 && !b.vertices.empty());
   const Vec *normals = a.normals.data(), *vertices = a.vertices.data();
   std::size_t count = a.normals.size();
   Vec few_normals[kMostLanes], few_vertices[kMostLanes];
@@ -76,9 +78,9 @@ Face scan_face(const Convex& a, const Convex& b, const Pose& b_in_a) {
     }
     normals = few_normals, vertices = few_vertices, count = lanes;
   }
-  Faces best = faces_at(normals, vertices, 0, b, b_in_a);
+  WideFace best = face_at(normals, vertices, 0, b, b_in_a);
   for (std::size_t first = lanes; first < count; first += lanes) {  // the last ones once more, if need be
-    const Faces more = faces_at(normals, vertices, std::min(first, count - lanes), b, b_in_a);
+    const WideFace more = face_at(normals, vertices, std::min(first, count - lanes), b, b_in_a);
     const auto wider = hn::Gt(more.separation, best.separation);
     best = {hn::IfThenElse(wider, more.separation, best.separation),
             hn::IfThenElse(wider, more.edge, best.edge), hn::IfThenElse(wider, more.vertex, best.vertex)};

@@ -5,6 +5,7 @@
 #include "sim/step.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numeric>
 
@@ -31,7 +32,7 @@ constexpr int kAttempts = 20, kLocalAttempts = 4;
 /// Calls f(rows) with those of each part, by the thread that solves the contacts of the part: it has the
 /// bodies at hand.
 template <class F>
-void for_each_part(Workspace& work, F f) {
+void by_parts(Workspace& work, F f) {
   const Parts& parts = work.finder.parts();
   if (parts.count() == 1) return f(work.sleepers.bodies());
   work.workers.for_each(parts.count(), [&](std::size_t part) { f(parts.rows(part)); });
@@ -131,22 +132,35 @@ void substep(const Scene& scene, const Plan& plan, Workspace& work) {
     prepare_bounce(work, period);
     bounce(work, plan.gravity ? kick : Vec(0.0, 0.0), plan.elastic ? kElasticSweeps : kBounceSweeps);
   }
-  if (plan.gravity) for_each_part(work, [&](Rows rows) { fall(work.bodies, rows, kick); });
+  if (plan.gravity) by_parts(work, [&](Rows rows) { fall(work.bodies, rows, kick); });
   if (plan.contacts()) start_and_push_apart(work, period);
-  for_each_part(work, [&](Rows rows) { move(work.bodies, rows, work.solver.h); });
+  by_parts(work, [&](Rows rows) { move(work.bodies, rows, work.solver.h); });
   if (plan.contacts()) relax(work, plan.periodic);
 }
 
-void store(const Scene& scene, const Plan& plan, std::span<const SolverBody> bodies, Rows awake,
+/// False where a body can't go on; that one is left where it got.
+bool store(const Scene& scene, const Plan& plan, std::span<const SolverBody> bodies, Rows awake,
            State& state) {
+  bool all_go_on = true;
   awake.for_each([&](std::uint32_t i) {
     state.position[i] = bodies[i].position;
     state.velocity[i] = bodies[i].velocity;
     state.spin[i] = bodies[i].spin;
     state.angle[i] += bodies[i].turn;
-    check_body(state, i);
-    if (plan.periodic) state.position[i] = wrapped(state.position[i], scene.domain);
+    const bool goes_on = can_go_on(state, i);
+    all_go_on &= goes_on;
+    if (plan.periodic && goes_on) state.position[i] = wrapped(state.position[i], scene.domain);
   });
+  return all_go_on;
+}
+
+/// Throws of the first body that can't go on, whoever stored it.
+void store_all(const Scene& scene, const Plan& plan, State& state, Workspace& work) {
+  std::atomic<bool> all_go_on = true;
+  by_parts(work, [&](Rows rows) {
+    if (!store(scene, plan, work.bodies, rows, state)) all_go_on = false;
+  });
+  if (!all_go_on) work.sleepers.bodies().for_each([&](std::uint32_t i) { check_body(state, i); });
 }
 
 [[noreturn]] void fail_at_chain(const State& state) {
@@ -230,7 +244,7 @@ void push(const Scene& scene, const Plan& plan, State& state, Workspace& work, S
   if (plan.contacts()) find_pairs(scene, plan, state, work, clock);
   const Rows awake = work.sleepers.bodies();
   if (plan.contacts()) work.finder.divide(state, awake);
-  for_each_part(work, [&](Rows rows) { load(state, rows, work.bodies); });
+  by_parts(work, [&](Rows rows) { load(state, rows, work.bodies); });
   if (plan.contacts()) {
     work.finder.find(work.candidates, state, work.bodies, awake, work.contacts, work.workers);
     clock.lap(work.times.find_contacts);
@@ -259,7 +273,7 @@ void step_bodies(const Scene& scene, const Plan& plan, State& state, Workspace& 
     state.collisions += work.flights.collisions();
   else if (plan.flights)
     ++state.collisions.pushed;
-  for_each_part(work, [&](Rows rows) { store(scene, plan, work.bodies, rows, state); });
+  store_all(scene, plan, state, work);
   if (plan.contacts()) work.contacts.save(state);
   clock.lap(work.times.store);
   if (!plan.sleep) return;
@@ -282,7 +296,7 @@ void step_soft(const Scene& scene, const Plan& plan, State& state, Workspace& wo
   }
   work.soft.check_depth(state);
   ++state.step;
-  store(scene, plan, work.bodies, all, state);
+  store_all(scene, plan, state, work);
   work.soft.save(state);
   clock.lap(work.times.store);
 }

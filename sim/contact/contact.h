@@ -74,8 +74,8 @@ Softness softness(double hertz, double damping, double h);
 /// How contacts learn what they bear. A spring gives way to its load, in a pile each layer more; what a
 /// contact has learnt, its preload, it bears without, so that what has stood for a while has hardly sunk.
 struct Learning {
-  static constexpr double kLearnt = 0.8;   // of a load: all of it, piles creep
-  static constexpr double kMost = 1000.0;  // own weights: what bears more swings too slowly
+  static constexpr double kLearnt = 0.8;   ///< of a load: all of it, piles creep
+  static constexpr double kMost = 1000.0;  ///< own weights: what bears more swings too slowly
 
   double share;   ///< of what is missing, in a step: slower than the scene's slowest mode swings, or it rings
   double weight;  ///< m/s, what gravity gives in a substep: times the mass that is felt, its own weight

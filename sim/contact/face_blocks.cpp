@@ -64,6 +64,7 @@ std::size_t FaceBlocks::seat(std::size_t points, std::uint32_t a, bool a_moves, 
 void FaceBlocks::fill(std::size_t i, std::span<const PointContact> face) {
   FaceBlock& block = groups_[seat_[i].group].blocks[seat_[i].lane / kWidth];
   const std::size_t lane = seat_[i].lane % kWidth;
+  assert(face.size() == block.count);
   fill_lane(block, lane, face[0]);
   for (std::size_t p = 0; p < face.size(); ++p) fill_point(block.points[p], lane, face[p]);
 }

@@ -51,9 +51,9 @@ class FaceBlocks {
   void fill(std::size_t i, std::span<const PointContact> face);
 
   std::size_t size() const { return seat_.size(); }                          ///< points
-  double normal_impulse(std::size_t i) const { return impulses(i).normal; }  ///< N s, of the i-th point added
+  double normal_impulse(std::size_t i) const { return impulses(i).normal; }  ///< N s, of the i-th point
 
-  /// All that the i-th point that was added keeps for the next step.
+  /// All that the i-th point that was seated keeps for the next step.
   BlockImpulses impulses(std::size_t i) const {
     const FaceBlock::Point& p = point(i);
     const std::size_t lane = seat_[i].lane % BlockOrder::kWidth;

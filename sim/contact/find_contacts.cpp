@@ -212,14 +212,14 @@ std::uint32_t ContactFinder::other_row(const Colliders& colliders, const Touch& 
 
 /// In the order of touches: what a lane then holds may come in any.
 void ContactFinder::seat_faces(const Colliders& colliders, Contacts& contacts) {
-  first_.resize(touches_.size());
+  first_point_.resize(touches_.size());
   for (std::size_t i = 0; i < touches_.size(); ++i) {
     if (points_[i] == 0) continue;
     const Touch& touch = touches_[i];
     const std::uint32_t a = colliders.body[touch.pair.a], b = other_row(colliders, touch);
     const bool a_moves = colliders.movable[touch.pair.a];
     const bool b_moves = !touch.obstacle && colliders.movable[touch.pair.b];
-    first_[i] = static_cast<std::uint32_t>(contacts.faces.seat(
+    first_point_[i] = static_cast<std::uint32_t>(contacts.faces.seat(
         points_[i], a, a_moves, b, b_moves, touch.obstacle ? parts_.group(a) : parts_.group(a, b)));
   }
   contacts.faces.finish();
@@ -255,15 +255,16 @@ void ContactFinder::fill_faces(const Candidates& candidates, const State& state,
       if (points_[i] == 0) continue;
       const std::span<PointContact> face = this->face(candidates, bodies, i, points);
       for (std::size_t p = 0; p < face.size(); ++p) {
-        const std::uint64_t key = contacts.point_key[first_[i] + p] = touches_[i].key();
-        const std::uint32_t feature = contacts.point_feature[first_[i] + p] = manifolds_[i].points[p].feature;
+        const std::uint64_t key = contacts.point_key[first_point_[i] + p] = touches_[i].key();
+        const std::uint32_t feature = contacts.point_feature[first_point_[i] + p] =
+            manifolds_[i].points[p].feature;
         const ContactImpulse* kept = memory.find(key, feature);
         face[p].normal_impulse = kept ? kept->normal : 0.0;
         face[p].tangent_impulse = kept ? kept->tangent : 0.0;
         face[p].preload = kept ? kept->preload : 0.0;
       }
-      contacts.faces.fill(first_[i], face);
-      if (plan_.restitution) std::ranges::copy(face, contacts.point_bounces.begin() + first_[i]);
+      contacts.faces.fill(first_point_[i], face);
+      if (plan_.restitution) std::ranges::copy(face, contacts.point_bounces.begin() + first_point_[i]);
       is_fast_[i] = face[0].fast;
     }
   });

@@ -95,8 +95,8 @@ class ContactFinder {
   std::vector<narrowphase::Pose> pose_;  // of each body; only where some are no discs
   std::vector<Touch> touches_;
   std::vector<narrowphase::Manifold> manifolds_;  // of each touch
-  std::vector<std::uint8_t> points_;              // how many each has
-  std::vector<std::uint32_t> first_;              // of each touch with points: how many come before
+  std::vector<std::uint8_t> points_;              // how many each has: who seats reads no more of them
+  std::vector<std::uint32_t> first_point_;        // of each touch with points: how many come before
   std::vector<std::uint8_t> is_fast_;             // of each touch
 };
 

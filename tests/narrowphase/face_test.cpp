@@ -51,6 +51,7 @@ class WidestFaceOnEachTarget : public ::testing::TestWithParam<std::int64_t> {
 TEST_P(WidestFaceOnEachTarget, HasTheBitsOfTheDefinition) {
   Random random(1643);
   for (int i = 0; i < 2000; ++i) {
+    SCOPED_TRACE(i);
     std::vector<Vec> points_a, points_b;
     for (std::uint64_t n = 3 + random() % 20; n > 0; --n) points_a.push_back(random_vec(random, 1.0, 1.0));
     for (std::uint64_t n = 3 + random() % 20; n > 0; --n) points_b.push_back(random_vec(random, 1.0, 1.0));
@@ -60,6 +61,21 @@ TEST_P(WidestFaceOnEachTarget, HasTheBitsOfTheDefinition) {
     expect_same(segment(points_a[0], points_a[1]), b, b_in_a);
     expect_same(a, segment(points_b[0], points_b[1]), b_in_a);
     expect_same(a, disc(1.0), b_in_a);
+  }
+}
+
+/// Of so many corners the answer comes from a walk round both.
+TEST_P(WidestFaceOnEachTarget, HasTheBitsOfTheDefinitionForManyCorners) {
+  Random random(1644);
+  for (int i = 0; i < 300; ++i) {
+    SCOPED_TRACE(i);
+    std::vector<Vec> corners;
+    for (std::uint64_t n = 40 + random() % 80; n > 0; --n)
+      corners.push_back(pose({0.0, 0.0}, uniform(random, -3.1, 3.1)).rotate({1.0, 0.0}));
+    const Convex many = convex(hull(corners)), few = convex(hull({corners.begin(), corners.begin() + 5}));
+    ASSERT_GT(many.vertices.size(), 32u);
+    const Pose b_in_a = pose(random_vec(random, 2.0, 2.0), uniform(random, -3.0, 3.0));
+    expect_same(many, many, b_in_a), expect_same(many, few, b_in_a), expect_same(few, many, b_in_a);
   }
 }
 

@@ -17,13 +17,8 @@ constexpr const char* kAlike = "who all walk alike are in nobody's way, however 
 constexpr const char* kNoGap =
     "nobody keeps a distance: a door lets through as many as fit beside one another";
 
-constexpr const char* kOneGap =
-    "time_gap and size set the flows through doors and passages alike: one of IMO 4 and Seyfried's is kept";
-
 constexpr Nature kNatures[] = {
     {"constant_velocity", "", "agents see nobody"},
-    {"collision_free_speed", "IMO 4", kOneGap},
-    {"collision_free_speed", "Seyfried 2009: flow through", kOneGap},
     {"collision_free_speed", "faster is slower", "nobody presses on another"},
     {"orca", "faster is slower", "nobody presses on another, nor goes faster than top_speed"},
     {"social_force", "IMO 5", "who stands is pushed away by who sets out beside him"},

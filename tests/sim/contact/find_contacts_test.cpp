@@ -26,6 +26,29 @@ Reference reference(const Trial& trial) {
   return narrowphase::reference(trial.state.point_contacts.at(0).feature, shape, shape);
 }
 
+/// More touches than one thread takes at a time, of boxes that bounce, or that meet faces fast and don't.
+TEST(FindContacts, ListsBouncesInOneOrderForAnyNumberOfThreads) {
+  for (const char* bounces : {"0.5", "0"}) {
+    const Scene scene = scene_from(
+        "gravity = [0, -9.81]\ntime = { dt = 0.01, substeps = 4 }\nsleep = false\n"
+        "[materials.default]\nrestitution = " +
+        std::string(bounces) +
+        "\n[shapes]\nbox = { polygon = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]] }\n"
+        "[[walls]]\nsegment = [[-5, 0], [50, 0]]\n"
+        "[[bodies]]\nshape = \"box\"\nvelocity = [0, -60]\nplace = { lattice = { origin = [0, 0.6], "
+        "spacing = [1.1, 1.05], size = [40, 30] } }\n");
+    Trial one(scene, 1), two(scene, 2);
+    std::size_t listed = 0;
+    for (int i = 0; i < 20; ++i) {
+      one.steps(1), two.steps(1);
+      ASSERT_EQ(hash(one.state), hash(two.state)) << "step " << i;
+      listed += one.work.contacts.point_bounces.size();
+    }
+    EXPECT_GT(listed, 50u) << bounces;
+    EXPECT_GT(one.work.contacts.faces.size(), 512u);
+  }
+}
+
 // Boxes that rock on each other: now one face is the wider, now the other.
 TEST(FindContacts, KeepsTheReferenceOfTheLastStep) {
   for (const char* kind : {"kinematic", "static"})

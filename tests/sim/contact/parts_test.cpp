@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "sim/observe.h"
+#include "sim/simulation_error.h"
 #include "tests/sim/trial.h"
 
 namespace throng {
@@ -195,6 +196,30 @@ TEST(Parts, GiveTheSameBitsWhereSomeSleep) {
   }
   EXPECT_GT(most, 7000u);
   EXPECT_GT(one.state.disc_contacts.size() + one.state.point_contacts.size(), 20u);
+}
+
+/// One in each part gets too far: the first of them is named, whoever stores it first.
+TEST(Parts, NameTheSameBodyThatCantGoOnForAnyNumberOfThreads) {
+  const Scene scene =
+      scene_from("gravity = [0, -9.81]\ntime = { dt = 0.01, substeps = 4 }\n" + std::string(kDisc) +
+                 "[[bodies]]\nshape = \"ball\"\nplace = { lattice = { origin = [0, 0], spacing = [2, 2], "
+                 "size = [100, 90] } }\n");
+  for (const int threads : {1, 2}) {
+    Trial run(scene, threads);
+    ASSERT_EQ(run.work.finder.parts().count(), 2u);
+    const std::vector<Vec>& position = run.state.position;
+    const auto left = static_cast<std::uint32_t>(position.size() - 1);
+    for (const auto& [row, x] : {std::pair(left, 10.0), std::pair(7u, 190.0)}) {
+      run.state.position[row] = {x, 1e12 - 100.0};
+      run.state.velocity[row] = {0.0, 1e9};
+    }
+    try {
+      run.steps(1);
+      FAIL() << "went on";
+    } catch (const SimulationError& error) {
+      EXPECT_NE(std::string(error.what()).find("body 8 is at"), std::string::npos) << error.what();
+    }
+  }
 }
 
 // Once nobody asked for seats, and then there were blocks of one group alone.
