@@ -60,7 +60,7 @@ HWY_INLINE Face widest(const WideFace& face) {
   for (std::size_t lane = 1; lane < hn::Lanes(d); ++lane) {
     const bool wider = separation[lane] > separation[best];
     const bool before = separation[lane] == separation[best] && edge[lane] < edge[best];
-    best = wider | before ? lane : best;
+    best = (wider | before) ? lane : best;
   }
   return {separation[best], static_cast<std::size_t>(edge[best]), static_cast<std::size_t>(vertex[best])};
 }

@@ -149,6 +149,22 @@ TEST_F(BenchCommand, JudgesEveryModelByTheCatalogues) {
   EXPECT_THAT(result.out, ::testing::HasSubstr("IMO 4, NIST 5.2: exit of a room"));
 }
 
+// What README promises of them. All draws are the scenarios' own: the numbers are the same everywhere.
+TEST_F(BenchCommand, FindsThatPresetsKeepWhatTheyAreFor) {
+  const auto expect_passes = [&](const std::string& walker, const std::string& only, std::size_t count) {
+    const Result result = throng("bench validation --engine '" + walker + "' --only '" + only + "' --json " +
+                                 path("rows.json"));
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const auto rows = nlohmann::json::parse(read(path("rows.json")));
+    EXPECT_EQ(rows.size(), count);
+    for (const auto& row : rows)
+      EXPECT_EQ(row["error"]["verdict"], "pass") << walker << ": " << row["case"] << row["error"]["value"];
+  };
+  expect_passes("social_force calibrated", "^IMO [48],|^Seyfried", 4);
+  expect_passes("collision_free_speed calibrated", "^IMO [489],", 3);
+  expect_passes("collision_free_speed bottleneck", "^Seyfried|^Weidmann", 3);
+}
+
 TEST_F(BenchCommand, JudgesAModelByFieldsOfOnesOwn) {
   const auto value = [&](const std::string& arguments) {
     const Result result = throng("bench validation --only 'NIST 2.1' --engine orca " + arguments +

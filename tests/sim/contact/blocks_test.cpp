@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <random>
-#include <ranges>
 
 #include "sim/contact/disc_blocks.h"
 #include "sim/contact/face_blocks.h"
@@ -259,7 +258,7 @@ class FaceBlocksOnEachTarget : public Blocks {
     }
     blocks.finish();
     std::size_t end = points.size();
-    for (const auto& face : std::views::reverse(faces)) blocks.fill(end -= face.size(), face);
+    for (; !faces.empty(); faces.pop_back()) blocks.fill(end -= faces.back().size(), faces.back());
   }
 
   void compare(bool friction) {
