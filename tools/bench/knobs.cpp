@@ -93,6 +93,7 @@ std::vector<Row> play(const std::string& name, const Scene& scene, const std::ve
          double(steps),
          bits,
          {{"mean_overlap", overlap(scene, state).mean}, {"kinetic_energy", kinetic_energy(scene, state)}}});
+    if (settings[i].sleep) rows.back().error["asleep"] = asleep(state.sleep);
   }
   return rows;
 }
@@ -109,7 +110,7 @@ std::vector<Row> bench_knobs(const Options& options) {
     for (Row& row : play(one.name, scene, settings(), options, steps, 0)) rows.push_back(std::move(row));
     if (scene.gravity == Vec(0.0, 0.0)) continue;
     const Setting asleep{"sleeps", 0, 1, true};
-    const int calm = options.quick ? 1 : 600;  // steps, until all of it sleeps
+    const int calm = options.quick ? 1 : 3000;  // steps, until all of it sleeps
     for (Row& row :
          play(one.name + std::string(", at rest"), scene, {{"as it is"}, asleep}, options, steps, calm)) {
       row.check = "";
