@@ -180,7 +180,6 @@ class DiscBlocksOnEachTarget : public Blocks {
       prepare_and_start(blocks.blocks(), bodies, period);
       push_apart(blocks.blocks(), bodies, how), move(bodies), relax(blocks.blocks(), bodies, how, period);
     }
-    learn(one, bodies_, kLearning), learn(blocks.blocks(), bodies, kLearning);
     expect_same(bodies_, bodies);
     for (std::size_t i = 0; i < one.size(); ++i) {
       expect_same(one[i], blocks[i]);

@@ -18,7 +18,8 @@ TEST(Preload, IsLearntFromBelowAndForgottenAtOnce) {
   EXPECT_DOUBLE_EQ(learn(0.9, kLoad, 1.0, 0.0), 0.9);
   EXPECT_DOUBLE_EQ(learn(0.9, 0.5 * kLoad, 1.0, 0.0), 0.5 * kLoad);
   EXPECT_DOUBLE_EQ(learn(0.4, kLoad, 0.09, 0.0), 0.4);  // 1,100 times its own weight
-  EXPECT_DOUBLE_EQ(learn(0.4, kLoad, 1.0, 0.2), 0.4);   // who passes by
+  EXPECT_DOUBLE_EQ(learn(0.4, kLoad, 1.0, 0.099 * 0.099), 0.6);
+  EXPECT_DOUBLE_EQ(learn(0.4, kLoad, 1.0, 0.101 * 0.101), 0.4);  // who passes by
 }
 
 /// A disc on the floor, from where it touches it. What it sinks there were no preload: the spring's gravity
