@@ -236,6 +236,15 @@ TEST_F(BenchCommand, NamesTheCasesWhereNoneIsMeant) {
     EXPECT_THAT(result.err, ::testing::HasSubstr(said));
 }
 
+TEST_F(BenchCommand, NamesTheModelsAndPresetsWhereNoneIsMeant) {
+  const Result result = throng("bench validation --only Seyfried --engine 'collision_free_speed botleneck'");
+  EXPECT_EQ(result.exit_code, 2);
+  for (const char* said :
+       {"there is no 'collision_free_speed botleneck'", "\n  collision_free_speed bottleneck\n"})
+    EXPECT_THAT(result.err, ::testing::HasSubstr(said));
+  EXPECT_THAT(result.err, ::testing::Not(::testing::HasSubstr("--only")));
+}
+
 TEST_F(BenchCommand, RecordsRunsAndRawFrames) {
   const Result result = throng("bench recording --quick --blocks 1 --json " + path("rows.json"));
   ASSERT_EQ(result.exit_code, 0) << result.err;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "sim/input_error.h"
 #include "tools/bench/benchmarks.h"
 #include "tools/bench/validation_cases.h"
 
@@ -57,9 +58,20 @@ std::string bounds_text(const Json& error) {
   return high.is_null() ? "at least " + text(low) : text(low) + " to " + text(high);
 }
 
+/// Refuses who isn't there; says who is.
+void check_engines(const std::vector<std::string>& engines) {
+  const std::vector<Walker> known = walkers();
+  std::string there;
+  for (const Walker& walker : known) there += "\n  " + walker.name();
+  for (const std::string& engine : engines)
+    if (std::ranges::find(known, engine, &Walker::name) == known.end())
+      throw InputError("validation: --engine: there is no '" + engine + "'; there are" + there);
+}
+
 }  // namespace
 
 std::vector<Row> bench_validation(const Options& options) {
+  check_engines(options.engines);
   std::vector<Trials> all;
   for (const Walker& walker : walkers())
     if (options.engines.empty() || std::ranges::find(options.engines, walker.name()) != options.engines.end())
