@@ -285,6 +285,10 @@ Reference reference(std::uint32_t feature, const Convex& a, const Convex& b) {
   return {static_cast<std::uint32_t>(edge), of_b, true};
 }
 
+bool reference_is_b(std::uint32_t feature) {
+  return feature & kReferenceIsB;
+}
+
 std::uint32_t without_reference(std::uint32_t feature) {
   return feature & ~kRole;
 }

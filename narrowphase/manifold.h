@@ -43,6 +43,9 @@ Manifold manifold(const Convex& a, const Pose& pose_a, const Convex& b, const Po
 /// A point's `feature` but for the reference: what outlives a change of it.
 std::uint32_t without_reference(std::uint32_t feature);
 
+/// Whether the manifold was described on b's face, so that its points run the other way.
+bool reference_is_b(std::uint32_t feature);
+
 /// The reference of the manifold of a and b that a point belonged to, out of its `feature`.
 Reference reference(std::uint32_t feature, const Convex& a, const Convex& b);
 

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "sim/contact/first_loads.h"
 #include "sim/periodic.h"
 #include "sim/simulation_error.h"
 #include "sim/stage_clock.h"
@@ -20,6 +21,7 @@ namespace {
 constexpr double kContactHertz = 0.18;  // of the substep's rate: stiffer, tall pyramids tremble
 constexpr double kContactDamping = 20.0;
 constexpr double kLearning = 1.0 / 300.0;  // a substep: learnt faster, tall pyramids swing
+constexpr double kAjar = 2.0;              // of what gravity gives in a substep
 constexpr double kPushOut = 2.0;           // radii a second: the fastest that overlap is undone
 constexpr int kElasticSweeps = 64;  // of bounces in a substep: what still meets then ends without bounce,
 constexpr int kBounceSweeps = 8;    // where each takes energy sooner, as dense clusters do anyway
@@ -91,12 +93,16 @@ void start(Workspace& work, std::size_t group, const Vec* period) {
   prepare_and_start(work.contacts.faces.blocks(group), work.bodies);
 }
 void push_apart(Workspace& work, std::size_t group) {
-  push_apart(work.contacts.discs.blocks(group), work.bodies, work.solver);
+  const bool backward = work.solver.backward;
+  if (!backward) push_apart(work.contacts.discs.blocks(group), work.bodies, work.solver);
   push_apart(work.contacts.faces.blocks(group), work.bodies, work.solver);
+  if (backward) push_apart(work.contacts.discs.blocks(group), work.bodies, work.solver);
 }
 void relax(Workspace& work, std::size_t group, bool periodic) {
-  relax(work.contacts.discs.blocks(group), work.bodies, work.solver, periodic);
+  const bool backward = work.solver.backward;
+  if (!backward) relax(work.contacts.discs.blocks(group), work.bodies, work.solver, periodic);
   relax(work.contacts.faces.blocks(group), work.bodies, work.solver);
+  if (backward) relax(work.contacts.discs.blocks(group), work.bodies, work.solver, periodic);
 }
 
 /// Parts side by side; what joins them begins before and is pushed apart after.
@@ -125,7 +131,14 @@ void learn(Workspace& work) {
   });
 }
 
-void substep(const Scene& scene, const Plan& plan, Workspace& work) {
+void find_first_loads(const Scene& scene, const Plan& plan, Workspace& work) {
+  const Vec kick = work.solver.h * scene.gravity;
+  const Vec size = scene.domain.max - scene.domain.min, *period = plan.periodic ? &size : nullptr;
+  find_first_loads(work.contacts, work.finder.parts(), work.bodies, work.solver, kick, period, work.workers);
+}
+
+/// `backward`: pushes apart from the last contact on, and relaxes from the first.
+void substep(const Scene& scene, const Plan& plan, Workspace& work, bool backward) {
   const Vec kick = work.solver.h * scene.gravity;
   const Vec size = scene.domain.max - scene.domain.min, *period = plan.periodic ? &size : nullptr;
   if (plan.restitution || !work.contacts.point_bounces.empty()) {
@@ -133,8 +146,10 @@ void substep(const Scene& scene, const Plan& plan, Workspace& work) {
     bounce(work, plan.gravity ? kick : Vec(0.0, 0.0), plan.elastic ? kElasticSweeps : kBounceSweeps);
   }
   if (plan.gravity) by_parts(work, [&](Rows rows) { fall(work.bodies, rows, kick); });
+  work.solver.backward = backward;
   if (plan.contacts()) start_and_push_apart(work, period);
   by_parts(work, [&](Rows rows) { move(work.bodies, rows, work.solver.h); });
+  work.solver.backward = !backward;
   if (plan.contacts()) relax(work, plan.periodic);
 }
 
@@ -196,7 +211,8 @@ Workspace::Workspace(const Scene& scene, const Plan& plan, int threads)
   const Softness spring = softness(kContactHertz / h, kContactDamping, h);
   const Learning learning{std::min(kLearning * scene.time.substeps, 1.0),
                           plan.gravity ? h * scene.gravity.norm() : 0.0, radius * kLearning / h};
-  solver = {h, spring, learning, kPushOut * radius, plan.friction, finder.fast()};
+  const double ajar = plan.gravity ? kAjar * scene.gravity.norm() * h * h : 0.0;
+  solver = {h, spring, learning, kPushOut * radius, plan.friction, ajar, finder.fast()};
 }
 
 /// Agents choose their velocity and walk.
@@ -249,9 +265,10 @@ void push(const Scene& scene, const Plan& plan, State& state, Workspace& work, S
     work.finder.find(work.candidates, state, work.bodies, awake, work.contacts, work.workers);
     clock.lap(work.times.find_contacts);
   }
+  if (state.step == 0 && plan.gravity && plan.contacts()) find_first_loads(scene, plan, work);
   for (int i = 0; i < scene.time.substeps; ++i) {
-    work.solver.swapped = (state.step * scene.time.substeps + i) % 2 == 1;
-    substep(scene, plan, work);
+    const bool backward = (state.step * scene.time.substeps + i) % 2 == 1;
+    substep(scene, plan, work, backward);
   }
   if (plan.gravity && plan.contacts()) learn(work);
   clock.lap(work.times.solve);

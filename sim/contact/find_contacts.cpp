@@ -254,11 +254,14 @@ void ContactFinder::fill_faces(const Candidates& candidates, const State& state,
     for (std::size_t i = begin; i < end; ++i) {
       if (points_[i] == 0) continue;
       const std::span<PointContact> face = this->face(candidates, bodies, i, points);
+      const std::uint64_t key = touches_[i].key();
+      const auto features = std::span(contacts.point_feature).subspan(first_point_[i], face.size());
       for (std::size_t p = 0; p < face.size(); ++p) {
-        const std::uint64_t key = contacts.point_key[first_point_[i] + p] = touches_[i].key();
-        const std::uint32_t feature = contacts.point_feature[first_point_[i] + p] =
-            manifolds_[i].points[p].feature;
-        const ContactImpulse* kept = memory.find(key, feature);
+        contacts.point_key[first_point_[i] + p] = key;
+        features[p] = manifolds_[i].points[p].feature;
+      }
+      for (std::size_t p = 0; p < face.size(); ++p) {
+        const ContactImpulse* kept = memory.find(key, features, p);
         face[p].normal_impulse = kept ? kept->normal : 0.0;
         face[p].tangent_impulse = kept ? kept->tangent : 0.0;
         face[p].preload = kept ? kept->preload : 0.0;

@@ -69,9 +69,13 @@ void find_rolls(const Scene& scene, const Plan& plan, const Candidates& candidat
     const std::uint64_t key = contacts.disc_key[i];
     finder.add(key, i, rolling(kept_discs.find(key)), contacts.disc_rolls);
   }
-  for (std::uint32_t i = 0; i < contacts.point_key.size(); ++i) {
+  for (std::uint32_t i = 0; i < contacts.point_key.size();) {
     const std::uint64_t key = contacts.point_key[i];
-    finder.add(key, i, rolling(kept_points.find(key, contacts.point_feature[i])), contacts.point_rolls);
+    const std::uint32_t first = i;
+    const bool two = i + 1 < contacts.point_key.size() && contacts.point_key[i + 1] == key;
+    const auto features = std::span(contacts.point_feature).subspan(first, two ? 2 : 1);
+    for (; i < first + features.size(); ++i)
+      finder.add(key, i, rolling(kept_points.find(key, features, i - first)), contacts.point_rolls);
   }
   if (!plan.restitution) return;
   tell_bounces(contacts.disc_rolls, contacts.disc_bounces);

@@ -26,16 +26,34 @@ class KeptImpulses {
     return next_ < kept_.size() && kept_[next_].key == key ? &kept_[next_] : nullptr;
   }
 
-  /// The contact with that key and feature, whichever face described it; null where it didn't press.
-  const ContactImpulse* find(std::uint64_t key, std::uint32_t feature) {
+  /// What the i-th point of that manifold was; null where it didn't press. By its feature, whichever face
+  /// described it; where two points were and are, none is forgotten for a new name, as corners that meet take
+  /// turns in naming the pair: the two are the same as before in their order along the face.
+  const ContactImpulse* find(std::uint64_t key, std::span<const std::uint32_t> features, std::size_t i) {
     if (!find(key)) return nullptr;
-    const std::uint32_t touch = narrowphase::without_reference(feature);
-    for (std::size_t i = next_; i < kept_.size() && kept_[i].key == key; ++i)
-      if (narrowphase::without_reference(kept_[i].feature) == touch) return &kept_[i];
+    const std::span<const ContactImpulse> kept = kept_.subspan(next_, count_at(next_));
+    if (kept.size() == 2 && features.size() == 2) return &kept[were_swapped(kept, features) ? 1 - i : i];
+    for (const ContactImpulse& contact : kept)
+      if (is_same(contact, features[i])) return &contact;
     return nullptr;
   }
 
  private:
+  static bool is_same(const ContactImpulse& kept, std::uint32_t feature) {
+    return narrowphase::without_reference(kept.feature) == narrowphase::without_reference(feature);
+  }
+
+  static bool were_swapped(std::span<const ContactImpulse> kept, std::span<const std::uint32_t> features) {
+    if (is_same(kept[0], features[0]) || is_same(kept[1], features[1])) return false;
+    if (is_same(kept[0], features[1]) || is_same(kept[1], features[0])) return true;
+    return narrowphase::reference_is_b(kept[0].feature) != narrowphase::reference_is_b(features[0]);
+  }
+
+  /// Points of the manifold there.
+  std::size_t count_at(std::size_t first) const {
+    return first + 1 < kept_.size() && kept_[first + 1].key == kept_[first].key ? 2 : 1;
+  }
+
   std::span<const ContactImpulse> kept_;
   std::size_t next_;
 };

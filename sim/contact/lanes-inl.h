@@ -44,13 +44,18 @@ HWY_INLINE void ask_for_bodies(const Block& block, const SolverBody* bodies) {
   for (const std::uint32_t b : block.b) hwy::Prefetch(bodies + b);
 }
 
-/// Calls f(block, first lane) for all lanes of all blocks.
+/// Calls f(block, first lane) for all lanes of all blocks, or from the last block on.
+template <class Block, class F>
+HWY_INLINE void for_each_part(std::span<Block> blocks, const SolverBody* bodies, bool backward, F f) {
+  const std::size_t last = blocks.size() - 1;
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    if (i + kAhead < blocks.size()) ask_for_bodies(blocks[backward ? last - i - kAhead : i + kAhead], bodies);
+    for (std::size_t k = 0; k < BlockOrder::kWidth; k += kLanes) f(blocks[backward ? last - i : i], k);
+  }
+}
 template <class Block, class F>
 HWY_INLINE void for_each_part(std::span<Block> blocks, const SolverBody* bodies, F f) {
-  for (std::size_t i = 0; i < blocks.size(); ++i) {
-    if (i + kAhead < blocks.size()) ask_for_bodies(blocks[i + kAhead], bodies);
-    for (std::size_t k = 0; k < BlockOrder::kWidth; k += kLanes) f(blocks[i], k);
-  }
+  for_each_part(blocks, bodies, false, f);
 }
 
 /// Four numbers of one body in each lane.
@@ -163,6 +168,12 @@ struct WideWish {
   Reals mass_scale, impulse_scale;
 };
 
+/// As is_apart() in solve.cpp.
+HWY_INLINE Mask is_apart(Reals separation, Reals preload, const SolverSettings& settings) {
+  const D d;
+  return hn::Gt(separation, hn::IfThenElseZero(hn::Gt(preload, hn::Zero(d)), hn::Set(d, settings.ajar)));
+}
+
 /// What push_apart asks at that separation, as wish_at() in solve.cpp.
 class Pusher {
  public:
@@ -174,8 +185,7 @@ class Pusher {
         mass_scale_(hn::Set(D(), settings.softness.mass_scale)),
         impulse_scale_(hn::Set(D(), settings.softness.impulse_scale)) {}
 
-  HWY_INLINE WideWish wish(Reals separation) const {
-    const Mask apart = hn::Gt(separation, hn::Zero(D()));
+  HWY_INLINE WideWish wish(Reals separation, Mask apart) const {
     const Reals limited = hn::Div(deep_, hn::Max(hn::Neg(separation), deep_));
     return {
         hn::IfThenElse(apart, hn::Mul(separation, rate_), hn::Max(hn::Mul(separation, bias_rate_), least_)),

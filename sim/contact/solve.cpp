@@ -118,10 +118,14 @@ void respond(PointContact& contact, SolverBody& a, SolverBody& b, const Wish& wi
   if (friction) at.apply(a, b, 0.0, rub(contact, at.tangent_velocity(a, b)));
 }
 
+bool is_apart(const ContactBase& contact, double separation, const SolverSettings& settings) {
+  return separation > (contact.preload > 0.0 ? settings.ajar : 0.0);
+}
+
 /// What push_apart asks at that separation. Where the speed is limited, the impulse that is let go is less by
 /// as much: else nothing would bear more than what the limit alone holds, and be pressed through the other.
-Wish wish_at(double separation, const SolverSettings& settings) {
-  if (separation > 0.0) return {separation * (1.0 / settings.h)};
+Wish wish_at(const ContactBase& contact, double separation, const SolverSettings& settings) {
+  if (is_apart(contact, separation, settings)) return {separation * (1.0 / settings.h)};
   const Softness& soft = settings.softness;
   const double deep = settings.push_out / soft.bias_rate;  // m, from where on
   const double limited = deep / std::max(-separation, deep);
@@ -133,41 +137,29 @@ bool share_face(const PointContact& i, const PointContact& j) {
   return i.a == j.a && i.b == j.b && i.normal == j.normal;
 }
 
-template <class F>
-void for_each_in_turn(std::span<DiscContact> contacts, const SolverSettings&, F f) {
-  for (DiscContact& contact : contacts) f(contact);
-}
-
-/// Faces in their order, and their points in theirs, or swapped.
-template <class F>
-void for_each_in_turn(std::span<PointContact> contacts, const SolverSettings& settings, F f) {
-  for (std::size_t i = 0; i < contacts.size(); ++i)
-    if (settings.swapped && i + 1 < contacts.size() && share_face(contacts[i], contacts[i + 1])) {
-      f(contacts[i + 1]), f(contacts[i]);
-      ++i;
-    } else {
-      f(contacts[i]);
-    }
+template <class Contact, class F>
+void for_each_in_turn(std::span<Contact> contacts, bool backward, F f) {
+  for (std::size_t i = 0; i < contacts.size(); ++i) f(contacts[backward ? contacts.size() - 1 - i : i]);
 }
 
 template <class Contact>
 void push_apart_all(std::span<Contact> contacts, std::span<SolverBody> bodies,
                     const SolverSettings& settings) {
-  for_each_in_turn(contacts, settings, [&](Contact& contact) {
+  for_each_in_turn(contacts, settings.backward, [&](Contact& contact) {
     SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
-    respond(contact, a, b, wish_at(separation(contact, a, b), settings), settings.friction);
+    respond(contact, a, b, wish_at(contact, separation(contact, a, b), settings), settings.friction);
   });
 }
 
 template <class Contact>
 void relax_all(std::span<Contact> contacts, std::span<SolverBody> bodies, const SolverSettings& settings) {
   const double rate = 1.0 / settings.h;
-  for_each_in_turn(contacts, settings, [&](Contact& contact) {
+  for_each_in_turn(contacts, settings.backward, [&](Contact& contact) {
     if (contact.normal_impulse == 0.0)
       return;  // what may yet meet is the next substep's matter, and may bounce
     SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
     const double s = separation(contact, a, b);
-    respond(contact, a, b, Wish{std::max(s, 0.0) * rate}, settings.friction);
+    respond(contact, a, b, Wish{is_apart(contact, s, settings) ? s * rate : 0.0}, settings.friction);
   });
 }
 

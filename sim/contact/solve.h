@@ -15,10 +15,13 @@ struct SolverSettings {
   Learning learning;
   double push_out;  ///< m/s, the fastest that overlapping bodies are driven apart, whatever they bear
   bool friction;    ///< some surface rubs
+  /// m: what has a preload may open by so much and stays a spring. As rigid gaps, closed one after the other,
+  /// the contacts of what stands high and has hardly sunk would shake each other open.
+  double ajar;
   double fast;  ///< m/s, from which on a sweep leaves too much speed to a face that meets with two corners
-  /// Of a face's two points the second comes first. So in every other substep, or all that stands straight is
-  /// turned to one side.
-  bool swapped = false;
+  /// A sweep begins with the last contact. In turn from either end, as in symmetric successive over-relaxation:
+  /// else all that stands straight is turned to one side, and loads take as many sweeps again to settle.
+  bool backward = false;
 };
 
 /// Normals, arms and offsets at the bodies' present positions. `period`: the domain's, or null.

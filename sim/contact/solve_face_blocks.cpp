@@ -112,14 +112,15 @@ void prepare_and_start(std::span<FaceBlock> blocks, SolverBody* bodies) {
 void push_apart(std::span<FaceBlock> blocks, SolverBody* bodies, const SolverSettings& settings) {
   const Pusher pusher(settings);
   const Mask all = hn::FirstN(D(), kLanes);
-  const bool friction = settings.friction, swapped = settings.swapped;
-  for_each_part(blocks, bodies, [=](FaceBlock& c, std::size_t k) HWY_ATTR {
+  const bool friction = settings.friction, backward = settings.backward;
+  for_each_part(blocks, bodies, settings.backward, [=](FaceBlock& c, std::size_t k) HWY_ATTR {
     Pair bound = pair(c, k, bodies, place(bodies, c.a + k), place(bodies, c.b + k));
     bool changed = false;
     for (std::size_t i = 0; i < c.count; ++i) {
-      FaceBlock::Point& point = c.points[swapped ? c.count - 1 - i : i];
-      changed |= respond(point, k, bound, load(c.friction + k), pusher.wish(load(point.separation + k)), all,
-                         friction);
+      FaceBlock::Point& point = c.points[backward ? c.count - 1 - i : i];
+      const Reals s = load(point.separation + k);
+      changed |= respond(point, k, bound, load(c.friction + k),
+                         pusher.wish(s, is_apart(s, load(point.preload + k), settings)), all, friction);
     }
     if (changed) keep(bound, c, k, bodies);
   });
@@ -127,18 +128,19 @@ void push_apart(std::span<FaceBlock> blocks, SolverBody* bodies, const SolverSet
 
 void relax(std::span<FaceBlock> blocks, SolverBody* bodies, const SolverSettings& settings) {
   const Reals rate = hn::Set(D(), 1.0 / settings.h);
-  const bool friction = settings.friction, swapped = settings.swapped;
-  for_each_part(blocks, bodies, [=](FaceBlock& c, std::size_t k) HWY_ATTR {
+  const bool friction = settings.friction, backward = settings.backward;
+  for_each_part(blocks, bodies, settings.backward, [=](FaceBlock& c, std::size_t k) HWY_ATTR {
     const D d;
     const Place a = place(bodies, c.a + k), b = place(bodies, c.b + k);
     Pair bound = pair(c, k, bodies, a, b);
     const Reals way = dot(bound.nx, bound.ny, hn::Sub(b.x, a.x), hn::Sub(b.y, a.y));
     bool changed = false;
     for (std::size_t i = 0; i < c.count; ++i) {
-      FaceBlock::Point& point = c.points[swapped ? c.count - 1 - i : i];
+      FaceBlock::Point& point = c.points[backward ? c.count - 1 - i : i];
       const Mask pressing = hn::Ne(load(point.normal_impulse + k), hn::Zero(d));
       const Reals separation = hn::Add(load(point.offset + k), way);
-      const WideWish wish{hn::Mul(hn::Max(separation, hn::Zero(d)), rate), hn::Set(d, 1.0), hn::Zero(d)};
+      const Mask apart = is_apart(separation, load(point.preload + k), settings);
+      const WideWish wish{hn::IfThenElseZero(apart, hn::Mul(separation, rate)), hn::Set(d, 1.0), hn::Zero(d)};
       changed |= respond(point, k, bound, load(c.friction + k), wish, pressing, friction);
     }
     if (changed) keep(bound, c, k, bodies);

@@ -42,11 +42,11 @@ void PrintTo(const Golden& golden, std::ostream* out) {
 }
 
 constexpr Golden kGallery[] = {
-    {"gas", 400, 0xb7deb10a72f11b9f},          {"pile", 60, 0x1f443689b69ea306},
-    {"polygons", 40, 0xb1b16ea72c1fbb17},      {"pyramid", 10, 0x599cf8ad7c2a9fac},
-    {"hopper", 100, 0x3881f0fd6d96694f},       {"gears", 100, 0x4353e0250748cd41},
+    {"gas", 400, 0xb7deb10a72f11b9f},          {"pile", 60, 0x96fc79c38ecf51d0},
+    {"polygons", 40, 0xd2cc7296e08d769d},      {"pyramid", 10, 0x3a47890f96d4cfaf},
+    {"hopper", 100, 0xa0c4d7b96eaceaaf},       {"gears", 100, 0x3f3906fb1576b091},
     {"billiard", 1500, 0x8dd8bcba2d1db68a},    {"cradle", 2000, 0x7db3d1ee537b00be},
-    {"mixed", 200, 0xb48577374cc0f48b},        {"corridor", 1200, 0x467109d56963dd86},
+    {"mixed", 200, 0x998445772914b813},        {"corridor", 1200, 0x467109d56963dd86},
     {"bottleneck", 1200, 0xbdf3e5ef623827ca},  {"circle_swap", 300, 0x3098722b25df02fc},
     {"counterflow", 1200, 0x83930b1ca7987e0e}, {"evacuation", 1500, 0x86386bd794f1d43a},
     {"station", 200, 0x7d02b7eb906cc254},      {"stadium", 6, 0xea197326c117286a},

@@ -69,7 +69,7 @@ class Blocks : public ::testing::TestWithParam<std::int64_t> {
 
   SolverSettings settings(bool friction) const {
     // Half of what overlaps is so deep that the speed is limited.
-    return {0.0025, softness(0.18 / 0.0025, 10.0, 0.0025), {0.0, 0.0, 0.0}, 1.0, friction, 1e9};
+    return {0.0025, softness(0.18 / 0.0025, 10.0, 0.0025), {0.0, 0.0, 0.0}, 1.0, friction, 0.03, 1e9};
   }
 
   void move(std::vector<SolverBody>& bodies) const {
@@ -166,13 +166,14 @@ class DiscBlocksOnEachTarget : public Blocks {
   void compare(const Vec* period, bool friction) {
     std::vector<DiscContact> one = contacts(period);
     std::vector<SolverBody> bodies = bodies_;
-    const SolverSettings how = settings(friction);
+    SolverSettings how = settings(friction);
     DiscBlocks blocks;
     fill(blocks, contacts(period), one);  // forgotten, and then other lanes are left over
     fill(blocks, one, contacts(period));
     expect_some_learn(one);
     learn(one, bodies_, kLearning), learn(blocks.blocks(), bodies, kLearning);
     for (int i = 0; i < 3; ++i) {
+      how.backward = i == 1;
       prepare(one, bodies_, period), warm_start(one, bodies_);
       push_apart(one, bodies_, how);
       expect_some_press(one);
@@ -270,7 +271,7 @@ class FaceBlocksOnEachTarget : public Blocks {
     expect_some_learn(one);
     learn(one, bodies_, kLearning), learn(blocks.blocks(), bodies, kLearning);
     for (int i = 0; i < 3; ++i) {
-      how.swapped = i == 1;
+      how.backward = i == 1;
       prepare(one, bodies_), warm_start(one, bodies_);
       push_apart(one, bodies_, how);
       expect_some_press(one);

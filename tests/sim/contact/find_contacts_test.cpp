@@ -16,7 +16,7 @@ std::string stack(const std::string& kind, const std::string& sign) {
   return "gravity = [0, -9.81]\ntime = { dt = 0.01, substeps = 4 }\n"
          "[shapes]\nbox = { polygon = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]] }\n"
          "[[bodies]]\nshape = \"box\"\nat = [0, 0]\nkind = \"" +
-         kind + "\"\n[[bodies]]\nshape = \"box\"\nat = [0.25, 0.99]\nangle = " + sign + "2e-6\n";
+         kind + "\"\n[[bodies]]\nshape = \"box\"\nat = [0.25, 0.9999]\nangle = " + sign + "2e-6\n";
 }
 
 /// The reference of the contact that pressed in the last step.

@@ -2,7 +2,11 @@
 // What a contact has learnt to bear it bears without sinking.
 #include <gtest/gtest.h>
 
-#include "sim/contact/contact.h"
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "sim/contact/solve.h"
 #include "sim/overlap.h"
 #include "tests/sim/trial.h"
 
@@ -22,19 +26,86 @@ TEST(Preload, IsLearntFromBelowAndForgottenAtOnce) {
   EXPECT_DOUBLE_EQ(learn(0.4, kLoad, 1.0, 0.101 * 0.101), 0.4);  // who passes by
 }
 
-/// A disc on the floor, from where it touches it. What it sinks there were no preload: the spring's gravity
-/// over the square of its frequency.
+/// A disc that has come down on the floor. What it would sink there: the spring's gravity over the square of
+/// its frequency.
 TEST(Preload, LeavesAFifthOfTheSag) {
   constexpr double kDt = 0.01;
   constexpr int kSubsteps = 4;
   Trial trial("sleep = false\ngravity = [0, -9.81]\ntime = { dt = 0.01, substeps = 4 }\n" +
               std::string(kDisc) +
-              "[[walls]]\nsegment = [[-9, 0], [9, 0]]\n[[bodies]]\nshape = \"ball\"\nat = [0, 0.5]\n");
+              "[[walls]]\nsegment = [[-9, 0], [9, 0]]\n[[bodies]]\nshape = \"ball\"\nat = [0, 0.501]\n");
   const double h = kDt / kSubsteps;
   const Softness soft = softness(0.18 / h, 20.0, h);
   const double sag = kG * h * soft.impulse_scale / (soft.mass_scale * soft.bias_rate);
   trial.steps(1000);
   EXPECT_NEAR(overlap(trial.scene, trial.state).max, 0.2 * sag, 0.002 * sag);
+}
+
+std::string box(double y, const std::string& more = "") {
+  return "[[bodies]]\nshape = \"box\"\nat = [0, " + std::to_string(y) + "]\n" + more;
+}
+
+const char* const kSite =
+    "sleep = false\ngravity = [0, -9.81]\ntime = { dt = 0.01, substeps = 4 }\n"
+    "[shapes]\nbox = { polygon = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]] }\n[[walls]]\nsegment "
+    "= [[-9, 0], [9, 0]]\n";
+
+/// In boxes of 1 kg each face bears those above it, half with each corner.
+TEST(FirstLoads, AreWhatATowerBears) {
+  constexpr int kBoxes = 12;
+  std::string text = kSite;
+  for (int i = 0; i < kBoxes; ++i) text += box(0.5 + i);
+  Trial trial(text);
+  trial.steps(1);
+  ASSERT_EQ(trial.state.point_contacts.size(), 2u * kBoxes);
+  double sum = 0.0, most = 0.0;
+  for (const ContactImpulse& contact : trial.state.point_contacts)
+    sum += contact.preload, most = std::max(most, contact.preload);
+  const double weight = kG * 0.0025;  // N s
+  EXPECT_NEAR(most, 0.5 * kBoxes * weight, 0.005 * kBoxes * weight);
+  EXPECT_NEAR(sum, 0.5 * kBoxes * (kBoxes + 1) * weight, 0.01 * sum);
+  trial.steps(499);
+  EXPECT_LT(overlap(trial.scene, trial.state).max, 2e-5);  // 1e-3 without
+}
+
+TEST(FirstLoads, LeaveWhoFliesAsHeFlies) {
+  Trial trial(kSite + box(0.5, "velocity = [0.5, 1]\nspin = 0.25\n") + box(5.0));
+  trial.steps(10);
+  EXPECT_DOUBLE_EQ(trial.state.velocity[0].x(), 0.5);
+  EXPECT_NEAR(trial.state.velocity[0].y(), 1.0 - 0.1 * kG, 1e-12);
+  EXPECT_DOUBLE_EQ(trial.state.spin[0], 0.25);
+  EXPECT_NEAR(trial.state.velocity[1].y(), -0.1 * kG, 1e-12);
+}
+
+/// Who comes down on the floor is stopped there, and not thrown up again by a load that nothing bore.
+TEST(FirstLoads, ThrowNobodyUp) {
+  Trial trial(kSite + box(0.5, "velocity = [0, -3]\n"));
+  for (int i = 0; i < 100; ++i) {
+    trial.steps(1);
+    ASSERT_LT(trial.state.position[0].y(), 0.502) << i;  // 1.7 mm where it bears nothing before
+  }
+}
+
+/// What bears no load yet closes its gaps at once.
+TEST(Preload, KeepsASpringThatHardlyOpens) {
+  const SolverSettings settings{0.01, softness(18.0, 20.0, 0.01), {0.0, 0.0, 0.0}, 1.0, false, 1e-3, 1e9};
+  for (const bool loaded : {false, true})
+    for (const double gap : {0.9e-3, 1.1e-3}) {
+      std::vector<SolverBody> bodies(2);
+      bodies[0].inverse_mass = 1.0;
+      bodies[0].position = {0.0, 1.0 + gap};
+      std::vector<DiscContact> contacts(1);
+      DiscContact& contact = contacts[0];
+      contact.a = 0, contact.b = 1, contact.normal_mass = 1.0, contact.radius_a = contact.radius_b = 0.5;
+      contact.normal_impulse = kLoad, contact.preload = loaded ? kLoad : 0.0;
+      prepare(contacts, bodies, nullptr);
+      bodies[0].velocity = {0.0, 0.0};
+      push_apart(contacts, bodies, settings);
+      const bool spring = loaded && gap < settings.ajar;
+      const Softness& soft = settings.softness;
+      const double lets_go = spring ? soft.mass_scale * gap * soft.bias_rate : gap / settings.h;
+      EXPECT_NEAR(contact.normal_impulse, kLoad - lets_go, 1e-12) << loaded << " " << gap;
+    }
 }
 
 }  // namespace
