@@ -19,8 +19,9 @@ struct SolverSettings {
   /// the contacts of what stands high and has hardly sunk would shake each other open.
   double ajar;
   double fast;  ///< m/s, from which on a sweep leaves too much speed to a face that meets with two corners
-  /// A sweep begins with the last contact. In turn from either end, as in symmetric successive over-relaxation:
-  /// else all that stands straight is turned to one side, and loads take as many sweeps again to settle.
+  /// A sweep begins with the last contact. In turn from either end, as in symmetric successive
+  /// over-relaxation: else all that stands straight is turned to one side, and loads take as many sweeps
+  /// again to settle.
   bool backward = false;
 };
 

@@ -92,30 +92,34 @@ void prepare_and_start(std::span<DiscBlock> blocks, SolverBody* bodies, const Ve
 void push_apart(std::span<DiscBlock> blocks, SolverBody* bodies, const SolverSettings& settings) {
   const Pusher pusher(settings);
   const Mask all = hn::FirstN(D(), kLanes);
-  for_each_part(blocks, bodies, settings.backward, [=, friction = settings.friction](DiscBlock& c, std::size_t k) HWY_ATTR {
-    Motion a = motion(bodies, c.a + k), b = motion(bodies, c.b + k);
-    const Reals s = load(c.separation + k);
-    if (!respond(c, k, a, b, pusher.wish(s, is_apart(s, load(c.preload + k), settings)), all, friction))
-      return;
-    keep(a, bodies, c.a + k), keep(b, bodies, c.b + k);
-  });
+  for_each_part(
+      blocks, bodies, settings.backward,
+      [=, friction = settings.friction](DiscBlock& c, std::size_t k) HWY_ATTR {
+        Motion a = motion(bodies, c.a + k), b = motion(bodies, c.b + k);
+        const Reals s = load(c.separation + k);
+        if (!respond(c, k, a, b, pusher.wish(s, is_apart(s, load(c.preload + k), settings)), all, friction))
+          return;
+        keep(a, bodies, c.a + k), keep(b, bodies, c.b + k);
+      });
 }
 
 void relax(std::span<DiscBlock> blocks, SolverBody* bodies, const SolverSettings& settings, bool periodic) {
   const Reals rate = hn::Set(D(), 1.0 / settings.h);
-  for_each_part(blocks, bodies, settings.backward, [=, friction = settings.friction](DiscBlock& c, std::size_t k) HWY_ATTR {
-    const D d;
-    const Mask pressing = hn::Ne(load(c.normal_impulse + k), hn::Zero(d));
-    if (hn::AllFalse(d, pressing)) return;
-    const Place at_a = place(bodies, c.a + k), at_b = place(bodies, c.b + k);
-    const Reals s = separation(c, k, load(c.normal_x + k), load(c.normal_y + k), hn::Sub(at_b.x, at_a.x),
-                               hn::Sub(at_b.y, at_a.y), periodic);
-    const Mask apart = is_apart(s, load(c.preload + k), settings);
-    const WideWish wish{hn::IfThenElseZero(apart, hn::Mul(s, rate)), hn::Set(d, 1.0), hn::Zero(d)};
-    Motion a = motion(bodies, c.a + k), b = motion(bodies, c.b + k);
-    respond(c, k, a, b, wish, pressing, friction);
-    keep(a, bodies, c.a + k), keep(b, bodies, c.b + k);
-  });
+  for_each_part(
+      blocks, bodies, settings.backward,
+      [=, friction = settings.friction](DiscBlock& c, std::size_t k) HWY_ATTR {
+        const D d;
+        const Mask pressing = hn::Ne(load(c.normal_impulse + k), hn::Zero(d));
+        if (hn::AllFalse(d, pressing)) return;
+        const Place at_a = place(bodies, c.a + k), at_b = place(bodies, c.b + k);
+        const Reals s = separation(c, k, load(c.normal_x + k), load(c.normal_y + k), hn::Sub(at_b.x, at_a.x),
+                                   hn::Sub(at_b.y, at_a.y), periodic);
+        const Mask apart = is_apart(s, load(c.preload + k), settings);
+        const WideWish wish{hn::IfThenElseZero(apart, hn::Mul(s, rate)), hn::Set(d, 1.0), hn::Zero(d)};
+        Motion a = motion(bodies, c.a + k), b = motion(bodies, c.b + k);
+        respond(c, k, a, b, wish, pressing, friction);
+        keep(a, bodies, c.a + k), keep(b, bodies, c.b + k);
+      });
 }
 
 void learn(std::span<DiscBlock> blocks, const SolverBody* bodies, const Learning& learning) {
