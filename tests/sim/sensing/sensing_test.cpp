@@ -12,6 +12,7 @@
 #include "sim/sensing/heading.h"
 #include "sim/sensing/sight.h"
 #include "sim/simulation.h"
+#include "tests/less_when_watched.h"
 #include "tests/sim/scene_from.h"
 
 namespace throng {
@@ -241,6 +242,7 @@ TEST(Sensing, IsWhatTheDefinitionSays) {
 TEST(Sensing, FindsNobodyBehindBodiesAsTheDefinitionSays) {
   const unsigned seed = std::random_device{}();
   SCOPED_TRACE("seed " + std::to_string(seed));
+  const std::string balls = std::to_string(50 + less_when_watched(100));
   for (const bool periodic : {false, true}) {
     const Scene scene = scene_from(
         "seed = " + std::to_string(seed % 1000) + "\n" +
@@ -254,7 +256,8 @@ TEST(Sensing, FindsNobodyBehindBodiesAsTheDefinitionSays) {
         "place = { random = { within = [[-2, 4], [6, 12]] } }\n"
         "[[bodies]]\nshape = \"robot\"\ncount = 10\nangle = { uniform = [-3, 3] }\n"
         "place = { random = { within = [[-2, 4], [6, 12]] } }\n"
-        "[[bodies]]\nshape = \"ball\"\ncount = 150\nplace = { random = { within = [[-4, 4], [6, 12]] } }\n" +
+        "[[bodies]]\nshape = \"ball\"\ncount = " +
+        balls + "\nplace = { random = { within = [[-4, 4], [6, 12]] } }\n" +
         sensor("radius = 3\nsight = \"bodies\""));
     const State state = initial_state(scene);
     const Vec size = periodic ? Vec(10, 10) : Vec(0, 0);
