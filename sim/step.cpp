@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The step is the story. Of bodies: wake, find pairs, then fly from collision to collision, or find contacts
-// and solve in substeps, or be pushed by soft contacts in substeps; store, fall asleep. Of agents: look,
-// steer, walk (kinematic bodies among them, which push them), leave, appear. Of both: sense.
+// (and, as a run begins, what they bear) and solve in substeps, or be pushed by soft contacts in substeps;
+// store, fall asleep. Of agents: look, steer, walk (kinematic bodies among them, which push them), leave,
+// appear. Of both: sense.
 #include "sim/step.h"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ namespace {
 constexpr double kContactHertz = 0.18;  // of the substep's rate: stiffer, tall pyramids tremble
 constexpr double kContactDamping = 20.0;
 constexpr double kLearning = 1.0 / 300.0;  // a substep: learnt faster, tall pyramids swing
-constexpr double kAjar = 2.0;              // of what gravity gives in a substep
+constexpr double kAjar = 2.0;              // of the way that gravity gives in a substep, g h²
 constexpr double kPushOut = 2.0;           // radii a second: the fastest that overlap is undone
 constexpr int kElasticSweeps = 64;  // of bounces in a substep: what still meets then ends without bounce,
 constexpr int kBounceSweeps = 8;    // where each takes energy sooner, as dense clusters do anyway
@@ -137,7 +138,7 @@ void find_first_loads(const Scene& scene, const Plan& plan, Workspace& work) {
   find_first_loads(work.contacts, work.finder.parts(), work.bodies, work.solver, kick, period, work.workers);
 }
 
-/// `backward`: pushes apart from the last contact on, and relaxes from the first.
+/// `backward`: pushes apart from each part's last contact on, and relaxes from its first; else the other way.
 void substep(const Scene& scene, const Plan& plan, Workspace& work, bool backward) {
   const Vec kick = work.solver.h * scene.gravity;
   const Vec size = scene.domain.max - scene.domain.min, *period = plan.periodic ? &size : nullptr;

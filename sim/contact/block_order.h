@@ -13,6 +13,13 @@ struct BlockImpulses {
   double normal, tangent, preload;
 };
 
+/// A contact in its lane, to be looked at and changed.
+struct BlockContact {
+  std::uint32_t a, b;  ///< rows of the bodies
+  double* normal_mass;
+  double *normal_impulse, *tangent_impulse, *preload;
+};
+
 /// Puts contacts, in their order, into blocks of `kWidth` lanes. No body that a contact can move stands twice
 /// in a block, and each contact comes in a later block than every earlier one that shares such a body: to
 /// solve block after block, all lanes at once, gives the bits of solving contact after contact. So the

@@ -99,6 +99,17 @@ void DiscBlocks::set_impulses(std::size_t i, double normal, double tangent, doub
   block.preload[lane_[i].lane % kWidth] = preload;
 }
 
+BlockContact DiscBlocks::contact(std::size_t i) {
+  DiscBlock& block = this->block(lane_[i]);
+  const std::size_t lane = lane_[i].lane % kWidth;
+  return {block.a[lane],
+          block.b[lane],
+          &block.normal_mass[lane],
+          &block.normal_impulse[lane],
+          &block.tangent_impulse[lane],
+          &block.preload[lane]};
+}
+
 DiscContact DiscBlocks::operator[](std::size_t i) const {
   const DiscBlock& block = this->block(lane_[i]);
   const std::size_t lane = lane_[i].lane % kWidth;

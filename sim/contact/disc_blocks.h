@@ -53,6 +53,8 @@ class DiscBlocks {
   /// Of the i-th contact, N s.
   void set_impulses(std::size_t i, double normal, double tangent, double preload);
 
+  BlockContact contact(std::size_t i);  ///< the i-th
+
   std::size_t seats() const { return key_.size(); }
   std::size_t size() const { return lane_.size(); }
   double normal_impulse(std::size_t i) const { return impulses(i).normal; }  ///< N s, of the i-th contact

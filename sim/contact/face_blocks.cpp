@@ -78,6 +78,18 @@ void FaceBlocks::finish() {
     }
 }
 
+BlockContact FaceBlocks::contact(std::size_t i) {
+  FaceBlock& block = groups_[seat_[i].group].blocks[seat_[i].lane / kWidth];
+  FaceBlock::Point& point = block.points[seat_[i].point];
+  const std::size_t lane = seat_[i].lane % kWidth;
+  return {block.a[lane],
+          block.b[lane],
+          &point.normal_mass[lane],
+          &point.normal_impulse[lane],
+          &point.tangent_impulse[lane],
+          &point.preload[lane]};
+}
+
 PointContact FaceBlocks::operator[](std::size_t i) const {
   const FaceBlock& block = this->block(i);
   const FaceBlock::Point& p = point(i);

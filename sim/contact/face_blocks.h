@@ -50,6 +50,8 @@ class FaceBlocks {
   /// The points of a face that was seated, from the i-th on. Different faces may be filled at the same time.
   void fill(std::size_t i, std::span<const PointContact> face);
 
+  BlockContact contact(std::size_t i);  ///< the i-th point
+
   std::size_t size() const { return seat_.size(); }                          ///< points
   double normal_impulse(std::size_t i) const { return impulses(i).normal; }  ///< N s, of the i-th point
 

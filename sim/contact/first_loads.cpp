@@ -11,6 +11,30 @@ namespace throng {
 namespace {
 
 constexpr double kSettled = 1e-6;  // of all impulses, that a round of sweeps changes
+constexpr int kMostRounds = 2000;
+constexpr double kNothing = 1e-9;  // own weights: what bears less bears nothing
+
+/// A contact and what is known of it from the last rounds, N s.
+struct Load {
+  BlockContact contact;
+  double mass;                                     // kg, that its normal feels
+  double normal = 0.0, tangent = 0.0;              // as found
+  double normal_begun = 0.0, tangent_begun = 0.0;  // what the round began with
+};
+
+/// In their order, so that sums over them have one order, too.
+std::vector<Load> list(Contacts& contacts) {
+  std::vector<Load> loads;
+  loads.reserve(contacts.discs.size() + contacts.faces.size());
+  const auto add = [&](const BlockContact& contact) { loads.push_back({contact, *contact.normal_mass}); };
+  for (std::size_t i = 0; i < contacts.discs.size(); ++i) add(contacts.discs.contact(i));
+  for (std::size_t i = 0; i < contacts.faces.size(); ++i) add(contacts.faces.contact(i));
+  return loads;
+}
+
+bool moves(const SolverBody& body) {
+  return body.velocity != Vec(0.0, 0.0) || body.spin != 0.0;
+}
 
 /// Nobody gives way, and who overlaps isn't driven apart.
 SolverSettings rigid(SolverSettings settings) {
@@ -25,67 +49,9 @@ void for_each_group(const Parts& parts, Workers& workers, F f) {
   if (parts.count() > 1) f(parts.count());
 }
 
-/// Calls f(block or point) for all contacts, eight at a time.
-template <class F>
-void for_each_eight(Contacts& contacts, std::size_t groups, F f) {
-  for (std::size_t group = 0; group < groups; ++group) {
-    for (DiscBlock& block : contacts.discs.blocks(group)) f(block);
-    for (FaceBlock& block : contacts.faces.blocks(group))
-      for (FaceBlock::Point& point : std::span(block.points, block.count)) f(point);
-  }
-}
-
-/// Sends impulses on the way that they have come (Nesterov 1983), until the way turns back (O'Donoghue and
-/// Candes 2015).
-class Momentum {
- public:
-  Momentum(Contacts& contacts, std::size_t groups) : contacts_(contacts), groups_(groups) {
-    std::size_t size = 0;
-    for_each([&](double&, std::size_t, bool) { ++size; });
-    found_.resize(size), begun_.resize(size);
-  }
-
-  /// What a round has found becomes what the next one begins with. Returns the share of all that it changed.
-  double extrapolate() {
-    double sum = 0.0, change = 0.0, back = 0.0;
-    for_each([&](double& impulse, std::size_t i, bool) {
-      sum += std::abs(impulse), change += std::abs(impulse - begun_[i]);
-      back += (begun_[i] - impulse) * (impulse - found_[i]);
-    });
-    age_ = back > 0.0 ? 0.0 : age_ + 1.0;
-    const double share = age_ / (age_ + 3.0);
-    for_each([&](double& impulse, std::size_t i, bool normal) {
-      begun_[i] = impulse + share * (impulse - found_[i]);
-      if (normal) begun_[i] = std::max(begun_[i], 0.0);
-      found_[i] = impulse, impulse = begun_[i];
-    });
-    return sum > 0.0 ? change / sum : 0.0;
-  }
-
-  /// Back to what the last round found.
-  void stop() {
-    for_each([&](double& impulse, std::size_t i, bool) { impulse = found_[i]; });
-  }
-
- private:
-  template <class F>
-  void for_each(F f) {  // f(impulse, which, whether it is a normal one)
-    std::size_t i = 0;
-    for_each_eight(contacts_, groups_, [&](auto& eight) {
-      for (double& impulse : eight.normal_impulse) f(impulse, i++, true);
-      for (double& impulse : eight.tangent_impulse) f(impulse, i++, false);
-    });
-  }
-
-  Contacts& contacts_;
-  std::size_t groups_;
-  double age_ = -1.0;  // rounds since the way turned back
-  std::vector<double> found_, begun_;
-};
-
 /// A sweep over all contacts and one back, from the impulses that they have.
-void sweep(Contacts& contacts, const Parts& parts, std::span<SolverBody> bodies, SolverSettings settings,
-           const Vec& kick, const Vec* period, Workers& workers) {
+void sweep_both_ways(Contacts& contacts, const Parts& parts, std::span<SolverBody> bodies,
+                     SolverSettings settings, const Vec& kick, const Vec* period, Workers& workers) {
   for (SolverBody& body : bodies) {
     body.velocity = body.inverse_mass > 0.0 ? kick : Vec(0.0, 0.0);
     body.spin = 0.0;
@@ -106,15 +72,49 @@ void sweep(Contacts& contacts, const Parts& parts, std::span<SolverBody> bodies,
   });
 }
 
-/// `weight`: what bears more of a kilogram that it feels (m/s) begins without, as it swings too slowly.
-void take_as_preloads(Contacts& contacts, std::size_t groups, double weight) {
-  for_each_eight(contacts, groups, [weight](auto& eight) {
-    for (std::size_t lane = 0; lane < BlockOrder::kWidth; ++lane) {
-      double& load = eight.normal_impulse[lane];
-      if (!(load < weight * eight.normal_mass[lane])) load = eight.tangent_impulse[lane] = 0.0;
-      eight.preload[lane] = load;
+/// Sends impulses on the way that they have come (Nesterov 1983), until the way turns back (O'Donoghue and
+/// Candes 2015).
+class Momentum {
+ public:
+  /// `least`: N s, below which all of them together are nothing.
+  explicit Momentum(double least) : least_(least) {}
+
+  /// What a round has found becomes what the next one begins with. False where it has hardly changed
+  /// anything.
+  bool extrapolate(std::span<Load> loads) {
+    double sum = least_, change = 0.0, back = 0.0;
+    for (const Load& load : loads) {
+      const double normal = *load.contact.normal_impulse, tangent = *load.contact.tangent_impulse;
+      sum += normal + std::abs(tangent);
+      change += std::abs(normal - load.normal_begun) + std::abs(tangent - load.tangent_begun);
+      back += (load.normal_begun - normal) * (normal - load.normal) +
+              (load.tangent_begun - tangent) * (tangent - load.tangent);
     }
-  });
+    age_ = back > 0.0 ? 0.0 : age_ + 1.0;
+    for (Load& load : loads) send_on(load, age_ / (age_ + 3.0));
+    return change > kSettled * sum;
+  }
+
+ private:
+  static void send_on(Load& load, double share) {
+    double &normal = *load.contact.normal_impulse, &tangent = *load.contact.tangent_impulse;
+    load.normal_begun = std::max(normal + share * (normal - load.normal), 0.0);
+    load.tangent_begun = load.normal_begun > 0.0 ? tangent + share * (tangent - load.tangent) : 0.0;
+    load.normal = normal, load.tangent = tangent;
+    normal = load.normal_begun, tangent = load.tangent_begun;
+  }
+
+  double least_;
+  double age_ = -1.0;  // rounds since the way turned back
+};
+
+/// `weight`: m/s, what gravity gives in a substep.
+void take_as_preload(Load& load, double weight) {
+  const double own = weight * load.mass;
+  const bool bears = load.normal > kNothing * own && load.normal < Learning::kMost * own;
+  *load.contact.normal_mass = load.mass;
+  *load.contact.preload = *load.contact.normal_impulse = bears ? load.normal : 0.0;
+  *load.contact.tangent_impulse = bears ? load.tangent : 0.0;
 }
 
 }  // namespace
@@ -122,13 +122,20 @@ void take_as_preloads(Contacts& contacts, std::size_t groups, double weight) {
 void find_first_loads(Contacts& contacts, const Parts& parts, std::span<SolverBody> bodies,
                       const SolverSettings& settings, const Vec& kick, const Vec* period, Workers& workers) {
   const std::vector<SolverBody> given(bodies.begin(), bodies.end());
-  Momentum momentum(contacts, parts.groups());
+  const double weight = kick.norm();
+  std::vector<Load> loads = list(contacts);
+  double weights = 0.0;
+  for (Load& load : loads) {
+    weights += weight * load.mass;
+    // Massless, the contact of who moves bears nothing.
+    if (moves(given[load.contact.a]) || moves(given[load.contact.b])) *load.contact.normal_mass = 0.0;
+  }
+  Momentum momentum(kNothing * weights);
   int round = 0;
   do {
-    sweep(contacts, parts, bodies, rigid(settings), kick, period, workers);
-  } while (momentum.extrapolate() > kSettled && ++round < kMostLoadRounds);
-  momentum.stop();
-  take_as_preloads(contacts, parts.groups(), Learning::kMost * settings.learning.weight);
+    sweep_both_ways(contacts, parts, bodies, rigid(settings), kick, period, workers);
+  } while (momentum.extrapolate(loads) && ++round < kMostRounds);
+  for (Load& load : loads) take_as_preload(load, weight);
   std::ranges::copy(given, bodies.begin());
 }
 

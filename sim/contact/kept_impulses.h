@@ -28,7 +28,7 @@ class KeptImpulses {
 
   /// What the i-th point of that manifold was; null where it didn't press. By its feature, whichever face
   /// described it; where two points were and are, none is forgotten for a new name, as corners that meet take
-  /// turns in naming the pair: the two are the same as before in their order along the face.
+  /// turns in naming the pair: the two are the same as before in their order along the face, or taken to be.
   const ContactImpulse* find(std::uint64_t key, std::span<const std::uint32_t> features, std::size_t i) {
     if (!find(key)) return nullptr;
     const std::span<const ContactImpulse> kept = kept_.subspan(next_, count_at(next_));

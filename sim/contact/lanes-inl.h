@@ -169,9 +169,8 @@ struct WideWish {
 };
 
 /// As is_apart() in solve.cpp.
-HWY_INLINE Mask is_apart(Reals separation, Reals preload, const SolverSettings& settings) {
-  const D d;
-  return hn::Gt(separation, hn::IfThenElseZero(hn::Gt(preload, hn::Zero(d)), hn::Set(d, settings.ajar)));
+HWY_INLINE Mask is_apart(Reals separation, Reals preload, Reals ajar) {
+  return hn::Gt(separation, hn::IfThenElseZero(hn::Gt(preload, hn::Zero(D())), ajar));
 }
 
 /// What push_apart asks at that separation, as wish_at() in solve.cpp.
@@ -183,9 +182,11 @@ class Pusher {
         least_(hn::Set(D(), -settings.push_out)),
         deep_(hn::Set(D(), settings.push_out / settings.softness.bias_rate)),
         mass_scale_(hn::Set(D(), settings.softness.mass_scale)),
-        impulse_scale_(hn::Set(D(), settings.softness.impulse_scale)) {}
+        impulse_scale_(hn::Set(D(), settings.softness.impulse_scale)),
+        ajar_(hn::Set(D(), settings.ajar)) {}
 
-  HWY_INLINE WideWish wish(Reals separation, Mask apart) const {
+  HWY_INLINE WideWish wish(Reals separation, Reals preload) const {
+    const Mask apart = is_apart(separation, preload, ajar_);
     const Reals limited = hn::Div(deep_, hn::Max(hn::Neg(separation), deep_));
     return {
         hn::IfThenElse(apart, hn::Mul(separation, rate_), hn::Max(hn::Mul(separation, bias_rate_), least_)),
@@ -194,7 +195,7 @@ class Pusher {
   }
 
  private:
-  Reals rate_, bias_rate_, least_, deep_, mass_scale_, impulse_scale_;
+  Reals rate_, bias_rate_, least_, deep_, mass_scale_, impulse_scale_, ajar_;
 };
 
 /// The change of the normal impulse that grants the wish; impulses only push. Of the preload nothing is let

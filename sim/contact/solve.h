@@ -5,7 +5,8 @@
 
 #include "sim/contact/contact.h"
 
-/// Sequential impulses (Catto 2005) over all contacts, in their order: one sweep of Gauss and Seidel a call.
+/// Sequential impulses (Catto 2005) over all contacts, in their order or against it: one sweep of Gauss and
+/// Seidel a call.
 /// But for bounces, steps run the same in blocks (disc_blocks.h, face_blocks.h), and this is the definition.
 namespace throng {
 

@@ -96,15 +96,14 @@ void push_apart(std::span<DiscBlock> blocks, SolverBody* bodies, const SolverSet
       blocks, bodies, settings.backward,
       [=, friction = settings.friction](DiscBlock& c, std::size_t k) HWY_ATTR {
         Motion a = motion(bodies, c.a + k), b = motion(bodies, c.b + k);
-        const Reals s = load(c.separation + k);
-        if (!respond(c, k, a, b, pusher.wish(s, is_apart(s, load(c.preload + k), settings)), all, friction))
+        if (!respond(c, k, a, b, pusher.wish(load(c.separation + k), load(c.preload + k)), all, friction))
           return;
         keep(a, bodies, c.a + k), keep(b, bodies, c.b + k);
       });
 }
 
 void relax(std::span<DiscBlock> blocks, SolverBody* bodies, const SolverSettings& settings, bool periodic) {
-  const Reals rate = hn::Set(D(), 1.0 / settings.h);
+  const Reals rate = hn::Set(D(), 1.0 / settings.h), ajar = hn::Set(D(), settings.ajar);
   for_each_part(
       blocks, bodies, settings.backward,
       [=, friction = settings.friction](DiscBlock& c, std::size_t k) HWY_ATTR {
@@ -114,7 +113,7 @@ void relax(std::span<DiscBlock> blocks, SolverBody* bodies, const SolverSettings
         const Place at_a = place(bodies, c.a + k), at_b = place(bodies, c.b + k);
         const Reals s = separation(c, k, load(c.normal_x + k), load(c.normal_y + k), hn::Sub(at_b.x, at_a.x),
                                    hn::Sub(at_b.y, at_a.y), periodic);
-        const Mask apart = is_apart(s, load(c.preload + k), settings);
+        const Mask apart = is_apart(s, load(c.preload + k), ajar);
         const WideWish wish{hn::IfThenElseZero(apart, hn::Mul(s, rate)), hn::Set(d, 1.0), hn::Zero(d)};
         Motion a = motion(bodies, c.a + k), b = motion(bodies, c.b + k);
         respond(c, k, a, b, wish, pressing, friction);

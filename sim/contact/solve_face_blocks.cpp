@@ -118,16 +118,15 @@ void push_apart(std::span<FaceBlock> blocks, SolverBody* bodies, const SolverSet
     bool changed = false;
     for (std::size_t i = 0; i < c.count; ++i) {
       FaceBlock::Point& point = c.points[backward ? c.count - 1 - i : i];
-      const Reals s = load(point.separation + k);
-      changed |= respond(point, k, bound, load(c.friction + k),
-                         pusher.wish(s, is_apart(s, load(point.preload + k), settings)), all, friction);
+      const WideWish wish = pusher.wish(load(point.separation + k), load(point.preload + k));
+      changed |= respond(point, k, bound, load(c.friction + k), wish, all, friction);
     }
     if (changed) keep(bound, c, k, bodies);
   });
 }
 
 void relax(std::span<FaceBlock> blocks, SolverBody* bodies, const SolverSettings& settings) {
-  const Reals rate = hn::Set(D(), 1.0 / settings.h);
+  const Reals rate = hn::Set(D(), 1.0 / settings.h), ajar = hn::Set(D(), settings.ajar);
   const bool friction = settings.friction, backward = settings.backward;
   for_each_part(blocks, bodies, settings.backward, [=](FaceBlock& c, std::size_t k) HWY_ATTR {
     const D d;
@@ -139,7 +138,7 @@ void relax(std::span<FaceBlock> blocks, SolverBody* bodies, const SolverSettings
       FaceBlock::Point& point = c.points[backward ? c.count - 1 - i : i];
       const Mask pressing = hn::Ne(load(point.normal_impulse + k), hn::Zero(d));
       const Reals separation = hn::Add(load(point.offset + k), way);
-      const Mask apart = is_apart(separation, load(point.preload + k), settings);
+      const Mask apart = is_apart(separation, load(point.preload + k), ajar);
       const WideWish wish{hn::IfThenElseZero(apart, hn::Mul(separation, rate)), hn::Set(d, 1.0), hn::Zero(d)};
       changed |= respond(point, k, bound, load(c.friction + k), wish, pressing, friction);
     }

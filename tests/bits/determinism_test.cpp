@@ -43,7 +43,7 @@ void PrintTo(const Golden& golden, std::ostream* out) {
 
 constexpr Golden kGallery[] = {
     {"gas", 400, 0xb7deb10a72f11b9f},          {"pile", 60, 0x96fc79c38ecf51d0},
-    {"polygons", 40, 0xd2cc7296e08d769d},      {"pyramid", 10, 0x9ecb656a5a7a6e8},
+    {"polygons", 40, 0xd2cc7296e08d769d},      {"pyramid", 10, 0x739253ae8676d15a},
     {"hopper", 100, 0xa0c4d7b96eaceaaf},       {"gears", 100, 0x3f3906fb1576b091},
     {"billiard", 1500, 0x8dd8bcba2d1db68a},    {"cradle", 2000, 0x7db3d1ee537b00be},
     {"mixed", 200, 0x998445772914b813},        {"corridor", 1200, 0x467109d56963dd86},

@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cmath>
+#include <vector>
 
 #include "narrowphase/convex.h"
-#include "tests/sim/trial.h"
+#include "narrowphase/manifold.h"
 
 namespace throng {
 namespace {
@@ -42,7 +42,9 @@ TEST(KeptImpulses, AreThoseOfTheSameFeatures) {
   EXPECT_EQ(found(kept(names), names), (Both{1.0, 2.0}));
   EXPECT_EQ(found(kept(names), Features{names[1], names[0]}), (Both{2.0, 1.0}));  // as walls list them
   EXPECT_EQ(found({}, names), (Both{0.0, 0.0}));
-  KeptImpulses memory(kept(names));
+  const std::vector<ContactImpulse> all = kept(names);
+  KeptImpulses memory(all);
+  EXPECT_NE(memory.find(3, names, 0), nullptr);
   EXPECT_EQ(memory.find(4, names, 0), nullptr);
 }
 
