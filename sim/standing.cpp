@@ -11,7 +11,7 @@ namespace throng {
 
 namespace {
 
-constexpr double kTouching = 1e-3;  // radii
+constexpr double kTouching = 1e-9;  // radii
 constexpr double kSquare = 1e-9;    // sine of the angle up to which walls are parallel
 
 template <class F>
@@ -78,7 +78,8 @@ bool stands(const Scene& scene) {
   for (double& radius : grown.bodies.radius) radius += gap;
   for (Shape& shape : grown.shapes)
     for (narrowphase::Convex& part : shape.parts) part.radius += gap;
-  return overlap(grown, initial_state(scene)).pairs >= dynamic;
+  const Overlap found = overlap(grown, initial_state(scene));
+  return found.pairs >= dynamic && found.max <= 4.0 * gap;
 }
 
 std::string doubt_of_one(const Scene& scene, bool bounces) {

@@ -21,8 +21,7 @@ struct SolverSettings {
   double ajar;
   double fast;  ///< m/s, from which on a sweep leaves too much speed to a face that meets with two corners
   /// A sweep begins with the last contact. In turn from either end, as in symmetric successive
-  /// over-relaxation: else all that stands straight is turned to one side, and loads take as many sweeps
-  /// again to settle.
+  /// over-relaxation: else all that stands straight is turned to one side.
   bool backward = false;
 };
 

@@ -78,6 +78,19 @@ TEST(AutoTime, LetsAColumnStandWhereItStands) {
   }
 }
 
+/// Those who stand a hair apart fall on each other, and those who overlap are driven apart: nothing is
+/// promised of where they get.
+TEST(AutoTime, PromisesNoPlacesWhereBodiesDontTouch) {
+  for (const auto& [spacing, stands] : {std::pair{"1", true}, {"1.00001", false}, {"0.99999", false}}) {
+    const Scene scene = scene_from(
+        wanted(0.01, 2) + kFalls +
+        "shapes.box.polygon = [[0, 0], [1, 0], [1, 1], [0, 1]]\n[[walls]]\nsegment = [[-9, 0], [9, 0]]\n"
+        "[[bodies]]\nshape = \"box\"\nplace.lattice = { origin = [0, 0.5], spacing = [1, " +
+        std::string(spacing) + "], size = [1, 10] }\n");
+    EXPECT_EQ(auto_time(scene).promise.find("stand") != std::string::npos, stands) << spacing;
+  }
+}
+
 /// However large an error is allowed, it doesn't fall.
 TEST(AutoTime, LetsATallColumnStand) {
   Trial run(
