@@ -62,7 +62,7 @@ class RefusedMemory : public DurableRun, public ::testing::WithParamInterface<Re
 /// Once the recording is whole the summary takes memory, in nlohmann's destructors too, which end a process
 /// that finds none.
 TEST_P(RefusedMemory, H6OfTheProgramsOwnEndsInASentenceAndLeavesNothingHalfMade) {
-  const int failed = refuse_pieces("throng", 13, [](const Result& result, bool is_whole) {
+  const int failed = refuse_pieces("throng", 29, [](const Result& result, bool is_whole) {
     if (is_whole) return;
     EXPECT_EQ(result.exit_code, 1);
     EXPECT_THAT(result.err, ::testing::StartsWith("throng: "));

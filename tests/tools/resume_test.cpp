@@ -150,7 +150,7 @@ TEST_F(Resume, ASignalIsHeardWithinAStepThatIsComputedAgain) {
   using Clock = std::chrono::steady_clock;
   const std::string scene = write("a.toml", R"(throng = 1
 engine = "event_driven"
-time = { dt = 3e4, until = 3e4 }
+time = { dt = 8e3, until = 8e3 }
 domain = { box = [[0, 0], [4, 4]] }
 materials.default = { restitution = 1, friction = 0 }
 shapes.ball.disc.radius = 0.5
@@ -159,7 +159,7 @@ bodies = [{ shape = "ball", at = [2, 2], velocity = [1000, 700] }]
   const Clock::time_point start = Clock::now();
   ASSERT_EQ(throng("run --progress none --checkpoint 1000 -o " + path("a.h5") + " " + scene).exit_code, 0);
   const std::chrono::duration<double> step = Clock::now() - start;
-  const Result stopped = throng("resume --progress none --until 6e4 " + path("a.h5"),
+  const Result stopped = throng("resume --progress none --until 1.6e4 " + path("a.h5"),
                                 "timeout --preserve-status -s INT " + std::to_string(step.count() / 4) + " ");
   EXPECT_EQ(stopped.exit_code, 130);
   EXPECT_THAT(stopped.err, HasSubstr("computing again, and checking, up to the checkpoint at step 1"));
