@@ -10,7 +10,6 @@
 namespace throng::broadphase {
 
 namespace {
-constexpr std::size_t kPart = 2048;     // points: enough work for a thread
 constexpr std::size_t kTogether = 256;  // lists that are copied at once: small enough to be still at hand
 constexpr double kLargest = 1e140;      // m: cells of this size can be told apart from those beside them
 
@@ -89,6 +88,7 @@ bool AllLists::Scratch::alike_in_cells(std::span<const double> own, double large
 
 /// Counts first, so that nothing but some hundred lists is held twice.
 void AllLists::Scratch::find(const ListQuestion& question, NeighbourLists& lists) {
+  constexpr std::size_t kPart = 2048;  // points: enough work for a thread
   const std::size_t n = cells.size(), parts = team.threads() == 1 ? 1 : (n + kPart - 1) / kPart;
   if (found.size() < parts) found.resize(parts);
   count.resize(n);

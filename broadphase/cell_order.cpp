@@ -7,11 +7,11 @@
 namespace throng::broadphase {
 
 namespace {
-constexpr std::size_t kPart = 16384;   // points: enough work for a thread
 constexpr double kMostMeetings = 4.0;  // a point, within the larger cells: a cloud spread evenly has 2
 }  // namespace
 
 bool CellOrder::rebuild(std::span<const Point> points, double radius, const Period* period, Team& team) {
+  constexpr std::size_t kPart = 16384;  // points: enough work for a thread
   row_.resize(points.size() + kPadding);
   x_.resize(points.size() + kPadding);
   y_.resize(points.size() + kPadding);

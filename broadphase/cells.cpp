@@ -9,14 +9,14 @@ namespace throng::broadphase {
 
 namespace {
 
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kSmallestCell = 1e-300;  // m; its inverse is still finite
 
 /// The width of a cell along an axis. A cell number, an offset from the origin times a factor, is off by at
 /// most 1.5 epsilon times the number of cells, for either of two points; their computed distance by less than
 /// 4 epsilon of itself. 8 epsilon of the whole extent is more than all of that.
 double cell_width(double least, double extent) {
-  return std::max(least + 8.0 * kEpsilon * (extent + 4.0 * least), kSmallestCell);
+  return std::max(least + 8.0 * std::numeric_limits<double>::epsilon() * (extent + 4.0 * least),
+                  kSmallestCell);
 }
 
 }  // namespace

@@ -10,7 +10,6 @@
 namespace throng::broadphase {
 
 namespace {
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr std::size_t kLeastPart = 16384;  // items: enough work for a thread
 constexpr double kSparse = 1e6;            // cells a point: beyond, some points are far from the others
 }  // namespace
@@ -103,7 +102,8 @@ void FixedGrid::choose_units(const Point& extent, const Period* period) {
   per_metre_ = kUnits / cell;
   wrap_x_ = period ? low_16_bits(period->size.x() * per_metre_) : 0;
   wrap_y_ = period ? low_16_bits(period->size.y() * per_metre_) << 16 : 0;
-  const double rounding = 5.0 * kEpsilon * per_metre_ * (extent.maxCoeff() + 2.0 * cell);
+  const double rounding =
+      5.0 * std::numeric_limits<double>::epsilon() * per_metre_ * (extent.maxCoeff() + 2.0 * cell);
   const bool narrow = period && std::min(cells_.columns(), cells_.rows()) < 5;
   error_ = kDiagonal * ((period ? 1.5 : 1.0) + rounding);
   const double error_of_sizes = 1.0 + rounding;  // two, each off by half a unit

@@ -4,7 +4,8 @@
 #include "narrowphase/bvh_edges.h"
 #include "narrowphase/bvh_outline.h"
 
-/// What lies inside an outline: a point, the deepest vertex of another. For the sources of outlines alone.
+/// What lies inside an outline: a point, another one, the deepest vertex of another. For the sources of
+/// outlines alone.
 namespace throng::narrowphase {
 
 /// Whether a point lies in a solid that stands at `pose`: the even-odd rule over the edges that a ray passes.
@@ -32,6 +33,22 @@ bool holds(const Outline<Volume>& shape, const Pose& pose, const Frame<2>& frame
 template <class Volume>
 Frame<2> at_rest(const Outline<Volume>& shape) {
   return frame(Pose{}, shape.tree.reach);
+}
+
+/// Two outlines in the frame of the first.
+template <class Volume>
+struct PlacedOutlines {
+  const Outline<Volume>& a;
+  const Outline<Volume>& b;
+  const Pose b_in_a;
+  const Frame<2> frame;
+};
+
+/// Of two solids whose outlines don't meet.
+template <class Volume>
+bool one_holds_the_other(const PlacedOutlines<Volume>& p) {
+  if (apart(p.a.tree.root(), p.b.tree.root(), p.frame)) return false;
+  return holds(p.a, Pose{}, at_rest(p.a), p.b_in_a * p.b.start) || holds(p.b, p.b_in_a, p.frame, p.a.start);
 }
 
 /// A vertex in the other solid, its nearest place on that one's outline, as places of edges.

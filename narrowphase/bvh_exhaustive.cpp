@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "narrowphase/bvh_exhaustive.h"
 
+#include <limits>
+
 #include "narrowphase/bvh_edges.h"
 
 namespace throng::narrowphase {
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 std::vector<OutlineEdge> placed(std::span<const OutlineEdge> shape, const Pose& pose) {
   std::vector<OutlineEdge> result;
@@ -17,14 +17,14 @@ std::vector<OutlineEdge> placed(std::span<const OutlineEdge> shape, const Pose& 
 }
 
 /// The deepest vertex of `shape` in `solid`: depth -1 where there is none.
-struct Deepest {
+struct DeepestVertex {
   double depth = -1.0;
   Vec at{0.0, 0.0}, on_outline{0.0, 0.0};
   std::uint32_t vertex = 0, edge = 0;
 };
 
-Deepest deepest_vertex(std::span<const OutlineEdge> solid, std::span<const OutlineEdge> shape) {
-  Deepest best;
+DeepestVertex deepest_vertex(std::span<const OutlineEdge> solid, std::span<const OutlineEdge> shape) {
+  DeepestVertex best;
   for (const OutlineEdge& e : shape) {
     if (!exhaustive_contains(solid, e.p)) continue;
     const OutlinePoint n = exhaustive_nearest(solid, e.p);
@@ -38,6 +38,7 @@ Deepest deepest_vertex(std::span<const OutlineEdge> solid, std::span<const Outli
 OutlineProximity exhaustive_proximity(std::span<const OutlineEdge> a, const Pose& pose_a,
                                       std::span<const OutlineEdge> b, const Pose& pose_b) {
   const std::vector<OutlineEdge> in_a = placed(b, relative(pose_a, pose_b));
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   double squared = kInfinity;
   OutlineProximity result{};
   for (const OutlineEdge& e : a)
@@ -46,7 +47,7 @@ OutlineProximity exhaustive_proximity(std::span<const OutlineEdge> a, const Pose
         squared = s.squared;
         result = {std::sqrt(squared), std::sqrt(squared), s.on_a, s.on_b, e.index, f.index};
       }
-  const Deepest of_b = deepest_vertex(a, in_a), of_a = deepest_vertex(in_a, a);
+  const DeepestVertex of_b = deepest_vertex(a, in_a), of_a = deepest_vertex(in_a, a);
   if (squared == 0.0) result.lower = -kInfinity;
   if (of_b.depth > 0.0 && of_b.depth >= of_a.depth)
     result = {-kInfinity, -of_b.depth, of_b.on_outline, of_b.at, of_b.edge, of_b.vertex};
@@ -70,7 +71,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> exhaustive_meetings(std::sp
 }
 
 OutlinePoint exhaustive_nearest(std::span<const OutlineEdge> shape, const Vec& point) {
-  double squared = kInfinity;
+  double squared = std::numeric_limits<double>::infinity();
   OutlinePoint best{};
   for (const OutlineEdge& e : shape)
     if (const EdgePoint n = nearest_on_edge(point, e.p, e.q); n.squared < squared) {

@@ -16,6 +16,10 @@ using Points = std::vector<Point<kDim>>;
 /// counter-clockwise (Andrew 1979), exact; in space all of them. O(n log n).
 template <int kDim>
 void reduce_to_hull(Points<kDim>& points);
+template <>
+void reduce_to_hull<2>(Points<2>& points);
+template <>
+void reduce_to_hull<3>(Points<3>& points);
 
 /// A ball at most a few per cent larger than the least: some steps towards the farthest point (Badoiu and
 /// Clarkson 2003). O(n).
@@ -30,6 +34,10 @@ void enclose(const Points<kDim>& points, Box<kDim>& volume);
 /// `enclose_by_svd`. O(n).
 template <int kDim>
 void enclose(const Points<kDim>& points, OrientedBox<kDim>& volume);
+template <>
+void enclose<2>(const Points<2>& hull, OrientedBox<2>& volume);
+template <>
+void enclose<3>(const Points<3>& points, OrientedBox<3>& volume);
 
 /// The box along the points' principal axes. O(n).
 template <int kDim>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "narrowphase/bvh_outline.h"
 
+#include <limits>
 #include <tuple>
 
 #include "narrowphase/bvh_containment-inl.h"
@@ -10,20 +11,9 @@ namespace throng::narrowphase {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// Two outlines in the frame of the first.
 template <class Volume>
-struct Placed {
-  const Outline<Volume>& a;
-  const Outline<Volume>& b;
-  const Pose b_in_a;
-  const Frame<2> frame;
-};
-
-template <class Volume>
-Placed<Volume> placed(const Outline<Volume>& a, const Pose& pose_a, const Outline<Volume>& b,
-                      const Pose& pose_b) {
+PlacedOutlines<Volume> placed(const Outline<Volume>& a, const Pose& pose_a, const Outline<Volume>& b,
+                              const Pose& pose_b) {
   const Pose b_in_a = relative(pose_a, pose_b);
   return {a, b, b_in_a, frame(b_in_a, a.tree.reach + b.tree.reach)};
 }
@@ -42,8 +32,8 @@ bool precedes(const Outline<Volume>& a, const Pose& pose_a, const Outline<Volume
 }
 
 /// The nearest pair of edges so far, as places.
-struct Nearest {
-  double squared = kInfinity;
+struct NearestEdges {
+  double squared = std::numeric_limits<double>::infinity();
   std::uint32_t a = 0, b = 0;
 
   void consider(double s, std::uint32_t i, std::uint32_t j) {
@@ -52,13 +42,13 @@ struct Nearest {
 };
 
 template <class Volume>
-EdgePairPoints compare(const Placed<Volume>& p, std::uint32_t i, std::uint32_t j) {
+EdgePairPoints compare(const PlacedOutlines<Volume>& p, std::uint32_t i, std::uint32_t j) {
   const OutlineEdge &e = p.a.edges[i], &f = p.b.edges[j];
   return nearest_of_edges(e.p, e.q, p.b_in_a * f.p, p.b_in_a * f.q);
 }
 
 template <class Volume>
-bool meet(const Placed<Volume>& p, std::uint32_t i, std::uint32_t j) {
+bool meet(const PlacedOutlines<Volume>& p, std::uint32_t i, std::uint32_t j) {
   const OutlineEdge &e = p.a.edges[i], &f = p.b.edges[j];
   return segments_meet(e.p, e.q, p.b_in_a * f.p, p.b_in_a * f.q);
 }
@@ -69,13 +59,14 @@ OutlineCache swapped(const OutlineCache& cache) {
 
 /// The same place, or where there is none the last one.
 template <class Volume>
-OutlineCache within(const OutlineCache& cache, const Placed<Volume>& p) {
+OutlineCache within(const OutlineCache& cache, const PlacedOutlines<Volume>& p) {
   return {std::min(cache.a, static_cast<std::uint32_t>(p.a.edges.size() - 1)),
           std::min(cache.b, static_cast<std::uint32_t>(p.b.edges.size() - 1))};
 }
 
 template <class Volume, class Counters>
-double find_nearest(const Placed<Volume>& p, double relative_error, Nearest& best, Counters& counters) {
+double find_nearest(const PlacedOutlines<Volume>& p, double relative_error, NearestEdges& best,
+                    Counters& counters) {
   best.consider(compare(p, best.a, best.b).squared, best.a, best.b);
   double upper = std::sqrt(best.squared);
   const auto leaf = [&](const Branch& of_a, const Branch& of_b, double) {
@@ -90,7 +81,7 @@ double find_nearest(const Placed<Volume>& p, double relative_error, Nearest& bes
 }
 
 template <class Volume, class Visit, class Counters>
-bool visit_meetings(const Placed<Volume>& p, Order order, Visit visit, Counters& counters) {
+bool visit_meetings(const PlacedOutlines<Volume>& p, Order order, Visit visit, Counters& counters) {
   const auto leaf = [&](const Branch& of_a, const Branch& of_b) {
     for (std::uint32_t j = of_b.first; j < of_b.first + of_b.count; ++j) {
       const Vec r = p.b_in_a * p.b.edges[j].p, s = p.b_in_a * p.b.edges[j].q;
@@ -103,16 +94,9 @@ bool visit_meetings(const Placed<Volume>& p, Order order, Visit visit, Counters&
                                      : visit_overlaps_best_first(p.a.tree, p.b.tree, p.frame, leaf, counters);
 }
 
-/// Of two solids whose outlines don't meet.
-template <class Volume>
-bool one_holds_the_other(const Placed<Volume>& p) {
-  if (apart(p.a.tree.root(), p.b.tree.root(), p.frame)) return false;
-  return holds(p.a, Pose{}, at_rest(p.a), p.b_in_a * p.b.start) || holds(p.b, p.b_in_a, p.frame, p.a.start);
-}
-
 /// Of two that collide, in a's frame.
 template <class Volume>
-OutlineProximity overlapping(const Placed<Volume>& p, const Nearest& nearest_edges) {
+OutlineProximity overlapping(const PlacedOutlines<Volume>& p, const NearestEdges& nearest_edges) {
   const double parted = std::min(0.0, bound(p.a.tree.root(), p.b.tree.root(), p.frame));
   const Pose a_in_b = inverse(p.b_in_a);
   const Deepest of_b = deepest_vertex(p.a, p.b, p.b_in_a, p.frame.slack);
@@ -139,9 +123,9 @@ OutlineProximity overlapping(const Placed<Volume>& p, const Nearest& nearest_edg
 template <class Volume, class Counters>
 OutlineProximity ordered(const Outline<Volume>& a, const Pose& pose_a, const Outline<Volume>& b,
                          const Pose& pose_b, double relative_error, OutlineCache& cache, Counters& counters) {
-  const Placed<Volume> p = placed(a, pose_a, b, pose_b);
+  const PlacedOutlines<Volume> p = placed(a, pose_a, b, pose_b);
   const OutlineCache last = within(cache, p);
-  Nearest best{kInfinity, last.a, last.b};
+  NearestEdges best{std::numeric_limits<double>::infinity(), last.a, last.b};
   const double lower = find_nearest(p, relative_error, best, counters);
   cache = {best.a, best.b};
   OutlineProximity result;
@@ -204,7 +188,7 @@ template <class Volume>
 bool collide(const Outline<Volume>& a, const Pose& pose_a, const Outline<Volume>& b, const Pose& pose_b,
              const CollisionQuestion& question) {
   const bool swap = precedes(b, pose_b, a, pose_a);
-  const Placed<Volume> p = swap ? placed(b, pose_b, a, pose_a) : placed(a, pose_a, b, pose_b);
+  const PlacedOutlines<Volume> p = swap ? placed(b, pose_b, a, pose_a) : placed(a, pose_a, b, pose_b);
   OutlineCache own;
   OutlineCache& cache = question.cache != nullptr ? *question.cache : own;
   const OutlineCache last = within(swap ? swapped(cache) : cache, p);
@@ -222,7 +206,7 @@ void find_meetings(const Outline<Volume>& a, const Pose& pose_a, const Outline<V
                    std::vector<std::pair<std::uint32_t, std::uint32_t>>& meetings, BvhCounters* counters) {
   meetings.clear();
   const bool swap = precedes(b, pose_b, a, pose_a);
-  const Placed<Volume> p = swap ? placed(b, pose_b, a, pose_a) : placed(a, pose_a, b, pose_b);
+  const PlacedOutlines<Volume> p = swap ? placed(b, pose_b, a, pose_a) : placed(a, pose_a, b, pose_b);
   const auto keep = [&](std::uint32_t i, std::uint32_t j) {
     const std::uint32_t first = p.a.edges[i].index, second = p.b.edges[j].index;
     swap ? meetings.emplace_back(second, first) : meetings.emplace_back(first, second);

@@ -10,7 +10,7 @@ namespace throng::narrowphase {
 namespace {
 
 /// The nearest pair of parts so far.
-struct Nearest {
+struct NearestParts {
   Separation separation;
   std::uint32_t a, b;
 };
@@ -18,7 +18,7 @@ struct Nearest {
 /// Improves on `best`; `ask(i, j)` says how far two parts are. Returns a lower bound of the least distance.
 template <class Ask, class Counters>
 double find_nearest(const PartsBvh& a, const PartsBvh& b, const Pose& b_in_a, double relative_error,
-                    Nearest& best, Ask ask, Counters& counters) {
+                    NearestParts& best, Ask ask, Counters& counters) {
   const auto leaf = [&](const Branch& of_a, const Branch& of_b, double) {
     for (std::uint32_t k = of_a.first; k < of_a.first + of_a.count; ++k)
       for (std::uint32_t l = of_b.first; l < of_b.first + of_b.count; ++l) {
@@ -65,7 +65,7 @@ RoughSeparation rough_separation(const PartsBvh& a, const Pose& pose_a, const Pa
   const auto ask = [&](std::uint32_t i, std::uint32_t j) {
     return separation(a.parts[i], pose_a, b.parts[j], pose_b);
   };
-  Nearest best{ask(0, 0), 0, 0};
+  NearestParts best{ask(0, 0), 0, 0};
   const double lower = counting(counters, [&](auto& c) {
     return find_nearest(a, b, relative(pose_a, pose_b), relative_error, best, ask, c);
   });
@@ -79,7 +79,7 @@ Separation track(const PartsBvh& a, const Pose& pose_a, const PartsBvh& b, const
   };
   const std::uint32_t i = memory.a < a.parts.size() ? memory.a : 0,
                       j = memory.b < b.parts.size() ? memory.b : 0;
-  Nearest best{ask(i, j), i, j};
+  NearestParts best{ask(i, j), i, j};
   counting(counters, [&](auto& c) { find_nearest(a, b, relative(pose_a, pose_b), 0.0, best, ask, c); });
   memory.a = best.a, memory.b = best.b;
   return best.separation;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <numeric>
 
 #include "narrowphase/bvh.h"
@@ -9,13 +10,13 @@ namespace throng::narrowphase {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kBins = 16;
 
 /// A box that grows.
 template <int kDim>
-struct Extent {
-  Point<kDim> low = Point<kDim>::Constant(kInfinity), high = Point<kDim>::Constant(-kInfinity);
+struct GrowingBox {
+  Point<kDim> low = Point<kDim>::Constant(std::numeric_limits<double>::infinity());
+  Point<kDim> high = Point<kDim>::Constant(-std::numeric_limits<double>::infinity());
 
   void add(const Point<kDim>& p, const Point<kDim>& q) { low = low.cwiseMin(p), high = high.cwiseMax(q); }
   Point<kDim> sides() const { return high - low; }
@@ -32,7 +33,7 @@ struct Extent {
 struct Plane {
   int axis = -1;
   double at = 0.0;
-  double cost = kInfinity;
+  double cost = std::numeric_limits<double>::infinity();
 };
 
 template <int kDim>
@@ -73,8 +74,8 @@ class Splitter {
     return things_[thing].low[axis] + things_[thing].high[axis];
   }
 
-  Extent<kDim> centres(const Task& task) const {
-    Extent<kDim> result;
+  GrowingBox<kDim> centres(const Task& task) const {
+    GrowingBox<kDim> result;
     for (std::uint32_t k = task.begin; k < task.end; ++k) {
       const Thing<kDim>& thing = things_[result_.order[k]];
       result.add(thing.low + thing.high, thing.low + thing.high);
@@ -84,7 +85,7 @@ class Splitter {
 
   std::uint32_t part(const Task& task) {
     const auto begin = result_.order.begin() + task.begin, end = result_.order.begin() + task.end;
-    const Extent<kDim> box = centres(task);
+    const GrowingBox<kDim> box = centres(task);
     const Plane plane = task.depth < kDeepestBvh / 2 ? best_plane(task, box) : Plane{};
     if (plane.axis >= 0) {
       const auto middle = std::partition(
@@ -104,13 +105,13 @@ class Splitter {
     return middle;
   }
 
-  static int longest(const Extent<kDim>& box) {
+  static int longest(const GrowingBox<kDim>& box) {
     int axis = 0;
     box.sides().maxCoeff(&axis);
     return axis;
   }
 
-  Plane best_plane(const Task& task, const Extent<kDim>& box) const {
+  Plane best_plane(const Task& task, const GrowingBox<kDim>& box) const {
     const int axis = longest(box);
     if (config_.split == Split::middle) return {axis, box.low[axis] + 0.5 * box.sides()[axis], 0.0};
     Plane best;
@@ -120,9 +121,10 @@ class Splitter {
   }
 
   /// The border of bins with the least sum of measure times number on both sides.
-  Plane cheapest(const Task& task, const Extent<kDim>& box, int axis) const {
+  Plane cheapest(const Task& task, const GrowingBox<kDim>& box, int axis) const {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
     struct Bin {
-      Extent<kDim> extent;
+      GrowingBox<kDim> extent;
       std::uint32_t count = 0;
     };
     const double low = box.low[axis], width = box.sides()[axis] / kBins;

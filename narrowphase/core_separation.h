@@ -15,6 +15,9 @@ struct CoreSeparation {
   Vec point;        ///< m, on the first, nearest to or deepest in the second
 };
 
+/// Of the lengths that a separation is made of, what rounding may do to it: eight unit roundoffs.
+constexpr double kCoreRounding = 8.0 * 0x1p-53;
+
 /// Two points, `offset` from the first to the second. Where they coincide the normal is the x axis.
 CoreSeparation disc_disc(const Vec& centre, const Vec& offset);
 

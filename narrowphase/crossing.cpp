@@ -132,7 +132,7 @@ std::vector<Event> events(const Edges& edges) {
   return result;
 }
 
-Crossing find_crossing(const Edges& edges) {
+Crossing find_meeting(const Edges& edges) {
   if (const Crossing fold = find_fold(edges)) return fold;
   if (const Crossing pinch = find_pinch(edges)) return pinch;
   Sweep sweep(edges);
@@ -154,7 +154,7 @@ bool segments_meet(const Vec& p, const Vec& q, const Vec& r, const Vec& s) {
 Crossing find_crossing(std::span<const Vec> polygon) {
   Edges edges;
   edges.add(polygon);
-  return find_crossing(edges);
+  return find_meeting(edges);
 }
 
 std::optional<std::pair<RingEdge, RingEdge>> find_crossing(std::span<const std::vector<Vec>> rings) {
@@ -164,7 +164,7 @@ std::optional<std::pair<RingEdge, RingEdge>> find_crossing(std::span<const std::
     edges.add(rings[ring]);
     for (std::size_t edge = 0; edge < rings[ring].size(); ++edge) places.push_back({ring, edge});
   }
-  const Crossing found = find_crossing(edges);
+  const Crossing found = find_meeting(edges);
   if (!found) return std::nullopt;
   return std::pair(places[found->first], places[found->second]);
 }

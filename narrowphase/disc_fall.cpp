@@ -2,17 +2,14 @@
 #include "narrowphase/disc_fall.h"
 
 #include <algorithm>
-#include <limits>
 
+#include "narrowphase/disc_flight.h"
 #include "narrowphase/polynomial.h"
 #include "narrowphase/relative.h"
 
 namespace throng::narrowphase {
 
 namespace {
-
-constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kRounding = 1e-9;  // of the reach: farther behind an edge's line, the disc is past it
 
 /// When a point comes within `reach` of the origin.
 double time_to_point(const Fall& point, double reach, double until) {
@@ -34,6 +31,7 @@ double time_to_point(const Fall& point, double reach, double until) {
 
 /// When the centre crosses an edge's line, moved out by `grown`, in front of the edge itself.
 double time_to_edge(const Fall& centre, const Convex& shape, std::size_t i, double grown) {
+  constexpr double kRounding = 1e-9;  // of the reach: farther behind an edge's line, the disc is past it
   const Vec &tail = shape.vertices[i], &head = shape.vertices[next(i, shape.vertices.size())];
   const Vec& normal = shape.normals[i];
   const double gap = dot(normal, centre.position - tail) - grown, nearing = -dot(normal, centre.velocity);

@@ -7,10 +7,8 @@ namespace throng::narrowphase {
 
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
-
 /// Where a shape's core is nearest to a point.
-struct Nearest {
+struct NearestOnCore {
   double distance;  // m, below 0 inside of a polygon
   Vec towards;      // unit
 };
@@ -22,13 +20,13 @@ bool is_inside(const Vec& point, const Convex& shape) {
   return true;
 }
 
-Nearest nearest_of_point(const Vec& point, const Vec& other, const Vec& fallback) {
+NearestOnCore nearest_of_point(const Vec& point, const Vec& other, const Vec& fallback) {
   const Direction way = direction(other - point, fallback);
   return {way.length, way.unit};
 }
 
 /// Over the edge along its normal, to the last bit: what slides along it doesn't near it.
-Nearest nearest_of_edge(const Vec& point, const Convex& shape, std::size_t i) {
+NearestOnCore nearest_of_edge(const Vec& point, const Convex& shape, std::size_t i) {
   const Vec &tail = shape.vertices[i], &head = shape.vertices[next(i, shape.vertices.size())];
   const Vec& normal = shape.normals[i];
   if (!(dot(point - tail, head - tail) > 0.0)) return nearest_of_point(point, tail, -normal);
@@ -37,11 +35,11 @@ Nearest nearest_of_edge(const Vec& point, const Convex& shape, std::size_t i) {
   return {std::abs(height), height >= 0.0 ? Vec(-normal) : normal};
 }
 
-Nearest nearest(const Vec& point, const Convex& shape) {
+NearestOnCore nearest_on_core(const Vec& point, const Convex& shape) {
   if (shape.vertices.size() == 1) return nearest_of_point(point, shape.vertices[0], {1.0, 0.0});
-  Nearest best{kNever, {0.0, 0.0}};
+  NearestOnCore best{kNever, {0.0, 0.0}};
   for (std::size_t i = 0; i < shape.vertices.size(); ++i)
-    if (const Nearest one = nearest_of_edge(point, shape, i); one.distance < best.distance) best = one;
+    if (const NearestOnCore one = nearest_of_edge(point, shape, i); one.distance < best.distance) best = one;
   if (is_inside(point, shape)) return {-best.distance, -best.towards};
   return best;
 }
@@ -68,7 +66,7 @@ DiscFlight disc_flight(const Vec& centre, double radius, const Vec& velocity, co
 
 DiscFlight disc_flight(const Vec& centre, double radius, const Vec& velocity, const Convex& shape) {
   const double grown = radius + shape.radius;
-  const Nearest at = nearest(centre, shape);
+  const NearestOnCore at = nearest_on_core(centre, shape);
   const double gap = at.distance - grown;
   if (gap <= 0.0) return {gap, dot(velocity, at.towards) > 0.0 ? 0.0 : kNever};
   double time = kNever;
@@ -80,7 +78,7 @@ DiscFlight disc_flight(const Vec& centre, double radius, const Vec& velocity, co
 }
 
 Vec towards(const Vec& point, const Convex& shape) {
-  return nearest(point, shape).towards;
+  return nearest_on_core(point, shape).towards;
 }
 
 }  // namespace throng::narrowphase

@@ -11,6 +11,9 @@
 /// `first_contact` serves shapes that turn.
 namespace throng::narrowphase {
 
+/// The time of what does not happen. s.
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
 struct DiscFlight {
   double gap;  ///< m, at time 0; below 0 they overlap
   double
@@ -21,7 +24,6 @@ struct DiscFlight {
 /// sum of their radii (m). The time is infinite where it is after `until` (s); most such take no root. The
 /// gap is right to first order, and its sign to a rounding.
 inline DiscFlight disc_flight(const Vec& between, const Vec& velocity, double reach, double until) {
-  constexpr double kNever = std::numeric_limits<double>::infinity();
   const double excess = dot(between, between) - reach * reach;
   const double gap = excess / (2.0 * reach);
   const double nearing = -dot(between, velocity);

@@ -2,6 +2,7 @@
 #include "narrowphase/disc_union.h"
 
 #include <algorithm>
+#include <numbers>
 #include <vector>
 
 #include "narrowphase/relative.h"
@@ -10,8 +11,6 @@
 namespace throng::narrowphase {
 
 namespace {
-
-constexpr double kPi = 0x1.921fb54442d18p+1;
 
 /// A stretch of a disc's rim, from angle to angle in [-pi, pi].
 struct Arc {
@@ -34,9 +33,9 @@ void cover(std::vector<Arc>& covered, const Disc& disc, const Disc& other) {
       (d * d + (disc.radius - other.radius) * (disc.radius + other.radius)) / (2.0 * d * disc.radius);
   const double half = arc_cosine(std::clamp(along, -1.0, 1.0));
   const double from = middle - half, to = middle + half;
-  covered.push_back({std::max(from, -kPi), std::min(to, kPi)});
-  if (from < -kPi) covered.push_back({from + 2.0 * kPi, kPi});
-  if (to > kPi) covered.push_back({-kPi, to - 2.0 * kPi});
+  covered.push_back({std::max(from, -std::numbers::pi), std::min(to, std::numbers::pi)});
+  if (from < -std::numbers::pi) covered.push_back({from + 2.0 * std::numbers::pi, std::numbers::pi});
+  if (to > std::numbers::pi) covered.push_back({-std::numbers::pi, to - 2.0 * std::numbers::pi});
 }
 
 /// The stretches of the rim of disc `i` that no other disc covers.
@@ -48,12 +47,12 @@ std::vector<Arc> bare_arcs(std::span<const Disc> discs, std::size_t i) {
     cover(covered, discs[i], discs[j]);
   }
   std::sort(covered.begin(), covered.end());
-  double end = -kPi;
+  double end = -std::numbers::pi;
   for (const Arc& arc : covered) {
     if (arc.from > end) bare.push_back({end, arc.from});
     end = std::max(end, arc.to);
   }
-  if (end < kPi) bare.push_back({end, kPi});
+  if (end < std::numbers::pi) bare.push_back({end, std::numbers::pi});
   return bare;
 }
 

@@ -8,16 +8,16 @@ namespace throng::narrowphase {
 namespace {
 
 /// A vertex of each, and the way from the first to the second in a's frame.
-struct Link {
+struct Difference {
   std::size_t a, b;
   Vec way;
 
-  bool joins(const Link& other) const { return a == other.a && b == other.b; }
+  bool joins(const Difference& other) const { return a == other.a && b == other.b; }
 };
 
-/// One link, or two between whose ways the shortest lies.
+/// One difference, or two between whose ways the shortest lies.
 struct Simplex {
-  Link first, second;
+  Difference first, second;
   bool is_pair;
 
   /// Along the shortest way; its length doesn't matter.
@@ -36,9 +36,9 @@ bool counts(const Vec& p, const Vec& q) {
 
 /// The simplex of the shortest way after `added` has come, which is shorter than all before along some
 /// direction; none where the ways surround the origin.
-std::optional<Simplex> reduced(const Simplex& s, const Link& added) {
+std::optional<Simplex> reduced(const Simplex& s, const Difference& added) {
   const Vec& w = added.way;
-  const auto with = [&](const Link& other) {
+  const auto with = [&](const Difference& other) {
     return counts(other.way, w) ? Simplex{added, other, true} : Simplex{added, added, false};
   };
   if (!s.is_pair) return with(s.first);
@@ -70,14 +70,15 @@ ClosestFeatures features(const Simplex& s, const Convex& a, const Convex& b) {
 std::optional<ClosestFeatures> gjk(const Convex& a, const Convex& b, const Pose& b_in_a,
                                    const ClosestFeatures& from) {
   constexpr int kMostSteps = 64;
-  const auto link = [&](std::size_t i, std::size_t j) {
-    return Link{i, j, b_in_a * b.vertices[j] - a.vertices[i]};
+  const auto difference = [&](std::size_t i, std::size_t j) {
+    return Difference{i, j, b_in_a * b.vertices[j] - a.vertices[i]};
   };
-  const Link start = from.vertex_of_b ? link(from.edge, from.vertex) : link(from.vertex, from.edge);
+  const Difference start =
+      from.vertex_of_b ? difference(from.edge, from.vertex) : difference(from.vertex, from.edge);
   Simplex simplex{start, start, false};
   for (int step = 0; step < kMostSteps; ++step) {
     const Vec along = simplex.direction();
-    const Link found = link(support(a, along), support(b, b_in_a.unrotate(-along)));
+    const Difference found = difference(support(a, along), support(b, b_in_a.unrotate(-along)));
     if (found.joins(simplex.first) || found.joins(simplex.second)) break;
     const std::optional<Simplex> smaller = reduced(simplex, found);
     if (!smaller) return {};

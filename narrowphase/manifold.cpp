@@ -185,7 +185,7 @@ Manifold clip(const Roles& roles, const Face& face, double reach) {
   return m;
 }
 
-double length(const Convex& shape, std::size_t edge) {
+double edge_length(const Convex& shape, std::size_t edge) {
   return (shape.vertices[next(edge, shape.vertices.size())] - shape.vertices[edge]).norm();
 }
 
@@ -202,7 +202,7 @@ Manifold kept_manifold(const Roles& roles, std::size_t edge, const Face& widest,
   constexpr double kMuch = 0x1p-18;
   if (edge >= roles.reference.normals.size()) return {};
   const Face face = face_at(roles.reference, edge, roles.incident, roles.incident_in_reference);
-  const double much = kMuch * std::min(length(roles.reference, edge), length(owner, widest.edge));
+  const double much = kMuch * std::min(edge_length(roles.reference, edge), edge_length(owner, widest.edge));
   if (widest.separation > face.separation + much) return {};
   const Manifold m = clip(roles, face, reach);
   const double radii = roles.reference.radius + roles.incident.radius;

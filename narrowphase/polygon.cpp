@@ -117,15 +117,15 @@ void turn_round(Cleaned& polygon) {
   std::reverse(polygon.given.begin() + 1, polygon.given.end());
 }
 
-struct Moments {
+struct ScaledMoments {
   double twice_area = 0.0;
   Vec first{0.0, 0.0};  // six times
   double second = 0.0;  // twelve times
 };
 
 /// About `origin`, by triangles from there to each edge.
-Moments moments(std::span<const std::span<const Vec>> rings, const Vec& origin) {
-  Moments m;
+ScaledMoments scaled_moments(std::span<const std::span<const Vec>> rings, const Vec& origin) {
+  ScaledMoments m;
   for (const std::span<const Vec> ring : rings)
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Vec p = ring[i] - origin, q = ring[next(i, ring.size())] - origin;
@@ -139,9 +139,9 @@ Moments moments(std::span<const std::span<const Vec>> rings, const Vec& origin) 
 
 MassProperties mass_properties_of(std::span<const std::span<const Vec>> rings) {
   const Vec& vertex = rings[0][0];
-  const Moments about_vertex = moments(rings, vertex);
+  const ScaledMoments about_vertex = scaled_moments(rings, vertex);
   const Vec centroid = vertex + about_vertex.first / (3.0 * about_vertex.twice_area);
-  const Moments m = moments(rings, centroid);
+  const ScaledMoments m = scaled_moments(rings, centroid);
   return {0.5 * about_vertex.twice_area, centroid, m.second / (6.0 * m.twice_area)};
 }
 

@@ -9,23 +9,21 @@ namespace throng::narrowphase {
 
 namespace {
 
-constexpr double kUnitRoundoff = 0x1p-53;
-
-struct Nearest {
+struct Extremum {
   double value;
   std::size_t index;
 };
 
 /// The edge whose line lies farthest before the point.
-Nearest widest_edge(const Convex& polygon, const Vec& point) {
-  Nearest best{-std::numeric_limits<double>::infinity(), 0};
+Extremum widest_edge(const Convex& polygon, const Vec& point) {
+  Extremum best{-std::numeric_limits<double>::infinity(), 0};
   for (std::size_t i = 0; i < polygon.normals.size(); ++i)
     if (const double s = dot(polygon.normals[i], point - polygon.vertices[i]); s > best.value) best = {s, i};
   return best;
 }
 
-Nearest nearest_vertex(const Convex& polygon, const Vec& point) {
-  Nearest best{std::numeric_limits<double>::infinity(), 0};
+Extremum nearest_vertex(const Convex& polygon, const Vec& point) {
+  Extremum best{std::numeric_limits<double>::infinity(), 0};
   for (std::size_t i = 0; i < polygon.vertices.size(); ++i) {
     const Vec d = point - polygon.vertices[i];
     if (const double squared = dot(d, d); squared < best.value) best = {squared, i};
@@ -63,7 +61,7 @@ CoreSeparation disc_disc(const Vec& centre, const Vec& offset) {
 }
 
 CoreSeparation nearest(const Convex& polygon, const Vec& point) {
-  const Nearest vertex = nearest_vertex(polygon, point);
+  const Extremum vertex = nearest_vertex(polygon, point);
   const std::size_t widest = widest_edge(polygon, point).index;
   const Vec& corner = polygon.vertices[vertex.index];
   const Direction d = direction(point - corner, polygon.normals[widest]);
@@ -81,7 +79,7 @@ CoreSeparation polygon_disc(const Convex& polygon, const Vec& point, double enou
   const auto [s, edge] = widest_edge(polygon, point);
   const Vec& normal = polygon.normals[edge];
   const CoreSeparation face{s, normal, point - s * normal};
-  if (s > enough || s < -8.0 * kUnitRoundoff * extent(polygon, point)) return face;
+  if (s > enough || s < -kCoreRounding * extent(polygon, point)) return face;
   const CoreSeparation outside = nearest(polygon, point);
   return proves_outside(polygon, point, outside) ? outside : face;
 }

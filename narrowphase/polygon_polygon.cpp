@@ -10,9 +10,6 @@ namespace throng::narrowphase {
 
 namespace {
 
-constexpr double kUnitRoundoff = 0x1p-53;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 /// Two polygons in the frame of the first.
 struct Relative {
   const Convex& a;
@@ -39,7 +36,7 @@ struct Supports {
 };
 
 Supports supports(const Relative& p, const Vec& normal) {
-  Supports s{-kInfinity, kInfinity};
+  Supports s{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   for (const Vec& v : p.a.vertices) s.a = std::max(s.a, dot(normal, v));
   const Vec in_b = p.b_in_a.unrotate(normal);
   for (const Vec& v : p.b.vertices) s.b = std::min(s.b, dot(in_b, v));
@@ -60,7 +57,7 @@ double extent(const Relative& p) {
 CoreSeparation closest(const Relative& p, CoreSeparation best) {
   const Vec normal = best.normal;
   const Supports limit = supports(p, normal);
-  const double slack = std::max(0.0, best.distance - limit.gap()) + 8.0 * kUnitRoundoff * extent(p);
+  const double slack = std::max(0.0, best.distance - limit.gap()) + kCoreRounding * extent(p);
   const Vec in_b = p.b_in_a.unrotate(normal);
   const double offset = dot(normal, p.b_in_a.position);
   const auto keep = [&best](const CoreSeparation& s) {
@@ -97,7 +94,7 @@ CoreSeparation polygon_polygon(const Convex& a, const Convex& b, const Pose& b_i
   const Relative p{a, b, b_in_a, inverse(b_in_a)};
   const bool first = faces.a_is_wider();
   const CoreSeparation face = first ? face_of_a(p, faces.of_a) : face_of_b(p, faces.of_b);
-  if (face.distance < -8.0 * kUnitRoundoff * extent(p)) return face;
+  if (face.distance < -kCoreRounding * extent(p)) return face;
   const CoreSeparation apart =
       closest(p, first ? vertex_of_b(p, faces.of_a.vertex) : vertex_of_a(p, faces.of_b.vertex));
   const bool proven = 2.0 * supports(p, apart.normal).gap() > apart.distance;

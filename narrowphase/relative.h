@@ -55,4 +55,9 @@ inline Direction direction(const Vec& v, const Vec& fallback) {
   return {scaled.length * 0x1p-600, scaled.unit};
 }
 
+/// Holds as `direction` does.
+inline double length(const Vec& v) {
+  return direction(v, {1.0, 0.0}).length;
+}
+
 }  // namespace throng::narrowphase

@@ -17,17 +17,17 @@ namespace {
 constexpr double kFlat = 1e-6;  // sine of the least turn that counts
 
 /// A directed edge of a part, the solid on its left, between numbered points.
-struct Side {
+struct DirectedEdge {
   std::uint32_t tail, head;
   std::uint32_t part, edge;
   Vec way;
 };
 
-std::vector<Side> sides(std::span<const Convex> parts) {
+std::vector<DirectedEdge> sides(std::span<const Convex> parts) {
   std::vector<Vec> points;
   for (const Convex& part : parts) points.insert(points.end(), part.vertices.begin(), part.vertices.end());
   const std::vector<std::uint32_t> number = weld(points);
-  std::vector<Side> result;
+  std::vector<DirectedEdge> result;
   std::size_t first = 0;
   for (std::uint32_t p = 0; p < parts.size(); ++p) {
     const std::vector<Vec>& v = parts[p].vertices;
@@ -37,22 +37,23 @@ std::vector<Side> sides(std::span<const Convex> parts) {
     }
     first += v.size();
   }
-  std::ranges::stable_sort(result, {}, &Side::tail);
+  std::ranges::stable_sort(result, {}, &DirectedEdge::tail);
   return result;
 }
 
 /// Those that leave that point.
-std::span<const Side> from(const std::vector<Side>& sides, std::uint32_t point) {
-  const auto first = std::ranges::lower_bound(sides, point, {}, &Side::tail);
-  const auto last = std::ranges::upper_bound(sides, point, {}, &Side::tail);
+std::span<const DirectedEdge> from(const std::vector<DirectedEdge>& sides, std::uint32_t point) {
+  const auto first = std::ranges::lower_bound(sides, point, {}, &DirectedEdge::tail);
+  const auto last = std::ranges::upper_bound(sides, point, {}, &DirectedEdge::tail);
   return {first, last};
 }
 
 /// Whether another solid has the same edge the other way round. Walls are no solids: their sides are all
 /// real, also where two stand in one place.
-bool is_inner(std::span<const Convex> parts, const std::vector<Side>& sides, const Side& side) {
-  const auto is_solid = [&](const Side& one) { return parts[one.part].vertices.size() > 2; };
-  return is_solid(side) && std::ranges::any_of(from(sides, side.head), [&](const Side& other) {
+bool is_inner(std::span<const Convex> parts, const std::vector<DirectedEdge>& sides,
+              const DirectedEdge& side) {
+  const auto is_solid = [&](const DirectedEdge& one) { return parts[one.part].vertices.size() > 2; };
+  return is_solid(side) && std::ranges::any_of(from(sides, side.head), [&](const DirectedEdge& other) {
            return other.head == side.tail && other.part != side.part && is_solid(other);
          });
 }
@@ -66,15 +67,15 @@ double turn(const Vec& u, const Vec& v) {
 }
 
 /// The edge that bounds the free side together with `side`, beyond its head.
-const Side* beyond(const std::vector<Side>& outline, const Side& side) {
-  const Side* best = nullptr;
+const DirectedEdge* beyond(const std::vector<DirectedEdge>& outline, const DirectedEdge& side) {
+  const DirectedEdge* best = nullptr;
   double least = 5.0;
-  for (const Side& other : from(outline, side.head))
+  for (const DirectedEdge& other : from(outline, side.head))
     if (const double angle = turn(-side.way, other.way); angle < least) least = angle, best = &other;
   return best;
 }
 
-Turn turn_between(const Side& in, const Side& out) {
+Turn turn_between(const DirectedEdge& in, const DirectedEdge& out) {
   const double sine = cross(in.way, out.way) / std::sqrt(dot(in.way, in.way) * dot(out.way, out.way));
   if (std::abs(sine) <= kFlat) return dot(in.way, out.way) > 0.0 ? Turn::flat : Turn::convex;
   return sine > 0.0 ? Turn::convex : Turn::concave;
@@ -199,16 +200,16 @@ bool is_over(const Convex& body, const Pose& body_in_part, const Vec& vertex, co
 }  // namespace
 
 std::vector<Rim> rims(std::span<const Convex> parts) {
-  std::vector<Side> all = sides(parts), outline;
+  std::vector<DirectedEdge> all = sides(parts), outline;
   std::vector<Rim> result(parts.size());
-  for (const Side& side : all) {
+  for (const DirectedEdge& side : all) {
     Rim& rim = result[side.part];
     rim.resize(parts[side.part].normals.size());
     rim[side.edge].inner = is_inner(parts, all, side);
     if (!rim[side.edge].inner) outline.push_back(side);
   }
-  for (const Side& side : outline) {
-    const Side* other = beyond(outline, side);
+  for (const DirectedEdge& side : outline) {
+    const DirectedEdge* other = beyond(outline, side);
     if (!other) continue;
     RimEdge &in = result[side.part][side.edge], &out = result[other->part][other->edge];
     in.at_head = out.at_tail = turn_between(side, *other);

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 namespace throng::narrowphase {
 
 namespace {
 
-constexpr double kPi = 0x1.921fb54442d18p+1;
 constexpr double kHalfPi = 0x1.921fb54442d18p+0;
 constexpr double kTwoOverPi = 0x1.45f306dc9c883p-1;
 
@@ -22,14 +22,14 @@ struct Reduced {
 };
 
 /// The nearest integer, ties to even: adding 1.5 * 2^52 leaves no bits for a fraction. Expects |x| < 2^51.
-double nearest(double x) {
+double nearest_integer(double x) {
   return (x + 0x1.8p52) - 0x1.8p52;
 }
 
 /// Expects |angle| <= 2^30. pi/2 in parts of 23 bits, so that their products with the count of quarters are
 /// exact.
 Reduced reduce(double angle) {
-  const double quarters = nearest(angle * kTwoOverPi);
+  const double quarters = nearest_integer(angle * kTwoOverPi);
   const double first = angle - quarters * 0x1.921fb4p+0;
   const double second = first - quarters * 0x1.4442dp-24;
   const double second_error = (first - second) - quarters * 0x1.4442dp-24;
@@ -103,7 +103,7 @@ SinCos rotate_quarters(SinCos u, std::uint64_t quarter) {
 
 /// The arc tangent of t in [0, 1]: a guess good to 0.004, then the small angle that is left, by its series.
 double arc_tangent_of(double t) {
-  const double guess = t * (0.25 * kPi + 0.273 * (1.0 - t));
+  const double guess = t * (0.25 * std::numbers::pi + 0.273 * (1.0 - t));
   const SinCos u = {sine(guess, 0.0), cosine(guess, 0.0)};
   const double d = (u.cos * t - u.sin) / (u.cos + u.sin * t);
   const double z = d * d;
@@ -127,7 +127,7 @@ double arc_tangent(double y, double x) {
   if (steep) std::swap(shorter, longer);
   double angle = longer == 0.0 ? 0.0 : arc_tangent_of(shorter / longer);
   if (steep) angle = kHalfPi - angle;
-  if (x < 0.0) angle = kPi - angle;
+  if (x < 0.0) angle = std::numbers::pi - angle;
   return y < 0.0 ? -angle : angle;
 }
 

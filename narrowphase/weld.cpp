@@ -9,7 +9,7 @@ namespace throng::narrowphase {
 
 namespace {
 
-constexpr std::uint32_t kNone = ~std::uint32_t{0};
+constexpr std::uint32_t kUnnumbered = ~std::uint32_t{0};
 
 using Cell = std::pair<double, double>;
 
@@ -51,12 +51,12 @@ double rounding(std::span<const Vec> points) {
 std::vector<std::uint32_t> weld(std::span<const Vec> points) {
   const double slack = rounding(points);
   const ByCell by_cell(points, slack > 0.0 ? slack : 1.0);  // where all stand at the origin, any cell does
-  std::vector<std::uint32_t> numbers(points.size(), kNone);
+  std::vector<std::uint32_t> numbers(points.size(), kUnnumbered);
   std::uint32_t next = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (numbers[i] != kNone) continue;
+    if (numbers[i] != kUnnumbered) continue;
     by_cell.for_each_near(points[i], [&](std::uint32_t j) {
-      if (numbers[j] == kNone && (points[j] - points[i]).lpNorm<Eigen::Infinity>() <= slack)
+      if (numbers[j] == kUnnumbered && (points[j] - points[i]).lpNorm<Eigen::Infinity>() <= slack)
         numbers[j] = next;
     });
     ++next;

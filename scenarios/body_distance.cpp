@@ -17,9 +17,9 @@ using narrowphase::Convex;
 using narrowphase::Pose;
 
 /// The convex parts of a body; a disc's one part is made on the spot.
-class Parts {
+class BodyParts {
  public:
-  Parts(const Scene& scene, std::uint32_t row) : shape_(scene.shapes[scene.bodies.shape[row]]) {
+  BodyParts(const Scene& scene, std::uint32_t row) : shape_(scene.shapes[scene.bodies.shape[row]]) {
     if (shape_.kind == ShapeKind::disc) disc_ = narrowphase::disc(scene.bodies.radius[row]);
   }
 
@@ -69,7 +69,7 @@ double distance(const Scene& scene, const Placed& a, const Placed& b) {
   const Bodies& bodies = scene.bodies;
   if (is_disc(scene, a.row) && is_disc(scene, b.row))
     return (b.position - a.position).norm() - (bodies.radius[a.row] + bodies.radius[b.row]);
-  const Parts parts_a(scene, a.row), parts_b(scene, b.row);
+  const BodyParts parts_a(scene, a.row), parts_b(scene, b.row);
   return narrowphase::separation(parts_a.all(), narrowphase::pose(a.position, bodies.angle[a.row]),
                                  parts_b.all(), narrowphase::pose(b.position, bodies.angle[b.row]))
       .distance;
@@ -78,7 +78,7 @@ double distance(const Scene& scene, const Placed& a, const Placed& b) {
 double distance(const Scene& scene, const Placed& body, const WallGrid::Piece& piece) {
   if (is_disc(scene, body.row)) return distance(piece, body.position) - scene.bodies.radius[body.row];
   const Convex wall = narrowphase::segment(piece.a, piece.b);
-  return narrowphase::separation(Parts(scene, body.row).all(),
+  return narrowphase::separation(BodyParts(scene, body.row).all(),
                                  narrowphase::pose(body.position, scene.bodies.angle[body.row]), {&wall, 1},
                                  Pose{})
       .distance;
@@ -87,7 +87,7 @@ double distance(const Scene& scene, const Placed& body, const WallGrid::Piece& p
 bool is_closer(const Scene& scene, const Placed& a, const Placed& b, double gap, std::int64_t& work) {
   const Bodies& bodies = scene.bodies;
   if (is_disc(scene, a.row) && is_disc(scene, b.row)) return distance(scene, a, b) < gap;
-  const Parts parts_a(scene, a.row), parts_b(scene, b.row);
+  const BodyParts parts_a(scene, a.row), parts_b(scene, b.row);
   return is_closer(parts_a.all(), narrowphase::pose(a.position, bodies.angle[a.row]), parts_b.all(),
                    narrowphase::pose(b.position, bodies.angle[b.row]), {b.position, bodies.radius[b.row]},
                    gap, work);
@@ -97,7 +97,7 @@ bool is_closer(const Scene& scene, const Placed& body, const WallGrid::Piece& pi
                std::int64_t& work) {
   if (is_disc(scene, body.row)) return distance(scene, body, piece) < gap;
   const Convex wall = narrowphase::segment(piece.a, piece.b);
-  return is_closer(Parts(scene, body.row).all(),
+  return is_closer(BodyParts(scene, body.row).all(),
                    narrowphase::pose(body.position, scene.bodies.angle[body.row]), {&wall, 1}, Pose{},
                    bound(wall, Pose{}), gap, work);
 }

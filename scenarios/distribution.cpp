@@ -35,10 +35,10 @@ double draw_once(const Distribution& d, Random& random) {
 }
 
 Distribution from_table(const toml::table& table) {
-  using Kind = Distribution::Kind;
   Distribution result;
-  for (const auto& [key, kind] :
-       {std::pair{"uniform", Kind::uniform}, {"normal", Kind::normal}, {"lognormal", Kind::lognormal}})
+  for (const auto& [key, kind] : {std::pair{"uniform", Distribution::Kind::uniform},
+                                  {"normal", Distribution::Kind::normal},
+                                  {"lognormal", Distribution::Kind::lognormal}})
     if (const toml::node* node = table.get(key)) {
       const Vec numbers = point(*node);
       result = {kind, numbers.x(), numbers.y(), 0.0, 0.0};
@@ -50,13 +50,12 @@ Distribution from_table(const toml::table& table) {
 
 Distribution read_distribution(const toml::node& node, double least, double most, const std::string& path,
                                Report& report) {
-  using Kind = Distribution::Kind;
-  if (!node.is_table()) return {Kind::fixed, number(node), 0.0, least, most};
+  if (!node.is_table()) return {Distribution::Kind::fixed, number(node), 0.0, least, most};
   const toml::table& table = *node.as_table();
   Distribution result = from_table(table);
-  const double spread = result.kind == Kind::normal ? kCutOff * result.b : most;
+  const double spread = result.kind == Distribution::Kind::normal ? kCutOff * result.b : most;
   result.low = std::max(least, result.a - spread), result.high = std::min(most, result.a + spread);
-  if (result.kind == Kind::uniform) {
+  if (result.kind == Distribution::Kind::uniform) {
     result.low = result.a, result.high = result.b;
   } else if (const toml::node* within = table.get("within")) {
     const Vec bounds = point(*within);
@@ -64,7 +63,7 @@ Distribution read_distribution(const toml::node& node, double least, double most
   }
   if (!(result.low <= result.high))
     report.error(node, path, "must have its lower bound first");
-  else if (result.kind != Kind::uniform &&
+  else if (result.kind != Distribution::Kind::uniform &&
            (result.low > result.a + kCutOff * result.b || result.high < result.a - kCutOff * result.b))
     report.error(node, path,
                  "must have a range `within` that its mean is no more than 3 standard deviations away from");

@@ -33,7 +33,7 @@ Type domain_table() {
                 {"box", "periodic"}});
 }
 
-Table root_table() {
+Table scenario_table() {
   return {{required({"throng", version(), "Version of this grammar."}),
            {"name", text(256), "A short name.", "\"\""},
            {"description", text(1000), "One line on what is to be seen.", "\"\""},
@@ -68,7 +68,7 @@ Table root_table() {
 }  // namespace
 
 const Table& grammar() {
-  static const Table root = root_table();
+  static const Table root = scenario_table();
   return root;
 }
 

@@ -14,7 +14,7 @@ Type name() {
   return text(64, "a name of at most 64 bytes");
 }
 
-Type shape_table() {
+Type rounded_shape_table() {
   const Type disc = table({{required({"radius", length(), "Radius, m."})}});
   return table({{{"disc", disc, "A disc about the origin."},
                  polygon_field(),
@@ -33,7 +33,7 @@ Table obstacle_table() {
            {"angle", angle(), "Rotation about it, rad.", "0.0"}}};
 }
 
-Table body_table() {
+Table rigid_body_table() {
   const Type pose = list(coordinate(), 2, "a pose [x, y] or [x, y, angle]", 3);
   return {
       {required({"shape", name_in("shapes"), "Name of a shape."}),
@@ -79,7 +79,7 @@ Table robot_table() {
             "stands still, as all may."})}};
 }
 
-Table root_table() {
+Table motion_table() {
   const Type pair = tuple({name(), name()}, "a pair of names");
   return {{required({"motion", version(), "Version of this grammar."}),
            {"name", text(256), "A short name.", "\"\""},
@@ -88,13 +88,13 @@ Table root_table() {
             "How long each segment takes, s: as many as waypoints, less one. Absent: times are fractions."},
            {"margin", number(0, kFarthest, "m"),
             "Clearance that a free path has at least, m: what comes as near counts as a hit.", "0.0"},
-           {"shapes", named(shape_table()), "Shapes by name."},
+           {"shapes", named(rounded_shape_table()), "Shapes by name."},
            {"obstacles", tables(obstacle_table()), "What stands still."},
            {"walls", tables(wall_lines()), "Thin walls with two sides."},
            {"surroundings", text(4096, "the name of a scenario file"),
             "A scenario, beside this file, whose bodies, where they start, and walls are obstacles too: "
             "surroundings.bodies[0], each body counted, surroundings.walls[0] and so on."},
-           {"bodies", tables(body_table()),
+           {"bodies", tables(rigid_body_table()),
             "Rigid bodies. All move at once, straight and evenly from waypoint to waypoint."},
            {"robots", tables(robot_table()),
             "Links on joints, which move straight and evenly from value to value."},
@@ -107,7 +107,7 @@ Table root_table() {
 }  // namespace
 
 const Table& motion_grammar() {
-  static const Table root = root_table();
+  static const Table root = motion_table();
   return root;
 }
 

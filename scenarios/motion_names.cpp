@@ -18,10 +18,10 @@ const Solids* Names::find(const std::string& name) const {
 }
 
 std::vector<std::string> Names::some() const {
-  constexpr std::size_t kEnough = 1000;
+  constexpr std::size_t kMostNames = 1000;
   std::vector<std::string> result;
   for (const auto& [name, solids] : solids_)
-    if (result.size() < kEnough) result.push_back(name);
+    if (result.size() < kMostNames) result.push_back(name);
   return result;
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cstdio>
 
 #include "scenarios/body_distance.h"
 #include "scenarios/body_grid.h"
@@ -11,13 +10,7 @@ namespace throng::scenarios {
 namespace {
 
 constexpr std::size_t kNamed = 10, kEnough = 1000;
-constexpr std::int64_t kMostWork = 1'000'000'000;  // a few seconds
-
-std::string three_digits(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", x);
-  return text;
-}
+constexpr std::int64_t kSearchWork = 1'000'000'000;  // a few seconds
 
 class Overlaps {
  public:
@@ -28,7 +21,7 @@ class Overlaps {
         walls_(scene, reach) {}
 
   bool full() const { return found_ >= kEnough || tired(); }
-  bool tired() const { return work_ > kMostWork; }
+  bool tired() const { return work_ > kSearchWork; }
 
   /// Compares the body with all that were added before, and with the walls.
   void add(std::uint32_t row) {

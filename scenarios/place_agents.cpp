@@ -11,7 +11,7 @@ namespace throng::scenarios {
 
 namespace {
 
-constexpr int kMostTries = 20'000;                              // for one agent
+constexpr int kAgentTries = 20'000;                             // for one agent
 constexpr std::int64_t kTries = 1'000'000, kTriesEach = 1'000;  // for all of them: an end within seconds
 
 std::uint32_t disc_shape(Scene& scene) {
@@ -83,7 +83,7 @@ class AgentPlacer {
     const double radius = scene_.bodies.radius[row];
     const Eigen::AlignedBox2d box = bounds(entry.within);
     Random random(scene_.seed, 0, row + 1, Purpose::place);
-    for (int i = 0; i < kMostTries && tries_left_ > 0; ++i, --tries_left_) {
+    for (int i = 0; i < kAgentTries && tries_left_ > 0; ++i, --tries_left_) {
       const double x = random.uniform(box.min().x(), box.max().x());
       const double y = random.uniform(box.min().y(), box.max().y());
       if (!is_free({x, y}, radius, entry)) continue;

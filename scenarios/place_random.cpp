@@ -10,9 +10,9 @@ namespace throng::scenarios {
 
 namespace {
 
-constexpr int kMostTries = 200'000;                  ///< for one body
+constexpr int kBodyTries = 200'000;                  ///< for one body
 constexpr std::int64_t kWorkOfTry = 16;              ///< in units of a few nanoseconds, and pairs of parts
-constexpr std::int64_t kMostWork = 200'000'000;      ///< for all bodies together, and
+constexpr std::int64_t kPlacingWork = 200'000'000;   ///< for all bodies together, and
 constexpr std::int64_t kWorkEach = 10 * kWorkOfTry;  ///< this much more per body: an end within seconds
 
 /// Random sequential addition: each body goes to the first of its random places that is free. The large ones
@@ -35,7 +35,7 @@ class Placer {
       return a.radius != b.radius ? a.radius > b.radius : a.row < b.row;
     });
     wanted_ = rows.size();
-    work_left_ = kMostWork + kWorkEach * static_cast<std::int64_t>(rows.size());
+    work_left_ = kPlacingWork + kWorkEach * static_cast<std::int64_t>(rows.size());
     for (const Row& row : rows)
       if (!report_.bad(*row.entry->node)) place(row);
   }
@@ -80,7 +80,7 @@ class Placer {
     if (!(region_.sizes().minCoeff() >= 0.0))
       return fail(row, "is too large for `within`: " + to_text(2.0 * row.radius) + " m across");
     Random random(scene_.seed, 0, row.row + 1, Purpose::place);
-    for (int i = 0; i < kMostTries && work_left_ > 0; ++i) {
+    for (int i = 0; i < kBodyTries && work_left_ > 0; ++i) {
       const double x = random.uniform(region_.min().x(), region_.max().x());
       const double y = random.uniform(region_.min().y(), region_.max().y());
       const Vec position = wrapped(scene_.domain, {x, y});

@@ -33,7 +33,7 @@ std::string name(std::string_view key) {
 }
 
 /// A float of TOML: it has a point or an exponent, else it would come back as an integer.
-std::string number(double x) {
+std::string literal(double x) {
   std::string text = to_text(x);
   const bool plain = text.find_first_not_of("-0123456789") == std::string::npos;
   return plain ? text + ".0" : text;
@@ -67,7 +67,7 @@ void print_value(const toml::node& node, std::string& out) {
   if (const auto* text = node.as_string()) {
     out += literal(text->get());
   } else if (const auto* x = node.as_floating_point()) {
-    out += number(x->get());
+    out += literal(x->get());
   } else if (const auto* i = node.as_integer()) {
     out += std::to_string(i->get());
   } else if (const auto* flag = node.as_boolean()) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "scenarios/read.h"
@@ -35,12 +34,6 @@ ContactModel model_of(const std::string& name) {
 std::string models_of(const ContactKey& key) {
   if (key.spring && key.hertz) return "\"spring\" or \"hertz\"";
   return key.spring ? "\"spring\"" : "\"hertz\"";
-}
-
-std::string three_digits(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", x);
-  return text;
 }
 
 /// The fewest substeps none of which is longer than that (s).

@@ -11,12 +11,12 @@ using Kind = Type::Kind;
 
 constexpr std::size_t kColumn = 34;  // where the meaning begins
 
-void list(const Table& table, const std::string& prefix, std::string& text);
+void list_fields(const Table& table, const std::string& prefix, std::string& text);
 
 /// The fields within a value of that type, if it has any. `path`: the value's own.
 void list_within(const Type& type, const std::string& path, std::string& text) {
-  if (type.kind == Kind::table) list(*type.table, path + ".", text);
-  if (type.kind == Kind::tables) list(*type.table, path + "[].", text);
+  if (type.kind == Kind::table) list_fields(*type.table, path + ".", text);
+  if (type.kind == Kind::tables) list_fields(*type.table, path + "[].", text);
   if (type.kind == Kind::named) list_within(type.parts[0], path + ".NAME", text);
   if (type.kind == Kind::either)
     for (const Type& part : type.parts) list_within(part, path, text);
@@ -36,7 +36,7 @@ std::string alternatives(const Table& table) {
   return text + ".";
 }
 
-void list(const Table& table, const std::string& prefix, std::string& text) {
+void list_fields(const Table& table, const std::string& prefix, std::string& text) {
   for (const Field& field : table.fields) {
     if (field.later) continue;
     const std::string path = prefix + field.key;
@@ -54,7 +54,7 @@ void list(const Table& table, const std::string& prefix, std::string& text) {
 
 std::string reference(const Table& grammar, const std::string& about) {
   std::string text = about + "\n\n";
-  list(grammar, "", text);
+  list_fields(grammar, "", text);
   return text;
 }
 

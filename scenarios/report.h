@@ -54,6 +54,9 @@ std::string in_quotes(std::string_view text);
 /// The number as TOML writes it, with no more digits than needed to read it back.
 std::string to_text(double x);
 
+/// The number rounded to three significant digits.
+std::string three_digits(double x);
+
 /// ", did you mean NAME?" for the nearest of `known` by edit distance (Levenshtein 1966); "" where none is
 /// near.
 std::string suggestion(std::string_view word, const std::vector<std::string>& known);

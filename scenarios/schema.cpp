@@ -22,11 +22,11 @@ ordered_json bound(double x) {
   return x;
 }
 
-ordered_json number(const Type& type, const char* name) {
+ordered_json number_schema(const Type& type, const char* name) {
   return {{"type", name}, {"minimum", bound(type.low)}, {"maximum", bound(type.high)}};
 }
 
-ordered_json tuple(const Type& type) {
+ordered_json tuple_schema(const Type& type) {
   ordered_json items = ordered_json::array();
   for (const Type& part : type.parts) items.push_back(schema_of(part));
   return {{"type", "array"},
@@ -35,7 +35,7 @@ ordered_json tuple(const Type& type) {
           {"maxItems", type.parts.size()}};
 }
 
-ordered_json list(const Type& type) {
+ordered_json list_schema(const Type& type) {
   return {{"type", "array"},
           {"items", schema_of(type.parts[0])},
           {"minItems", type.least},
@@ -56,7 +56,7 @@ ordered_json field(const Field& entry) {
   return result;
 }
 
-ordered_json table(const Table& fields) {
+ordered_json table_schema(const Table& fields) {
   ordered_json properties = ordered_json::object(), required = ordered_json::array(),
                one_of = ordered_json::array();
   for (const Field& entry : fields.fields) {
@@ -77,9 +77,9 @@ ordered_json schema_of(const Type& type) {
     case Kind::boolean:
       return {{"type", "boolean"}};
     case Kind::integer:
-      return number(type, "integer");
+      return number_schema(type, "integer");
     case Kind::number:
-      return number(type, "number");
+      return number_schema(type, "number");
     case Kind::text:
       return {{"type", "string"}, {"maxLength", type.most}};
     case Kind::choice:
@@ -87,13 +87,13 @@ ordered_json schema_of(const Type& type) {
     case Kind::name:
       return {{"type", "string"}};
     case Kind::tuple:
-      return tuple(type);
+      return tuple_schema(type);
     case Kind::list:
-      return list(type);
+      return list_schema(type);
     case Kind::table:
-      return table(*type.table);
+      return table_schema(*type.table);
     case Kind::tables:
-      return {{"type", "array"}, {"items", table(*type.table)}};
+      return {{"type", "array"}, {"items", table_schema(*type.table)}};
     case Kind::named:
       return {{"type", "object"}, {"additionalProperties", schema_of(type.parts[0])}};
     case Kind::either:
@@ -109,7 +109,7 @@ ordered_json schema_of(const Type& type) {
 std::string schema(const Table& grammar, const std::string& title, const std::string& about) {
   ordered_json result = {
       {"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", title}, {"description", about}};
-  result.update(table(grammar));
+  result.update(table_schema(grammar));
   return result.dump(2) + "\n";
 }
 

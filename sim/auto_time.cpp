@@ -21,11 +21,11 @@ namespace {
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kSoftness = 1.28;  // a contact sags by F h² / (kSoftness m): see README, of 16 substeps
 constexpr double kStands = 3.0;     // sqrt(L / g) / n², the substep up to which towers stand
-constexpr double kLongest = 1.0 / 60.0;  // s, of steps in which contacts are found once
-constexpr int kSubsteps = 16;            // as cheap as fewer, longer steps of as many substeps are dear
-constexpr int kFewest = 4;               // of them
-constexpr double kMostSubsteps = 1e10;   // of a run
-constexpr double kFewPerImpact = 20.0;   // substeps
+constexpr double kLongestStep = 1.0 / 60.0;  // s, of steps in which contacts are found once
+constexpr int kSubsteps = 16;                // as cheap as fewer, longer steps of as many substeps are dear
+constexpr int kFewestSubsteps = 4;           // of them
+constexpr double kMostSubsteps = 1e10;       // of a run
+constexpr double kFewPerImpact = 20.0;       // substeps
 
 std::string text(const char* format, double a, double b = 0.0, double c = 0.0) {
   char out[240];
@@ -50,7 +50,7 @@ AutoTime steps(const Scene& scene, double longest, double substep) {
   const double wanted = std::min(longest, substep * kSubsteps);
   result.dt = whole_part(scene.time.until, wanted);
   const double substeps = std::ceil(result.dt / substep * (1.0 - 1e-12));
-  result.substeps = std::max(static_cast<int>(substeps), kFewest);
+  result.substeps = std::max(static_cast<int>(substeps), kFewestSubsteps);
   if (scene.time.until / substep > kMostSubsteps)
     return refused(
         text("would take more than %.2g substeps of %.2g s: allow a larger error", kMostSubsteps, substep));
@@ -92,7 +92,7 @@ AutoTime impacts(const Scene& scene) {
   const double needed = substeps_per_impact(timing.restitution, scene.time.error);
   const double per_impact = std::max(kFewPerImpact, needed);
   const double substep = std::min(timing.contact / per_impact, timing.longest);
-  AutoTime result = steps(scene, std::min(kLongest, time_of_a_radius(scene)), substep);
+  AutoTime result = steps(scene, std::min(kLongestStep, time_of_a_radius(scene)), substep);
   result.promise = "how far off the restitution of an impact is";
   result.why = text("an impact lasts %.3g s, in which that error needs %.3g substeps: h <= %.3g s",
                     timing.contact, per_impact, substep);
@@ -110,7 +110,7 @@ AutoTime standing(const Scene& scene) {
   const double sways = std::sqrt(allowed / (above * g));
   const double falls = kStands * std::sqrt(std::numbers::sqrt2 * radius / g / heavier) / (layers * layers);
   const double substep = std::min(sways, falls);
-  AutoTime result = steps(scene, kLongest, substep);
+  AutoTime result = steps(scene, kLongestStep, substep);
   result.promise = "how far those that stand get from where they do, of a radius";
   result.why = text("the lowest bear up to %.3g of the lightest", above);
   result.why +=
@@ -125,7 +125,7 @@ AutoTime pressing(const Scene& scene) {
   const double allowed = scene.time.error * smallest_radius(scene);
   const double sag = above * g / (0.5 * kSoftness);  // m, over h²: two alike feel half a mass
   const double substep = std::sqrt(allowed / sag);
-  AutoTime result = steps(scene, kLongest, substep);
+  AutoTime result = steps(scene, kLongestStep, substep);
   result.promise = "how deep those that press on one another overlap by the mean, of a radius";
   result.why = text("the lowest bear up to %.3g of the lightest, and may sag by %.3g m: h <= %.3g s", above,
                     allowed, substep);

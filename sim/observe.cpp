@@ -11,13 +11,6 @@ namespace throng {
 
 namespace {
 
-/// Calls f(row) for dynamic bodies.
-template <class F>
-void for_dynamic(const Scene& scene, F f) {
-  for (std::size_t row = 0; row < scene.bodies.size(); ++row)
-    if (scene.bodies.kind[row] == BodyKind::dynamic) f(row);
-}
-
 bool same(const std::vector<double>& a, const std::vector<double>& b) {
   return std::ranges::equal(a, b,
                             [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); });

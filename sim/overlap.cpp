@@ -19,9 +19,9 @@ using narrowphase::Pose;
 namespace {
 
 /// The convex part of each collider, in the world.
-class Parts {
+class ColliderParts {
  public:
-  Parts(const State& state, const Colliders& colliders) : state_(state), colliders_(colliders) {}
+  ColliderParts(const State& state, const Colliders& colliders) : state_(state), colliders_(colliders) {}
 
   Pose pose(std::uint32_t row) const {
     const std::uint32_t body = colliders_.body[row];
@@ -89,7 +89,7 @@ Overlap overlap(const Scene& scene, const State& state) {
   if (!plan.contacts()) return result;
   Candidates candidates(scene, plan);
   candidates.find(state, 0.0);
-  const Parts parts(state, candidates.colliders());
+  const ColliderParts parts(state, candidates.colliders());
   double sum = 0.0;
   const auto count = [&](double distance) {
     if (!(distance < 0.0)) return;

@@ -113,6 +113,13 @@ inline bool is_soft(ContactModel model) {
   return model == ContactModel::spring || model == ContactModel::hertz;
 }
 
+/// Calls f(row) for dynamic bodies.
+template <class F>
+void for_dynamic(const Scene& scene, F f) {
+  for (std::size_t row = 0; row < scene.bodies.size(); ++row)
+    if (scene.bodies.kind[row] == BodyKind::dynamic) f(row);
+}
+
 /// As files and command lines have it.
 const char* engine_name(Engine engine);
 

@@ -12,11 +12,11 @@ namespace throng {
 
 namespace {
 
-constexpr double kLift = 1e-5;     // of the radius: the height to which what is slow could rise
-constexpr double kPatience = 0.5;  // s, at least
-constexpr double kFalls = 2.5;     // times sqrt(radius / g)
-constexpr double kClear = 0.5;     // of the radius: how much farther than a step one looks
-constexpr double kEvery = 0.1;     // s, between two looks for islands at rest
+constexpr double kLift = 1e-5;          // of the radius: the height to which what is slow could rise
+constexpr double kLeastPatience = 0.5;  // s, at least
+constexpr double kFalls = 2.5;          // times sqrt(radius / g)
+constexpr double kClear = 0.5;          // of the radius: how much farther than a step one looks
+constexpr double kEvery = 0.1;          // s, between two looks for islands at rest
 
 bool by_key(const SleepingContact& a, const SleepingContact& b) {
   return a.impulse.key < b.impulse.key;
@@ -96,7 +96,7 @@ Sleepers::Sleepers(const Scene& scene, const Plan& plan) : scene_(scene), plan_(
   const double dt = scene.time.dt, g = scene.gravity.norm();
   every_ = std::max<std::int64_t>(1, std::llround(kEvery / dt));
   for (const double radius : scene.bodies.radius) {
-    const double patience = std::max(kPatience, kFalls * std::sqrt(radius / g));
+    const double patience = std::max(kLeastPatience, kFalls * std::sqrt(radius / g));
     patience_.push_back(static_cast<std::uint32_t>(std::min(std::ceil(patience / dt), 4e9)));
   }
 }

@@ -12,8 +12,6 @@ namespace throng {
 
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
-
 /// How much higher frequencies squared, and damping rates, are in a packing than of two: translations four
 /// times at most (a triangular lattice, three times), spins that all turn one way twelve times the tangential
 /// part.
@@ -41,7 +39,7 @@ class Height {
   }
 
   Vec down_;
-  double low_ = kInfinite, high_ = -kInfinite;
+  double low_ = std::numeric_limits<double>::infinity(), high_ = -low_;
 };
 
 /// m/s, of the fastest point of a body at the beginning.
@@ -83,7 +81,8 @@ SoftTiming soft_timing(const Scene& scene) {
   const SoftRatios tangential = soft_ratios(scene);
   const bool alone = std::ranges::count(scene.bodies.kind, BodyKind::dynamic) == 1;
   const double part = alone ? 1.0 : 0.5;  // of mass and radius, that two alike have
-  SoftTiming timing{first_speed(scene) + top_speed(scene), kInfinite, restitution, kInfinite};
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  SoftTiming timing{first_speed(scene) + top_speed(scene), infinite, restitution, infinite};
   for (std::size_t row = 0; row < scene.bodies.size(); ++row) {
     if (scene.bodies.kind[row] != BodyKind::dynamic) continue;
     const double reduced = part * mass(scene, row);

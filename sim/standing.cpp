@@ -14,12 +14,6 @@ namespace {
 constexpr double kTouching = 1e-9;  // radii
 constexpr double kSquare = 1e-9;    // sine of the angle up to which walls are parallel
 
-template <class F>
-void for_dynamic(const Scene& scene, F f) {
-  for (std::size_t row = 0; row < scene.bodies.size(); ++row)
-    if (scene.bodies.kind[row] == BodyKind::dynamic) f(row);
-}
-
 /// m, across gravity.
 double width(const Scene& scene) {
   const Vec across(-scene.gravity.normalized().y(), scene.gravity.normalized().x());

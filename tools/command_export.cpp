@@ -18,14 +18,14 @@ namespace throng::tools {
 
 namespace {
 
-struct Options {
+struct ExportOptions {
   std::string file, format, output;
   std::optional<double> from, to;  // s
   std::int64_t every = 1;
   bool force = false;
 };
 
-void check_output(const Options& options) {
+void check_output(const ExportOptions& options) {
   const bool is_lines = options.format == "csv" || options.format == "lammps";
   if (options.output == kStandardOutput && !is_lines)
     throw InputError("-o - writes csv and lammps to the standard output; " + options.format +
@@ -38,7 +38,7 @@ void check_output(const Options& options) {
     throw InputError("cannot write " + options.output + ": it exists already; --force overwrites it");
 }
 
-void check_contents(const Options& options, const Recording& recording) {
+void check_contents(const ExportOptions& options, const Recording& recording) {
   if (recording.frames() == 0) throw InputError(options.file + " holds no frames to export");
   if (recording.bodies() == 0) throw InputError(options.file + " holds no bodies to export");
   const Record& record = recording.geometry().record;
@@ -50,16 +50,16 @@ void check_contents(const Options& options, const Recording& recording) {
                      "h5md3 and lammps unpack them");
 }
 
-std::string seconds(double time) {
+std::string seconds_text(double time) {
   char text[32];
   std::snprintf(text, sizeof text, "%g s", time);
   return text;
 }
 
 /// " from 1 s to 2 s", as far as that was asked for.
-std::string span_text(const Options& options) {
-  return (options.from ? " from " + seconds(*options.from) : "") +
-         (options.to ? " to " + seconds(*options.to) : "");
+std::string span_text(const ExportOptions& options) {
+  return (options.from ? " from " + seconds_text(*options.from) : "") +
+         (options.to ? " to " + seconds_text(*options.to) : "");
 }
 
 /// Whether a frame has lines of csv; other formats know frames with positions alone.
@@ -71,13 +71,13 @@ bool has_lines(const Recording& recording, std::size_t frame) {
 
 /// Each --every-th of the frames that the format shows, from the first that is not before --from, up to
 /// rounding.
-std::vector<std::size_t> select(const Options& options, const Recording& recording) {
+std::vector<std::size_t> select(const ExportOptions& options, const Recording& recording) {
   const auto times = recording.times();
   const bool csv = options.format == "csv";
   const double slack = 1e-9 * times.back();
   const double from = options.from.value_or(times.front()), to = options.to.value_or(times.back());
   if (options.from && options.to && from > to)
-    throw InputError("--from " + seconds(from) + " is after --to " + seconds(to));
+    throw InputError("--from " + seconds_text(from) + " is after --to " + seconds_text(to));
   std::vector<std::size_t> frames;
   std::int64_t skip = 0;
   for (std::size_t i = 0; i < times.size(); ++i) {
@@ -88,10 +88,11 @@ std::vector<std::size_t> select(const Options& options, const Recording& recordi
   }
   if (!frames.empty()) return frames;
   throw InputError(options.file + " has no frame" + (csv ? " of bodies" : "") + span_text(options) +
-                   ": its frames go from " + seconds(times.front()) + " to " + seconds(times.back()));
+                   ": its frames go from " + seconds_text(times.front()) + " to " +
+                   seconds_text(times.back()));
 }
 
-void warn_of_velocities(const Options& options, const Recording& recording,
+void warn_of_velocities(const ExportOptions& options, const Recording& recording,
                         std::span<const std::size_t> frames) {
   const Record& record = recording.geometry().record;
   if (options.format != "h5md3" || !record.velocity || have_velocities(recording, frames)) return;
@@ -104,12 +105,12 @@ void warn_of_velocities(const Options& options, const Recording& recording,
 }
 
 /// For people.
-std::string output_name(const Options& options) {
+std::string output_name(const ExportOptions& options) {
   return options.output == kStandardOutput ? "the standard output" : options.output;
 }
 
 /// No format has a place for what is not of a body.
-void warn_of_other_things(const Options& options, const Recording& recording) {
+void warn_of_other_things(const ExportOptions& options, const Recording& recording) {
   const Record& record = recording.geometry().record;
   std::string left_out;
   const auto add = [&](bool is_there, const char* what) {
@@ -123,8 +124,8 @@ void warn_of_other_things(const Options& options, const Recording& recording) {
                  printable(output_name(options)).c_str(), left_out.c_str());
 }
 
-void write_format(const Recording& recording, const Options& options, std::span<const std::size_t> frames,
-                  const ExportTarget& target) {
+void write_format(const Recording& recording, const ExportOptions& options,
+                  std::span<const std::size_t> frames, const ExportTarget& target) {
   if (options.format == "csv") export_csv(recording, frames, target);
   if (options.format == "pedpy") export_pedpy(recording, frames, target);
   if (options.format == "xdmf") export_xdmf(recording, options.file, frames, target);
@@ -132,7 +133,7 @@ void write_format(const Recording& recording, const Options& options, std::span<
   if (options.format == "lammps") export_lammps(recording, frames, target);
 }
 
-int export_recording(const Options& options) {
+int export_recording(const ExportOptions& options) {
   check_output(options);
   const Recording recording(options.file,
                             options.format == "csv" ? FrameChoice::all : FrameChoice::with_position);
@@ -154,7 +155,7 @@ int export_recording(const Options& options) {
 }  // namespace
 
 void add_export(CLI::App& app, int& exit_code) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ExportOptions>();
   CLI::App* command = app.add_subcommand("export", "Writes a recording for the field's tools");
   command->add_option("FILE", options->file, "recording (.h5, or the .h5.part of a run)")->required();
   command->add_option("--format", options->format, "csv, pedpy, xdmf, h5md3 or lammps")

@@ -238,7 +238,7 @@ std::string meaning(const std::string& key, const Json& value, const Json& descr
   return found == kMeanings.end() ? "" : found->second;
 }
 
-void print(const Json& description, const Recording& recording) {
+void print_description(const Json& description, const Recording& recording) {
   const Record& record = recording.geometry().record;
   for (const auto& [key, value] : description.items()) {
     if (key == "rates" || key == "samples") continue;
@@ -271,7 +271,7 @@ void add_info(CLI::App& app, int& exit_code) {
     if (options->json)
       std::puts(description.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
     else
-      print(description, recording);
+      print_description(description, recording);
     exit_code = 0;
   });
 }

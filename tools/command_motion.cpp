@@ -20,12 +20,13 @@
 #include "tools/motion_page.h"
 #include "tools/motion_picture.h"
 #include "tools/scenario.h"
+#include "tools/summary.h"
 
 namespace throng::tools {
 
 namespace {
 
-struct Options {
+struct MotionOptions {
   std::string file, png, html;
   double epsilon = 0.0;
   std::optional<double> margin;
@@ -34,7 +35,7 @@ struct Options {
   bool any = false, clearance = false, summary = false, schema = false, fields = false;
 };
 
-constexpr const char* kFooter =
+constexpr const char* kMotionFooter =
     R"(FILE is TOML; --fields lists all that may stand in it, scenarios/motions/ has examples:
   motion = 1
   [shapes]
@@ -83,7 +84,7 @@ Examples: throng motion scenarios/motions/sofa.toml --html sofa.html
           throng motion scenarios/motions/post.toml --margin 5e-5 --clearance
           throng motion - --summary < scenarios/motions/crossing.toml)";
 
-MotionTask load_or_throw(const std::string& file) {
+MotionTask load_motion_or_throw(const std::string& file) {
   LoadedMotion loaded = load_motion(file);
   const std::string name = file == "-" ? kStandardInput : file;
   expect_sound(loaded.diagnostics, name);
@@ -93,10 +94,6 @@ MotionTask load_or_throw(const std::string& file) {
 }
 
 using Json = nlohmann::ordered_json;
-
-void print(const Json& answer) {
-  std::puts(answer.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
-}
 
 /// In m; of a bound that is proven, no more than it.
 std::string in_metres(double length, bool is_bound) {
@@ -120,7 +117,7 @@ std::string how_far(const MotionDistance& nearest) {
 }
 
 /// One configuration.
-void answer_waypoint(const MotionTask& task, const Options& options) {
+void answer_waypoint(const MotionTask& task, const MotionOptions& options) {
   if (*options.waypoint < 0 || static_cast<std::uint64_t>(*options.waypoint) >= task.waypoints())
     throw InputError("--waypoint " + std::to_string(*options.waypoint) + ": they are 0 to " +
                      std::to_string(task.waypoints() - 1));
@@ -138,7 +135,7 @@ void answer_waypoint(const MotionTask& task, const Options& options) {
   print(answer);
 }
 
-void answer_path(const MotionTask& task, const Options& options) {
+void answer_path(const MotionTask& task, const MotionOptions& options) {
   const MotionSystem system(task);
   const bool drawn = !options.png.empty() || !options.html.empty();
   const MotionAnswer answer = answer_motion(system, {options.any, options.epsilon, drawn});
@@ -156,12 +153,12 @@ void answer_path(const MotionTask& task, const Options& options) {
   print(all);
 }
 
-void answer_file(const Options& options) {
+void answer_file(const MotionOptions& options) {
   if (options.file.empty()) throw InputError("motion needs a file; see throng motion --help");
   check_outputs(std::vector<Output>{{"--png", options.png, {".png", ".PNG"}},
                                     {"--html", options.html, {".html", ".htm"}}},
                 options.file, "the motion file");
-  MotionTask task = load_or_throw(options.file);
+  MotionTask task = load_motion_or_throw(options.file);
   if (options.margin) task.margin = *options.margin;
   if (options.waypoint)
     answer_waypoint(task, options);
@@ -169,7 +166,7 @@ void answer_file(const Options& options) {
     answer_path(task, options);
 }
 
-void run(const Options& options) {
+void run(const MotionOptions& options) {
   if (options.schema)
     std::fputs(scenarios::motion_schema().c_str(), stdout);
   else if (options.fields)
@@ -183,7 +180,7 @@ void run(const Options& options) {
 void add_motion(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "motion", "Proves paths of bodies and robots free of contact, or finds the first: TOML in, JSON out");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<MotionOptions>();
   command->add_option("FILE", options->file, "the motion file; - reads the standard input");
   CLI::Option* any = command->add_flag(
       "--any", options->any,
@@ -226,7 +223,7 @@ void add_motion(CLI::App& app, int& exit_code) {
                     "print the JSON Schema of motion files, for editors, and nothing else");
   command->add_flag("--fields", options->fields,
                     "print all fields of motion files, what they mean and what they are when absent");
-  command->footer(kFooter);
+  command->footer(kMotionFooter);
   command->callback([options, &exit_code] {
     run(*options);
     exit_code = 0;

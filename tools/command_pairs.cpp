@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kLongestLine = std::size_t{16} << 20;  // bytes
 
-constexpr const char* kFooter = R"(A line is {"a": SHAPE, "b": SHAPE}, and may have
+constexpr const char* kPairsFooter = R"(A line is {"a": SHAPE, "b": SHAPE}, and may have
   "id"        a string or a number, which the answer has too
   "epsilon"   accepted relative error of the distance, 0 unless given: of many-cornered shapes that are apart,
               a rough distance takes less time
@@ -68,7 +68,7 @@ Example:
   echo '{"a": {"disc": {"radius": 1}}, "b": {"polygon": [[2,-1],[3,0],[2,1]]}}' | throng pairs -
   echo '{"until": 9, "a": {"disc": {"radius": 1}, "velocity": [1, 0]}, "b": {"segment": [[4,-1],[4,1]]}}' | throng pairs -)";
 
-void print(const Json& line) {
+void print_line(const Json& line) {
   std::puts(line.dump(-1, ' ', false, Json::error_handler_t::replace).c_str());
 }
 
@@ -100,9 +100,9 @@ bool answer_all(std::istream& in, bool work) {
       if (line.size() > kLongestLine) throw InputError("longer than 16 MB");
       const Json asked = parse_line(line);
       id = read_id(asked);
-      print(with_id(id, answer(read_pair(asked), work)));
+      print_line(with_id(id, answer(read_pair(asked), work)));
     } catch (const InputError& error) {
-      print(with_id(id, {{"line", number}, {"error", error.what()}}));
+      print_line(with_id(id, {{"line", number}, {"error", error.what()}}));
       good = false;
     }
   }
@@ -128,7 +128,7 @@ void add_pairs(CLI::App& app, int& exit_code) {
   command->add_flag("--work", *work,
                     "adds to each answer what its distance took: pairs of volumes and of leaves compared, "
                     "microseconds");
-  command->footer(kFooter);
+  command->footer(kPairsFooter);
   command->callback([file, work, &exit_code] { exit_code = answer_file(*file, *work) ? 0 : 2; });
 }
 

@@ -80,7 +80,7 @@ std::string how_sure(const Scene& scene) {
   return text;
 }
 
-void print(const Scene& scene, const Plan& plan) {
+void print_plan(const Scene& scene, const Plan& plan) {
   std::printf(
       "%s: %s (%zu dynamic, %zu static, %zu kinematic), %s, %s; engine %s\n", printable(scene.name).c_str(),
       counted_bodies(scene.bodies.size() - scene.crowd.size()).c_str(), count(scene, BodyKind::dynamic),
@@ -106,7 +106,7 @@ void print(const Scene& scene, const Plan& plan) {
               size_text(recording::expected_bytes(scene)).c_str(), how_sure(scene).c_str());
 }
 
-struct Options {
+struct PlanOptions {
   std::string scene;
   Overrides set;
   bool json = false;
@@ -115,7 +115,7 @@ struct Options {
 }  // namespace
 
 void add_plan(CLI::App& app, int&) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<PlanOptions>();
   CLI::App* command =
       app.add_subcommand("plan", "Shows which stages a scene runs or skips, why, and what it will write");
   command->add_option("SCENE", options->scene, "scenario file")->required();
@@ -128,7 +128,7 @@ void add_plan(CLI::App& app, int&) {
     if (options->json)
       std::puts(to_json(loaded.scene, plan).dump(2, ' ', false, Json::error_handler_t::replace).c_str());
     else
-      print(loaded.scene, plan);
+      print_plan(loaded.scene, plan);
   });
 }
 

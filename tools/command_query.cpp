@@ -30,7 +30,7 @@ using broadphase::ProximityTree;
 constexpr double kFarthest = 1e12;          // m, of a place that is asked about
 constexpr std::uint32_t kBlock = 1U << 16;  // bodies whose neighbours are held at a time
 
-struct Options {
+struct QueryOptions {
   std::string source, format = "csv";
   std::optional<std::string> point, heading;
   std::optional<double> radius, at, fov;
@@ -38,7 +38,7 @@ struct Options {
   bool all = false, sight = false, bodies_hide = false;
 };
 
-void check(const Options& options) {
+void check(const QueryOptions& options) {
   if (options.id.has_value() + options.point.has_value() + options.all != 1)
     throw InputError("query: give one of --id I, --point X,Y and --all");
   if (!options.radius && !options.nearest) throw InputError("query: give --radius R, --nearest K or both");
@@ -71,7 +71,7 @@ Vec parse_point(const std::string& text) {
 }
 
 /// A heading in degrees, where it is one.
-std::optional<double> heading_in_degrees(const Options& options) {
+std::optional<double> heading_in_degrees(const QueryOptions& options) {
   if (!options.heading || *options.heading == "velocity" || *options.heading == "angle") return {};
   double degrees = 0.0;
   const char *begin = options.heading->data(), *end = begin + options.heading->size();
@@ -83,7 +83,7 @@ std::optional<double> heading_in_degrees(const Options& options) {
 }
 
 /// Where each body looks; empty where it looks all around.
-std::vector<Vec> headings(const Options& options, const Crowd& crowd, const FieldOfView& view) {
+std::vector<Vec> headings(const QueryOptions& options, const CrowdSnapshot& crowd, const FieldOfView& view) {
   if (view.all_around()) return {};
   if (const auto degrees = heading_in_degrees(options))
     return std::vector<Vec>(crowd.id.size(), direction(*degrees));
@@ -102,7 +102,7 @@ std::vector<Vec> headings(const Options& options, const Crowd& crowd, const Fiel
 /// Prints one list after the other.
 class Printer {
  public:
-  Printer(const std::string& format, const Crowd& crowd) : json_(format == "json"), crowd_(crowd) {
+  Printer(const std::string& format, const CrowdSnapshot& crowd) : json_(format == "json"), crowd_(crowd) {
     text_ = json_ ? "[" : "id,neighbour,distance\n";
   }
 
@@ -149,7 +149,7 @@ class Printer {
   }
 
   bool json_, first_ = true;
-  const Crowd& crowd_;
+  const CrowdSnapshot& crowd_;
   std::string text_, id_;
   const char* separator_ = "";
 };
@@ -158,7 +158,7 @@ using Neighbours = std::vector<broadphase::Neighbour>;
 
 /// What is asked of whom.
 struct Query {
-  const Crowd& crowd;
+  const CrowdSnapshot& crowd;
   const ProximityTree& tree;
   const Sight* sight;          ///< null: nobody looks
   const BodyScreens* screens;  ///< null: bodies hide nobody
@@ -193,7 +193,7 @@ void print_one(const Query& query, const Place& place, Printer& printer) {
 
 /// Of every body, some at a time so that memory stays small.
 void print_all(const Query& query, const std::vector<Vec>& heading, Printer& printer) {
-  const Crowd& crowd = query.crowd;
+  const CrowdSnapshot& crowd = query.crowd;
   broadphase::NeighbourSearch search;
   broadphase::NeighbourLists lists;
   for (std::uint32_t first = 0; first < crowd.id.size(); first += kBlock) {
@@ -218,7 +218,8 @@ void print_all_in_sight(const Query& query, const std::vector<Vec>& heading, Pri
 }
 
 /// Who hides others needs its angle, unless it is a disc.
-void place_screens(const Options& options, const Crowd& crowd, std::optional<BodyScreens>& screens) {
+void place_screens(const QueryOptions& options, const CrowdSnapshot& crowd,
+                   std::optional<BodyScreens>& screens) {
   const Bodies& bodies = crowd.scene.bodies;
   const auto is_disc = [&](std::uint32_t row) {
     return crowd.scene.shapes[bodies.shape[row - 1]].kind == ShapeKind::disc;
@@ -229,12 +230,12 @@ void place_screens(const Options& options, const Crowd& crowd, std::optional<Bod
   screens->place(crowd.body, crowd.position, crowd.angle);
 }
 
-void query(const Options& options) {
+void query(const QueryOptions& options) {
   check(options);
   Place place;
   if (options.point) place.at = parse_point(*options.point);
   const auto degrees = heading_in_degrees(options);
-  const Crowd crowd = read_crowd(options.source, options.at);
+  const CrowdSnapshot crowd = read_crowd(options.source, options.at);
   const broadphase::Period* period = crowd.period ? &*crowd.period : nullptr;
   Near near{.view = field_of_view(options.fov.value_or(360.0))};
   if (options.radius) near.radius = *options.radius;
@@ -276,7 +277,7 @@ CLI::Validator something() {
 }  // namespace
 
 void add_query(CLI::App& app, int&) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<QueryOptions>();
   CLI::App* command = app.add_subcommand(
       "query",
       "Tells who is within a radius, or nearest, of a body, a point, or every body: from centre to centre,\n"

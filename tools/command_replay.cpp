@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::size_t kLines = 20;  // of the table
 
-struct Options {
+struct ReplayOptions {
   std::string file, png, html, video;
   std::optional<double> at, speed;
   std::optional<int> width, fps, threads;
@@ -33,7 +33,7 @@ struct Options {
 };
 
 /// An option that would do nothing is a mistake.
-void refuse_what_does_nothing(const Options& options) {
+void refuse_what_does_nothing(const ReplayOptions& options) {
   if (options.speed && options.verify && options.video.empty())
     throw InputError("--speed plays and --verify checks: give one of them");
   if (options.at && options.png.empty()) throw InputError("--at says which frame --png draws: give both");
@@ -66,7 +66,7 @@ void print_table(const Recording& recording) {
   if (n > lines) std::printf("%zu of %zu frames; --verify checks all of them\n", lines, n);
 }
 
-void draw(const Recording& recording, const Options& options) {
+void draw(const Recording& recording, const ReplayOptions& options) {
   expect_drawable(recording, options.file);
   const std::size_t i = frame_at_or_throw(recording, options.file, options.at);
   Frame frame = recording.frame(i);
@@ -76,7 +76,7 @@ void draw(const Recording& recording, const Options& options) {
   picture.write_png(options.png);
 }
 
-void make_film(const Recording& recording, const Options& options) {
+void make_film(const Recording& recording, const ReplayOptions& options) {
   expect_drawable(recording, options.file);
   FilmOptions film;
   film.speed = options.speed.value_or(film.speed);
@@ -85,12 +85,12 @@ void make_film(const Recording& recording, const Options& options) {
   write_film(recording, options.video, film);
 }
 
-int play_frames(const Recording& recording, const Options& options) {
+int play_frames(const Recording& recording, const ReplayOptions& options) {
   expect_drawable(recording, options.file);
   return play(recording, *options.speed);
 }
 
-int replay(const Options& options) {
+int replay(const ReplayOptions& options) {
   refuse_what_does_nothing(options);
   check_outputs(std::vector<Output>{{"--png", options.png, {".png", ".PNG"}},
                                     {"--html", options.html, {".html", ".htm"}},
@@ -113,7 +113,7 @@ int replay(const Options& options) {
 }  // namespace
 
 void add_replay(CLI::App& app, int& exit_code) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ReplayOptions>();
   CLI::App* command = app.add_subcommand(
       "replay", "Plays, checks or draws a recording; without options, lists 20 of its frames");
   command->add_option("FILE", options->file, "recording (.h5, or the .h5.part of a run)")->required();

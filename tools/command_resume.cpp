@@ -16,7 +16,7 @@ namespace throng::tools {
 
 namespace {
 
-struct Options {
+struct ResumeOptions {
   std::string file, until, command_line;
   DriveOptions drive;
 };
@@ -84,7 +84,7 @@ RecordedFrames recorded_frames(const Kept& kept) {
 
 /// Checkpoints go on as the run made them, unless the command line says how often; where there is one, the
 /// end has one, too, so that who makes the run longer goes on from there.
-DriveOptions drive_options(const Kept& kept, const Options& options, bool from_checkpoint) {
+DriveOptions drive_options(const Kept& kept, const ResumeOptions& options, bool from_checkpoint) {
   DriveOptions drive = options.drive;
   drive.checkpoint_at_end = from_checkpoint;
   const double before = kept.recording.origin().provenance.checkpoint;
@@ -100,7 +100,7 @@ Provenance provenance(const Kept& kept, const Loaded& loaded, const std::string&
           drive.checkpoint.value_or(0.0)};
 }
 
-int resume(const Options& options) {
+int resume(const ResumeOptions& options) {
   const Kept kept = find_recording(options.file);
   const Loaded loaded = load_recorded(kept, options.until);
   const Scene& scene = loaded.scene;
@@ -130,7 +130,7 @@ int resume(const Options& options) {
 }  // namespace
 
 void add_resume(CLI::App& app, int& exit_code, const std::string& command_line) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ResumeOptions>();
   options->command_line = command_line;
   CLI::App* command = app.add_subcommand(
       "resume", "Goes on with a recording to the end that an uninterrupted run has, bit for bit");

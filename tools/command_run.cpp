@@ -20,7 +20,7 @@ namespace throng::tools {
 
 namespace {
 
-struct Options {
+struct RunOptions {
   std::string scene, output, command_line;
   Overrides overrides;
   DriveOptions drive;
@@ -39,7 +39,7 @@ std::string quoted(const std::string& text) {
 }
 
 /// What to type to see the same failure again.
-std::string reproduction(const Options& options) {
+std::string reproduction(const RunOptions& options) {
   std::string text = "throng run " + quoted(options.scene);
   for (const std::string& o : options.overrides.fields) text += " --set " + quoted(o);
   return text + " --threads " + std::to_string(options.drive.threads);
@@ -58,7 +58,7 @@ void expect_name_of_recording(const std::string& output) {
 }
 
 /// All that a run does but run. Returns the exit code.
-int rehearse(const Options& options, const Loaded& loaded, const Provenance& provenance) {
+int rehearse(const RunOptions& options, const Loaded& loaded, const Provenance& provenance) {
   const auto simulation = throng::simulation(loaded.scene, options.drive.threads);
   if (!options.output.empty()) {
     Recorder::expect_writable(options.output, loaded.scene, provenance, options.force);
@@ -68,7 +68,7 @@ int rehearse(const Options& options, const Loaded& loaded, const Provenance& pro
   return 0;
 }
 
-int run(const Options& options) {
+int run(const RunOptions& options) {
   if (options.drive.checkpoint && options.output.empty())
     throw InputError("--checkpoint stands beside a recording: give -o too");
   const Loaded loaded = load_or_throw(options.scene, options.overrides);
@@ -99,7 +99,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_run(CLI::App& app, int& exit_code, const std::string& command_line) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RunOptions>();
   options->command_line = command_line;
   CLI::App* command = app.add_subcommand("run", "Runs a scenario; prints a summary as JSON, records with -o");
   command->add_option("SCENE", options->scene, "scenario file")->required();

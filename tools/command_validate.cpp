@@ -15,13 +15,13 @@ namespace throng::tools {
 
 namespace {
 
-struct Options {
+struct ValidateOptions {
   std::string file;
   Overrides overrides;
   bool schema = false, fields = false;
 };
 
-int validate(const Options& options) {
+int validate(const ValidateOptions& options) {
   if (options.schema) {
     std::fputs(scenarios::schema().c_str(), stdout);
     return 0;
@@ -49,7 +49,7 @@ int validate(const Options& options) {
 void add_validate(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("validate", "Reads a scenario and reports every fault in it");
   command->footer("Example: throng validate scenarios/pile.toml --set time.dt=0.005");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ValidateOptions>();
   command->add_option("SCENE", options->file, "The scenario file");
   command
       ->add_option("--set", options->overrides.fields,

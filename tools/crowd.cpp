@@ -28,14 +28,14 @@ bool is_recording(const std::string& file) {
 }
 
 /// A scenario as it starts.
-Crowd crowd_of_scenario(const std::string& source, std::optional<double> at, Scene& scene) {
+CrowdSnapshot crowd_of_scenario(const std::string& source, std::optional<double> at, Scene& scene) {
   if (at.value_or(0.0) != 0.0)
     throw InputError(
         source +
         ": a scenario is asked at its start, --at 0; for later times record a run with 'throng run " +
         source + " -o FILE.h5' and ask the recording");
   scene = load_or_throw(source).scene;
-  Crowd crowd;
+  CrowdSnapshot crowd;
   State state = initial_state(scene);
   crowd.id = std::move(state.id);
   crowd.position = std::move(state.position), crowd.velocity = std::move(state.velocity);
@@ -71,7 +71,7 @@ std::string absence(const Recording& recording, RecordField field, std::size_t f
 }
 
 /// The frame nearest to the time that is asked for, else the last one; says on stderr which.
-Crowd crowd_of_recording(const std::string& source, std::optional<double> wanted, Scene& scene) {
+CrowdSnapshot crowd_of_recording(const std::string& source, std::optional<double> wanted, Scene& scene) {
   const Recording recording(source, FrameChoice::with_position);
   if (recording.frames() == 0) throw InputError(source + ": holds no frame yet");
   const std::size_t index = frame_at_or_throw(recording, source, wanted);
@@ -101,9 +101,9 @@ Crowd crowd_of_recording(const std::string& source, std::optional<double> wanted
 
 }  // namespace
 
-Crowd read_crowd(const std::string& source, std::optional<double> at) {
+CrowdSnapshot read_crowd(const std::string& source, std::optional<double> at) {
   Scene scene;
-  Crowd crowd =
+  CrowdSnapshot crowd =
       is_recording(source) ? crowd_of_recording(source, at, scene) : crowd_of_scenario(source, at, scene);
   if (scene.domain.kind == DomainKind::periodic)
     crowd.period = {scene.domain.min, scene.domain.max - scene.domain.min};
@@ -120,7 +120,7 @@ Crowd read_crowd(const std::string& source, std::optional<double> at) {
 namespace {
 
 /// Why nobody in a crowd has the id.
-std::string why_absent(const Crowd& crowd, std::int64_t id) {
+std::string why_absent(const CrowdSnapshot& crowd, std::int64_t id) {
   const std::string it = "no body has the id " + std::to_string(id);
   if (crowd.bodies_of_run == 0) return it + ": there are none";
   if (id < 1 || id > static_cast<std::int64_t>(crowd.bodies_of_run))
@@ -132,7 +132,7 @@ std::string why_absent(const Crowd& crowd, std::int64_t id) {
 
 }  // namespace
 
-std::uint32_t row_of(const Crowd& crowd, std::int64_t id, const std::string& source) {
+std::uint32_t row_of(const CrowdSnapshot& crowd, std::int64_t id, const std::string& source) {
   const auto found = std::ranges::find_if(crowd.id, [id](std::uint32_t other) { return other == id; });
   if (found == crowd.id.end()) throw InputError(source + ": " + why_absent(crowd, id));
   return static_cast<std::uint32_t>(found - crowd.id.begin());

@@ -12,7 +12,7 @@
 namespace throng::tools {
 
 /// Where bodies stand, and where they go, a row each in order of id; and what is between them.
-struct Crowd {
+struct CrowdSnapshot {
   std::vector<std::uint32_t> id;
   std::vector<Vec> position;  ///< m, in the period where there is one
   std::vector<Vec> velocity;  ///< m/s; empty where it was not recorded
@@ -29,10 +29,10 @@ struct Crowd {
 
 /// The bodies of a scenario as it starts, or of the frame of a recording that is nearest to time `at` (s),
 /// without it the last one. Throws InputError where there is none, or `at` is outside the recording.
-Crowd read_crowd(const std::string& source, std::optional<double> at);
+CrowdSnapshot read_crowd(const std::string& source, std::optional<double> at);
 
 /// The row of a body. Throws InputError that names `source` and why it has none: there is no such body, or it
 /// is not recorded, or not there then.
-std::uint32_t row_of(const Crowd& crowd, std::int64_t id, const std::string& source);
+std::uint32_t row_of(const CrowdSnapshot& crowd, std::int64_t id, const std::string& source);
 
 }  // namespace throng::tools

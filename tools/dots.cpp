@@ -13,8 +13,8 @@ namespace throng::tools {
 
 namespace {
 
-constexpr std::uint8_t kBorder = 240, kWall = 250, kStill = 245;  // greys
-constexpr std::uint8_t kPlace = 67, kGoal = 172, kStay = 72;      // blue, orange, green
+constexpr std::uint8_t kBorderDot = 240, kWallDot = 250, kStillDot = 245;  // greys
+constexpr std::uint8_t kPlaceDot = 67, kGoalDot = 172, kStayDot = 72;      // blue, orange, green
 constexpr char32_t kNoDots = 0x2800, kAllDots = 0x28FF;
 
 /// The nearest of the 6 x 6 x 6 colours that every terminal has.
@@ -34,7 +34,7 @@ std::uint8_t terminal_colour(const Colour& colour) {
 std::uint8_t colour_of(const Scene& scene, const Frame& frame, const View& view, std::size_t row) {
   constexpr double kDarkest = 0.35;  // of the palette: below it nothing shows on black
   const BodyKind kind = scene.bodies.kind[row];
-  if (kind == BodyKind::fixed || kind == BodyKind::kinematic) return kStill;
+  if (kind == BodyKind::fixed || kind == BodyKind::kinematic) return kStillDot;
   const bool known = !frame.velocity.empty() && view.speeds.top > 0;
   const double speed = known ? std::min(1.0, frame.velocity[row].norm() / view.speeds.top) : 0.0;
   return terminal_colour(palette(kDarkest + (1 - kDarkest) * speed));
@@ -131,20 +131,22 @@ void draw_domain(Dots& dots, const Domain& domain) {
   const int every = domain.kind == DomainKind::periodic ? 3 : 1;
   const Vec half(0.5 * dots.dot(), 0.5 * dots.dot());  // around it, not on what touches it
   const Vec a = domain.min - half, c = domain.max + half, b(c.x(), a.y()), d(a.x(), c.y());
-  dots.draw_line(a, b, kBorder, every);
-  dots.draw_line(b, c, kBorder, every);
-  dots.draw_line(d, c, kBorder, every);
-  dots.draw_line(a, d, kBorder, every);
+  dots.draw_line(a, b, kBorderDot, every);
+  dots.draw_line(b, c, kBorderDot, every);
+  dots.draw_line(d, c, kBorderDot, every);
+  dots.draw_line(a, d, kBorderDot, every);
 }
 
 void draw_wall(Dots& dots, const Wall& wall) {
   for (std::size_t i = 0; i + 1 < wall.points.size(); ++i)
-    dots.draw_line(wall.points[i], wall.points[i + 1], kWall);
-  if (wall.closed) dots.draw_line(wall.points.back(), wall.points.front(), kWall);
+    dots.draw_line(wall.points[i], wall.points[i + 1], kWallDot);
+  if (wall.closed) dots.draw_line(wall.points.back(), wall.points.front(), kWallDot);
 }
 
 void draw_area(Dots& dots, const Area& area) {
-  const std::uint8_t colour = area.use == AreaUse::wait ? kStay : area.use == AreaUse::goal ? kGoal : kPlace;
+  const std::uint8_t colour = area.use == AreaUse::wait   ? kStayDot
+                              : area.use == AreaUse::goal ? kGoalDot
+                                                          : kPlaceDot;
   for (const std::vector<Vec>& ring : area.region.rings)
     for (std::size_t i = 0; i < ring.size(); ++i)
       dots.draw_line(ring[i], ring[narrowphase::next(i, ring.size())], colour, 3);
@@ -155,8 +157,8 @@ void draw_area(Dots& dots, const Area& area) {
 
 void draw_queue(Dots& dots, const Queue& queue) {
   for (std::size_t i = 0; i + 1 < queue.line.size(); ++i)
-    dots.draw_line(queue.line[i], queue.line[i + 1], kStay, 2);
-  dots.name(queue.name, queue.line[0], dots.right(), kStay);
+    dots.draw_line(queue.line[i], queue.line[i + 1], kStayDot, 2);
+  dots.name(queue.name, queue.line[0], dots.right(), kStayDot);
 }
 
 /// Whether a point lies in a polygon, in its frame, and farther than `rim` from its border.

@@ -3,8 +3,11 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 
 namespace throng::tools {
+
+inline constexpr std::string_view kGiven = "@GIVEN@";  ///< where a page's template takes its JSON
 
 /// JSON that may stand in a script element of a page: no text in it can end the element.
 template <class Json>

@@ -20,8 +20,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::string_view kGiven = "@GIVEN@";
-constexpr std::size_t kMostLanes = 12;
+constexpr std::size_t kPageLanes = 12;
 
 std::string css(const Colour& colour) {
   const auto byte = [](double part) { return std::to_string(std::lround(255 * part)); };
@@ -84,7 +83,7 @@ Json given(const MotionSystem& system, const MotionAnswer& answer) {
         svg_path(task.shapes[obstacle.shape], narrowphase::pose(obstacle.at, obstacle.angle), origin));
   for (std::size_t i = 0; i < task.movers.size(); ++i) movers.push_back(to_json(task.movers[i], i, origin));
   for (const SegmentAnswer& segment : answer.segments) segments.push_back(to_json(segment, origin));
-  for (const Lane& lane : lanes(system, answer, kMostLanes)) rows.push_back(to_json(lane));
+  for (const Lane& lane : lanes(system, answer, kPageLanes)) rows.push_back(to_json(lane));
   for (const MotionInstant& ghost : view.ghosts)
     ghosts.push_back(static_cast<double>(ghost.segment) + ghost.fraction);
   return {{"name", task.name},

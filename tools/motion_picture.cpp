@@ -19,7 +19,7 @@ namespace {
 using narrowphase::Pose;
 using narrowphase::Verdict;
 
-constexpr std::size_t kMostLanes = 6;
+constexpr std::size_t kPictureLanes = 6;
 
 void add_shape(cairo_t* cairo, const MotionShape& shape) {
   for (const std::vector<Vec>& ring : shape.rings) add_ring(cairo, ring);
@@ -210,7 +210,7 @@ void draw_all(cairo_t* cairo, const Page& page, const MotionSystem& system, cons
 void write_motion_png(const MotionSystem& system, const MotionAnswer& answer, const std::string& output,
                       int width) {
   const MotionView view = view_of(system, answer);
-  const std::vector<Lane> rows = lanes(system, answer, kMostLanes);
+  const std::vector<Lane> rows = lanes(system, answer, kPictureLanes);
   const Page page(view.extent, width);
   const int height = page.height + static_cast<int>(std::ceil(timeline_height(rows.size(), page.unit)));
   const std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)> surface(

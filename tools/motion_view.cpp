@@ -65,7 +65,7 @@ void include_near(const MotionSystem& system, Extent& extent) {
     }
 }
 
-Extent with_margin(Extent extent) {
+Extent with_wide_margin(Extent extent) {
   const double longer = std::max(extent.size().maxCoeff(), 1e-9 * (1.0 + extent.min.cwiseAbs().maxCoeff()));
   const Vec lack = ((0.3 * longer - extent.size().array()).max(0.0) / 2 + 0.04 * longer).matrix();
   return {extent.min - lack, extent.max + lack};
@@ -91,7 +91,7 @@ MotionView view_of(const MotionSystem& system, const MotionAnswer& answer) {
   for (const MotionInstant& instant : instants(segments, kSamples, 1))
     include_movers(system, instant, view.extent);
   include_near(system, view.extent);
-  view.extent = with_margin(view.extent);
+  view.extent = with_wide_margin(view.extent);
   find_contact(answer, view);
   return view;
 }

@@ -62,7 +62,7 @@ void check_keys(const Json& object, const std::string& path, std::initializer_li
   }
 }
 
-double number(const Json& value, const std::string& path) {
+double read_number(const Json& value, const std::string& path) {
   if (!value.is_number()) fail(path, "a number is expected");
   const double x = value.get<double>();
   if (!(std::abs(x) <= kLargest)) fail(path, "a number up to 1e100 in size is expected");
@@ -70,7 +70,7 @@ double number(const Json& value, const std::string& path) {
 }
 
 double length(const Json& value, const std::string& path) {
-  const double x = number(value, path);
+  const double x = read_number(value, path);
   if (x < 0.0) fail(path, "must not be negative");
   return x;
 }
@@ -86,7 +86,7 @@ std::string at(const std::string& path, std::size_t i) {
 }
 
 double coordinate(const Json& value, const std::string& path) {
-  const double x = number(value, path);
+  const double x = read_number(value, path);
   if (x != 0.0 && std::abs(x) < kLeast) fail(path, "0 or a number of at least 1e-140 in size is expected");
   return x;
 }
@@ -97,7 +97,7 @@ Vec point(const Json& value, const std::string& path) {
 }
 
 double optional_number(const Json& object, const std::string& path, const char* key) {
-  return object.contains(key) ? number(object[key], path + "." + key) : 0.0;
+  return object.contains(key) ? read_number(object[key], path + "." + key) : 0.0;
 }
 
 Vec optional_point(const Json& object, const std::string& path, const char* key) {
@@ -109,7 +109,7 @@ Vec velocity(const Json& solid, const std::string& path) {
   if (!solid.contains("velocity")) return {0.0, 0.0};
   const std::string here = path + ".velocity";
   const Json& value = array(solid["velocity"], here, 2);
-  return {number(value[0], at(here, 0)), number(value[1], at(here, 1))};
+  return {read_number(value[0], at(here, 0)), read_number(value[1], at(here, 1))};
 }
 
 double rounding(const Json& solid, const std::string& path) {

@@ -22,7 +22,7 @@ namespace {
 
 constexpr double kRest = 0.04;  // s at least, from one picture to the next
 constexpr double kNap = 0.1;    // s at most, without a look at the clock and the terminal
-constexpr std::uint8_t kFaint = 245;
+constexpr std::uint8_t kBarColour = 245;
 
 double seconds_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -90,7 +90,7 @@ class Show {
     recording_.carry_angles(i, frame_);  // to be seen, not to be measured
     draw_dots(screen, {0, 1, size.columns, size.rows - 2}, scene, view_, frame_);
     const double fraction = last > first_ ? (frame_.time - first_) / (last - first_) : 1.0;
-    screen.put(end, size.rows - 1, bar(fraction, std::min(30, size.columns - end)), kFaint);
+    screen.put(end, size.rows - 1, bar(fraction, std::min(30, size.columns - end)), kBarColour);
     return screen;
   }
 

@@ -6,15 +6,13 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "tools/seconds.h"
+
 namespace throng::tools {
 
 namespace {
 
 constexpr std::chrono::milliseconds kBarPeriod{100}, kLinePeriod{3000};
-
-double seconds(std::chrono::steady_clock::duration d) {
-  return std::chrono::duration<double>(d).count();
-}
 
 std::string bar(double fraction) {
   constexpr int kWidth = 30;

@@ -19,9 +19,7 @@ namespace throng::tools {
 
 namespace {
 
-using Json = nlohmann::json;
-
-constexpr std::string_view kGiven = "@GIVEN@", kRecording = "@RECORDING@";
+constexpr std::string_view kRecording = "@RECORDING@";
 constexpr std::size_t kPiece = std::size_t{3} << 18;  // bytes; a multiple of 3, so that pieces of base64 join
 
 void write_base64(std::ostream& out, const std::string& file) {
@@ -59,7 +57,8 @@ bool write_replay_page(const Recording& recording, const std::string& file, cons
   expect_drawable(recording, file);
   const bool embedded = recording.bytes() <= kLargestEmbedded && !recording.running();
   if (embedded) expect_undamaged(file);
-  const Json given{{"name", std::filesystem::path(file).filename().string()}, {"embedded", embedded}};
+  const nlohmann::json given{{"name", std::filesystem::path(file).filename().string()},
+                             {"embedded", embedded}};
   const std::size_t a = page.find(kGiven), b = page.find(kRecording);
   const std::string_view whole = page;
   replace_file(output, [&](const std::string& name) {

@@ -11,18 +11,15 @@
 #include "sim/measure/measured_bodies.h"
 #include "sim/observe.h"
 #include "tools/printable.h"
+#include "tools/seconds.h"
 
 namespace throng::tools {
 
-using Json = nlohmann::ordered_json;
-
 namespace {
 
-constexpr std::size_t kLast = 100;  // steps
+using Json = nlohmann::ordered_json;
 
-double seconds(std::chrono::steady_clock::duration d) {
-  return std::chrono::duration<double>(d).count();
-}
+constexpr std::size_t kLast = 100;  // steps
 
 std::string hex(std::uint64_t hash) {
   char text[17];
@@ -186,8 +183,8 @@ Json summary(const Scene& scene, const Simulation& simulation, const RunTimes& t
   return result;
 }
 
-void print(const Json& summary) {
-  std::puts(summary.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+void print(const Json& object) {
+  std::puts(object.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
 }
 
 }  // namespace throng::tools

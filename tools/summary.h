@@ -33,7 +33,7 @@ class RunTimes {
 nlohmann::ordered_json summary(const Scene& scene, const Simulation& simulation, const RunTimes& times,
                                const std::string& output);
 
-/// Prints it on stdout, whatever bytes its texts hold.
-void print(const nlohmann::ordered_json& summary);
+/// Prints an object on stdout, whatever bytes its texts hold.
+void print(const nlohmann::ordered_json& object);
 
 }  // namespace throng::tools

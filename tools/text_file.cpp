@@ -13,7 +13,7 @@ namespace throng::tools {
 namespace {
 
 template <class Number>
-std::string_view print(Number number, char (&text)[32]) {
+std::string_view digits(Number number, char (&text)[32]) {
   return {text, static_cast<std::size_t>(std::to_chars(text, text + sizeof text, number).ptr - text)};
 }
 
@@ -33,12 +33,12 @@ TextFile& TextFile::operator<<(std::string_view text) {
 
 TextFile& TextFile::operator<<(double number) {
   char text[32];
-  return *this << print(number, text);
+  return *this << digits(number, text);
 }
 
 TextFile& TextFile::operator<<(std::int64_t number) {
   char text[32];
-  return *this << print(number, text);
+  return *this << digits(number, text);
 }
 
 void TextFile::close() {

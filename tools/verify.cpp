@@ -28,7 +28,7 @@ struct Difference {
   double recorded, computed;
 };
 
-bool same_bits(double a, double b) {
+bool same_value(double a, double b) {
   return std::bit_cast<std::uint64_t>(a + 0.0) == std::bit_cast<std::uint64_t>(b + 0.0);
 }
 
@@ -75,7 +75,7 @@ class Comparison {
                                        std::size_t body) const {
     std::optional<Difference> found;
     const auto compare = [&](const char* field, double recorded, double computed) {
-      if (!found && !same_bits(recorded, computed))
+      if (!found && !same_value(recorded, computed))
         found = Difference{state.id[body], field, recorded, computed};
     };
     constexpr const char* positions[] = {"position x", "position y"};

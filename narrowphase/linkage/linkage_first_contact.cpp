@@ -8,9 +8,9 @@ namespace throng::narrowphase {
 namespace {
 
 /// Pairs on their way from 0 to 1, none of which gets far ahead of the others.
-class Advance {
+class CommonAdvance {
  public:
-  Advance(const LinksInMotion& pairs, double width, std::vector<FirstContactProgress>& progress)
+  CommonAdvance(const LinksInMotion& pairs, double width, std::vector<FirstContactProgress>& progress)
       : pairs_(pairs), width_(width), progress_(progress) {
     progress_.assign(pairs.size(), {0.0, 0});
   }
@@ -112,7 +112,7 @@ LinkageAnswer LinkageChecker::first_contact(std::span<const double> from, std::s
   begin();
   add_segment(from, to);
   const LinksInMotion pairs(scene_, {motions_.data(), segments_}, bounds_);
-  return named(Advance(pairs, width, progress_).run());
+  return named(CommonAdvance(pairs, width, progress_).run());
 }
 
 }  // namespace throng::narrowphase

@@ -11,12 +11,8 @@ namespace throng::narrowphase {
 
 namespace {
 
-constexpr double kRounding = 0x1p-44;  // of a thousand sums
-constexpr double kOneSum = 0x1p-52;    // and of one, twice over
-
-double length(const Vec& v) {
-  return direction(v, {1.0, 0.0}).length;
-}
+constexpr double kThousandSums = 0x1p-44;  // the rounding of as many,
+constexpr double kOneSum = 0x1p-52;        // and of one, twice over
 
 Vec crossed(double spin, const Vec& arm) {
   return {-spin * arm.y(), spin * arm.x()};
@@ -40,13 +36,13 @@ double LinkageMotion::Run::speed(double seen_by) const {
   const double turn = spin - seen_by;
   const double at_first = length(crossed(turn, arm) + slide);
   const double at_last = length(crossed(turn, arm + slide) + slide);
-  return std::max(at_first, at_last) + kRounding * (std::abs(turn) * size + slid);
+  return std::max(at_first, at_last) + kThousandSums * (std::abs(turn) * size + slid);
 }
 
 double LinkageMotion::Run::acceleration(double seen_by) const {
   const double turn = std::abs(spin - seen_by);
   const double farthest = std::max(length(arm), length(arm + slide));
-  return turn * (turn * farthest + 2.0 * length(slide)) + kRounding * turn * (turn * size + slid);
+  return turn * (turn * farthest + 2.0 * length(slide)) + kThousandSums * turn * (turn * size + slid);
 }
 
 void LinkageMotion::reset(std::span<const Link> linkage, std::span<const double> from,

@@ -16,10 +16,6 @@ void shorten(const Parabola& vertex, double& time) {
   if (!(vertex.at(time) >= 0.0)) time = std::min(time, vertex.root());
 }
 
-double length(const Vec& v) {
-  return direction(v, {1.0, 0.0}).length;
-}
-
 /// Along an axis that turns with the one that stays. What doesn't turn may have its origin anywhere: in that
 /// of the other.
 ClearTime clear_time(const Standing& stays, double spin, const Standing& moves, double spin_moving,

@@ -7,9 +7,9 @@ namespace {
 
 /// Each edge a segment, in a place that is kept for it.
 template <class Volume>
-class Edges {
+class Segments {
  public:
-  explicit Edges(const Outline<Volume>& solid) : solid_(&solid), edge_(segment({0.0, 0.0}, {1.0, 0.0})) {}
+  explicit Segments(const Outline<Volume>& solid) : solid_(&solid), edge_(segment({0.0, 0.0}, {1.0, 0.0})) {}
 
   const Bvh<Volume>& tree() const { return solid_->tree; }
   std::uint32_t name(std::uint32_t place) const { return solid_->edges[place].index; }
@@ -44,7 +44,8 @@ class Outlines {
     return true;
   }
 
-  /// Edges that meet in line, as those of boxes do, pass through each other without a depth: the solids tell.
+  /// Segments that meet in line, as those of boxes do, pass through each other without a depth: the solids
+  /// tell.
   void settle(const PartsQuestion& question, FirstPartsContact& found) const {
     constexpr int kDoublings = 16;
     const double doubt = found.contact.t_lo, far_a = a_.tree.nodes[0].far, far_b = b_.tree.nodes[0].far;
@@ -72,7 +73,7 @@ FirstPartsContact first_contact(const Outline<Volume>& a, const Motion& motion_a
   const Outlines<Volume> solids(a, motion_a, b, motion_b);
   FirstPartsContact found{{Verdict::hit, 0.0, 0.0, 0}, 0, 0};
   if (solids.collide(0.0, found)) return found;
-  found = Race(Edges(a), motion_a, Edges(b), motion_b, duration, question).run();
+  found = Race(Segments(a), motion_a, Segments(b), motion_b, duration, question).run();
   if (found.contact.verdict == Verdict::undecided) solids.settle(question, found);
   return found;
 }

@@ -10,7 +10,7 @@ namespace throng::narrowphase {
 namespace {
 
 /// Sixteen units in the last place of the lengths that a distance is made of; they amount to about six.
-constexpr double kRounding = 0x1p-49;
+constexpr double kSixteenUlps = 0x1p-49;
 
 double l1(const Vec& v) {
   return std::abs(v.x()) + std::abs(v.y());
@@ -64,24 +64,24 @@ MovingConvexPair::MovingConvexPair(const Convex& shape_a, const Motion& motion_a
   rate = speed + std::abs(spin_a) * reach_a + std::abs(spin_b) * reach_b;
   const double turned =
       (1.0 + std::abs(angle_a)) * of_a.from_origin + (1.0 + std::abs(angle_b)) * of_b.from_origin;
-  rounding = kRounding * (l1(offset) + turned + radius + rate * duration);
+  rounding = kSixteenUlps * (l1(offset) + turned + radius + rate * duration);
 }
 
 TimeSpan near(const MovingConvexPair& pair, double duration) {
-  constexpr TimeSpan kNever{0.0, -1.0};
+  constexpr TimeSpan kEmpty{0.0, -1.0};
   const Vec offset = pair.offset + pair.arms;
   const double coordinates = l1(pair.offset) + l1(pair.arms) + pair.size() + pair.speed * duration;
-  const double reach = pair.size() + 4.0 * kRounding * coordinates;
+  const double reach = pair.size() + 4.0 * kSixteenUlps * coordinates;
   const Direction course = direction(pair.velocity, {1.0, 0.0});
   const double along = dot(offset, course.unit), across = std::abs(cross(offset, course.unit));
   if (!std::isfinite(course.length) || !std::isfinite(reach)) return {0.0, duration};
-  if (across > reach) return kNever;
+  if (across > reach) return kEmpty;
   if (course.length == 0.0)
-    return direction(offset, {1.0, 0.0}).length > reach ? kNever : TimeSpan{0.0, duration};
+    return direction(offset, {1.0, 0.0}).length > reach ? kEmpty : TimeSpan{0.0, duration};
   const double half = std::sqrt(reach - across) * std::sqrt(reach + across);
-  if (half < along) return kNever;
+  if (half < along) return kEmpty;
   const double enters = (-along - half) / course.length, leaves = (-along + half) / course.length;
-  if (enters > duration) return kNever;
+  if (enters > duration) return kEmpty;
   return {std::max(0.0, enters), std::min(duration, leaves)};
 }
 

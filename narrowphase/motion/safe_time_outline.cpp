@@ -6,14 +6,6 @@ namespace throng::narrowphase {
 
 namespace {
 
-/// Of two solids whose outlines don't meet.
-template <class Volume>
-bool one_holds_the_other(const Outline<Volume>& a, const Outline<Volume>& b, const Pose& b_in_a,
-                         const Frame<2>& frame) {
-  if (apart(a.tree.root(), b.tree.root(), frame)) return false;
-  return holds(a, Pose{}, at_rest(a), b_in_a * b.start) || holds(b, b_in_a, frame, a.start);
-}
-
 /// Two edges, in the frame of a.
 template <class Volume>
 class EdgePairs {
@@ -62,10 +54,9 @@ SafeTime safe_time(const Outline<Volume>& a, const Pose& pose_a, const Outline<V
   SafeTimeQuestion asked = question;
   asked.motion = seen_from(pose_a, question.motion, motion);
   Shortest best{asked};
-  const EdgePairs<Volume> leaf(a, b, b_in_a, placed, rate);
   const OnTheirWay<Volume> way{a.tree, b.tree, placed, rate, asked.motion};
-  counting(counters, [&](auto& c) { shorten(way, best, leaf, c); });
-  if (!best.time.hit && one_holds_the_other(a, b, b_in_a, placed))
+  counting(counters, [&](auto& c) { shorten(way, best, EdgePairs<Volume>(a, b, b_in_a, placed, rate), c); });
+  if (!best.time.hit && one_holds_the_other(PlacedOutlines<Volume>{a, b, b_in_a, placed}))
     return {0.0, 0.0, true, best.time.part_a, best.time.part_b};
   return best.time;
 }

@@ -15,10 +15,6 @@ inline Vec tangent(const Vec& v) {
   return {-v.y(), v.x()};
 }
 
-inline double cross(const Vec& a, const Vec& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
 /// One body in one cache line: what contacts change stands in its first half.
 struct alignas(64) SolverBody {
   Vec velocity;            ///< m/s

@@ -5,8 +5,6 @@ namespace throng {
 
 namespace {
 
-constexpr std::size_t kWidth = BlockOrder::kWidth;
-
 void clear_lane(DiscBlock& block, std::size_t lane, std::uint32_t nobody) {
   block.a[lane] = block.b[lane] = nobody;
   for (DiscBlock::Row* row :
@@ -49,13 +47,13 @@ void DiscBlocks::add(std::uint64_t key, const DiscContact& contact, const Solver
   seat_lane_.push_back({static_cast<std::uint32_t>(group), lane});
   lane_.push_back(seat_lane_.back());
   if (own.blocks.size() < own.order.blocks()) own.blocks.resize(own.order.blocks());
-  fill_lane(own.blocks[lane / kWidth], lane % kWidth, contact, a, b);
+  fill_lane(own.blocks[lane / BlockOrder::kWidth], lane % BlockOrder::kWidth, contact, a, b);
 }
 
 void DiscBlocks::finish() {
   for (Group& group : groups_)
     for (std::size_t i = 0; i < group.order.blocks(); ++i)
-      for (std::size_t lane = group.order.filled(i); lane < kWidth; ++lane)
+      for (std::size_t lane = group.order.filled(i); lane < BlockOrder::kWidth; ++lane)
         clear_lane(group.blocks[i], lane, group.nobody);
 }
 
@@ -64,7 +62,7 @@ void DiscBlocks::vacate(std::size_t seat) {
   if (!taken_[seat]) return;
   taken_[seat] = 0;
   DiscBlock& block = this->block(seat_lane_[seat]);
-  const std::size_t lane = seat_lane_[seat].lane % kWidth;
+  const std::size_t lane = seat_lane_[seat].lane % BlockOrder::kWidth;
   block.a[lane] = block.b[lane] = groups_[seat_lane_[seat].group].nobody;
   block.normal_mass[lane] = block.normal_impulse[lane] = block.tangent_impulse[lane] = block.preload[lane] =
       0.0;
@@ -74,7 +72,7 @@ void DiscBlocks::occupy(std::size_t seat) {
   if (taken_[seat]) return;
   taken_[seat] = 1;
   DiscBlock& block = this->block(seat_lane_[seat]);
-  const std::size_t lane = seat_lane_[seat].lane % kWidth;
+  const std::size_t lane = seat_lane_[seat].lane % BlockOrder::kWidth;
   block.a[lane] = owner_[seat].a, block.b[lane] = owner_[seat].b;
   block.normal_mass[lane] = owner_[seat].normal_mass;
 }
@@ -94,14 +92,14 @@ bool DiscBlocks::take(std::span<const std::uint64_t> keys) {
 
 void DiscBlocks::set_impulses(std::size_t i, double normal, double tangent, double preload) {
   DiscBlock& block = this->block(lane_[i]);
-  block.normal_impulse[lane_[i].lane % kWidth] = normal;
-  block.tangent_impulse[lane_[i].lane % kWidth] = tangent;
-  block.preload[lane_[i].lane % kWidth] = preload;
+  block.normal_impulse[lane_[i].lane % BlockOrder::kWidth] = normal;
+  block.tangent_impulse[lane_[i].lane % BlockOrder::kWidth] = tangent;
+  block.preload[lane_[i].lane % BlockOrder::kWidth] = preload;
 }
 
 BlockContact DiscBlocks::contact(std::size_t i) {
   DiscBlock& block = this->block(lane_[i]);
-  const std::size_t lane = lane_[i].lane % kWidth;
+  const std::size_t lane = lane_[i].lane % BlockOrder::kWidth;
   return {block.a[lane],
           block.b[lane],
           &block.normal_mass[lane],
@@ -112,7 +110,7 @@ BlockContact DiscBlocks::contact(std::size_t i) {
 
 DiscContact DiscBlocks::operator[](std::size_t i) const {
   const DiscBlock& block = this->block(lane_[i]);
-  const std::size_t lane = lane_[i].lane % kWidth;
+  const std::size_t lane = lane_[i].lane % BlockOrder::kWidth;
   DiscContact contact;
   contact.a = block.a[lane], contact.b = block.b[lane];
   contact.normal = {block.normal_x[lane], block.normal_y[lane]};

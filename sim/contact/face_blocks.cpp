@@ -5,8 +5,6 @@ namespace throng {
 
 namespace {
 
-constexpr std::size_t kWidth = BlockOrder::kWidth;
-
 void clear_point(FaceBlock::Point& p, std::size_t lane) {
   for (FaceBlock::Row* row : {&p.arm_ax, &p.arm_ay, &p.arm_bx, &p.arm_by, &p.offset, &p.separation,
                               &p.normal_mass, &p.tangent_mass, &p.normal_impulse, &p.tangent_impulse,
@@ -55,15 +53,15 @@ std::size_t FaceBlocks::seat(std::size_t points, std::uint32_t a, bool a_moves, 
   Group& own = groups_[group];
   const std::uint32_t lane = own.order.place(a, a_moves, b, b_moves, points - 1);
   if (own.blocks.size() < own.order.blocks()) own.blocks.resize(own.order.blocks());
-  own.blocks[lane / kWidth].count = points;
+  own.blocks[lane / BlockOrder::kWidth].count = points;
   const std::size_t first = seat_.size();
   for (std::uint16_t p = 0; p < points; ++p) seat_.push_back({lane, static_cast<std::uint16_t>(group), p});
   return first;
 }
 
 void FaceBlocks::fill(std::size_t i, std::span<const PointContact> face) {
-  FaceBlock& block = groups_[seat_[i].group].blocks[seat_[i].lane / kWidth];
-  const std::size_t lane = seat_[i].lane % kWidth;
+  FaceBlock& block = groups_[seat_[i].group].blocks[seat_[i].lane / BlockOrder::kWidth];
+  const std::size_t lane = seat_[i].lane % BlockOrder::kWidth;
   assert(face.size() == block.count);
   fill_lane(block, lane, face[0]);
   for (std::size_t p = 0; p < face.size(); ++p) fill_point(block.points[p], lane, face[p]);
@@ -73,15 +71,15 @@ void FaceBlocks::finish() {
   for (Group& group : groups_)
     for (std::size_t i = 0; i < group.order.blocks(); ++i) {
       if (group.order.filled(i) == 0) group.blocks[i].count = 0;
-      for (std::size_t lane = group.order.filled(i); lane < kWidth; ++lane)
+      for (std::size_t lane = group.order.filled(i); lane < BlockOrder::kWidth; ++lane)
         clear_lane(group.blocks[i], lane, group.nobody);
     }
 }
 
 BlockContact FaceBlocks::contact(std::size_t i) {
-  FaceBlock& block = groups_[seat_[i].group].blocks[seat_[i].lane / kWidth];
+  FaceBlock& block = groups_[seat_[i].group].blocks[seat_[i].lane / BlockOrder::kWidth];
   FaceBlock::Point& point = block.points[seat_[i].point];
-  const std::size_t lane = seat_[i].lane % kWidth;
+  const std::size_t lane = seat_[i].lane % BlockOrder::kWidth;
   return {block.a[lane],
           block.b[lane],
           &point.normal_mass[lane],
@@ -93,7 +91,7 @@ BlockContact FaceBlocks::contact(std::size_t i) {
 PointContact FaceBlocks::operator[](std::size_t i) const {
   const FaceBlock& block = this->block(i);
   const FaceBlock::Point& p = point(i);
-  const std::size_t lane = seat_[i].lane % kWidth;
+  const std::size_t lane = seat_[i].lane % BlockOrder::kWidth;
   PointContact contact;
   contact.a = block.a[lane], contact.b = block.b[lane];
   contact.normal = {block.normal_x[lane], block.normal_y[lane]};

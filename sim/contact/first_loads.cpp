@@ -10,12 +10,12 @@ namespace throng {
 
 namespace {
 
-constexpr double kSettled = 1e-6;  // of all impulses, that a round of sweeps changes
+constexpr double kTolerance = 1e-6;  // of all impulses, that a round of sweeps changes
 constexpr int kMostRounds = 2000;
 constexpr double kNothing = 1e-9;  // own weights: what bears less bears nothing
 
 /// A contact and what is known of it from the last rounds, N s.
-struct Load {
+struct LoadedContact {
   BlockContact contact;
   double mass;                                     // kg, that its normal feels
   double normal = 0.0, tangent = 0.0;              // as found
@@ -23,8 +23,8 @@ struct Load {
 };
 
 /// In their order, so that sums over them have one order, too.
-std::vector<Load> list(Contacts& contacts) {
-  std::vector<Load> loads;
+std::vector<LoadedContact> list(Contacts& contacts) {
+  std::vector<LoadedContact> loads;
   loads.reserve(contacts.discs.size() + contacts.faces.size());
   const auto add = [&](const BlockContact& contact) { loads.push_back({contact, *contact.normal_mass}); };
   for (std::size_t i = 0; i < contacts.discs.size(); ++i) add(contacts.discs.contact(i));
@@ -81,9 +81,9 @@ class Momentum {
 
   /// What a round has found becomes what the next one begins with. False where it has hardly changed
   /// anything.
-  bool extrapolate(std::span<Load> loads) {
+  bool extrapolate(std::span<LoadedContact> loads) {
     double sum = least_, change = 0.0, back = 0.0;
-    for (const Load& load : loads) {
+    for (const LoadedContact& load : loads) {
       const double normal = *load.contact.normal_impulse, tangent = *load.contact.tangent_impulse;
       sum += normal + std::abs(tangent);
       change += std::abs(normal - load.normal_begun) + std::abs(tangent - load.tangent_begun);
@@ -91,12 +91,12 @@ class Momentum {
               (load.tangent_begun - tangent) * (tangent - load.tangent);
     }
     age_ = back > 0.0 ? 0.0 : age_ + 1.0;
-    for (Load& load : loads) send_on(load, age_ / (age_ + 3.0));
-    return change > kSettled * sum;
+    for (LoadedContact& load : loads) send_on(load, age_ / (age_ + 3.0));
+    return change > kTolerance * sum;
   }
 
  private:
-  static void send_on(Load& load, double share) {
+  static void send_on(LoadedContact& load, double share) {
     double &normal = *load.contact.normal_impulse, &tangent = *load.contact.tangent_impulse;
     load.normal_begun = std::max(normal + share * (normal - load.normal), 0.0);
     load.tangent_begun = load.normal_begun > 0.0 ? tangent + share * (tangent - load.tangent) : 0.0;
@@ -109,7 +109,7 @@ class Momentum {
 };
 
 /// `weight`: m/s, what gravity gives in a substep.
-void take_as_preload(Load& load, double weight) {
+void take_as_preload(LoadedContact& load, double weight) {
   const double own = weight * load.mass;
   const bool bears = load.normal > kNothing * own && load.normal < Learning::kMost * own;
   *load.contact.normal_mass = load.mass;
@@ -123,9 +123,9 @@ void find_first_loads(Contacts& contacts, const Parts& parts, std::span<SolverBo
                       const SolverSettings& settings, const Vec& kick, const Vec* period, Workers& workers) {
   const std::vector<SolverBody> given(bodies.begin(), bodies.end());
   const double weight = kick.norm();
-  std::vector<Load> loads = list(contacts);
+  std::vector<LoadedContact> loads = list(contacts);
   double weights = 0.0;
-  for (Load& load : loads) {
+  for (LoadedContact& load : loads) {
     weights += weight * load.mass;
     // Massless, the contact of who moves bears nothing.
     if (moves(given[load.contact.a]) || moves(given[load.contact.b])) *load.contact.normal_mass = 0.0;
@@ -135,7 +135,7 @@ void find_first_loads(Contacts& contacts, const Parts& parts, std::span<SolverBo
   do {
     sweep_both_ways(contacts, parts, bodies, rigid(settings), kick, period, workers);
   } while (momentum.extrapolate(loads) && ++round < kMostRounds);
-  for (Load& load : loads) take_as_preload(load, weight);
+  for (LoadedContact& load : loads) take_as_preload(load, weight);
   std::ranges::copy(given, bodies.begin());
 }
 

@@ -19,8 +19,7 @@ using narrowphase::DiscFlight;
 
 namespace {
 
-constexpr double kRounding = 1e-9;  // of the reach: deeper overlaps come from the scene, not from collisions
-constexpr std::size_t kAhead = 12;  // pairs: so long before it is needed a body is asked for
+constexpr std::size_t kPairsAhead = 12;       // pairs: so long before it is needed a body is asked for
 constexpr std::size_t kMostCollisions = 100;  // a body and step, all together
 
 }  // namespace
@@ -121,7 +120,7 @@ bool Flights::foresee_all(Workers& workers) {
   std::atomic<bool> overlap = false;
   workers.for_ranges(first_.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      if (i + kAhead < pairs.size()) ask_for(pairs[i + kAhead]);
+      if (i + kPairsAhead < pairs.size()) ask_for(pairs[i + kPairsAhead]);
       const DiscFlight next =
           i < pairs.size() ? first_flight(pairs[i]) : flight(static_cast<std::uint32_t>(i), 0.0);
       first_[i] = next.time;
@@ -138,7 +137,7 @@ bool Flights::foresee_all(Workers& workers) {
 
 /// Deeper than what rounding leaves.
 bool Flights::is_deep(double gap, std::uint32_t pair) const {
-  return gap < -kRounding * candidates_->colliders().radius[colliders(pair).a];
+  return gap < -kTouchRounding * candidates_->colliders().radius[colliders(pair).a];
 }
 
 void Flights::foresee(std::uint32_t pair, double now) {

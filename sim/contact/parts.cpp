@@ -10,7 +10,7 @@ namespace throng {
 namespace {
 
 /// Two parts of so many polygons, at rest, gain 28 % of a step with two threads; of discs 9 %.
-constexpr std::size_t kFewest = 4096, kMostParts = 16;
+constexpr std::size_t kFewestBodies = 4096, kMostParts = 16;
 
 Eigen::Index widest_axis(const Scene& scene) {
   Eigen::AlignedBox2d box;
@@ -21,7 +21,7 @@ Eigen::Index widest_axis(const Scene& scene) {
 }  // namespace
 
 Parts::Parts(const Scene& scene, const Plan& plan) {
-  const std::size_t parts = std::min(scene.bodies.size() / kFewest, kMostParts);
+  const std::size_t parts = std::min(scene.bodies.size() / kFewestBodies, kMostParts);
   if (parts < 2 || !plan.contacts() || plan.soft || plan.flights) return;
   const Vec& g = scene.gravity;
   axis_ = plan.gravity ? (std::abs(g.x()) > std::abs(g.y()) ? 1 : 0) : widest_axis(scene);

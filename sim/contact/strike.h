@@ -6,6 +6,9 @@
 
 namespace throng {
 
+/// Of the reach: deeper overlaps come from the scene, not from collisions.
+inline constexpr double kTouchRounding = 1e-9;
+
 /// How two discs touch.
 struct Touch {
   Vec normal;                 ///< unit, from a to b

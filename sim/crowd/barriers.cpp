@@ -12,7 +12,7 @@ namespace {
 
 using Segment = Barriers::Segment;
 
-constexpr double kRounding = 1e-9;  // of a squared distance
+constexpr double kSquareRounding = 1e-9;  // of a squared distance
 
 }  // namespace
 
@@ -75,7 +75,7 @@ bool Barriers::leave_room(const Vec& p, const Vec& q, double radius) const {
     const Vec &a = segment.a, &b = segment.b;
     const double ends = std::min({gap2(a, b, p), gap2(a, b, q), radius * radius});
     const double between = std::min(gap2(p, q, a), gap2(p, q, b));
-    room = room && between >= ends * (1.0 - kRounding) && !narrowphase::segments_meet(p, q, a, b);
+    room = room && between >= ends * (1.0 - kSquareRounding) && !narrowphase::segments_meet(p, q, a, b);
   });
   return room;
 }

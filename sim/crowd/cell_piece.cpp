@@ -7,11 +7,7 @@ namespace throng {
 
 namespace {
 
-constexpr double kRounding = 1e-9;  // of the cell's size: narrower is no way from one trapezoid to the next
-
-double cross(const Vec& a, const Vec& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
+constexpr double kNarrowest = 1e-9;  // of the cell's size: narrower is no way from one trapezoid to the next
 
 double area(std::span<const Vec> ring) {
   double twice = 0.0;
@@ -59,7 +55,7 @@ CellPiece::Sizes CellPiece::sizes(std::span<const Vec> cell, const Vec& agent) {
   if (lines_.empty()) return {area(cell), area_.holds(agent) ? area(cell) : 0.0};
   for (std::size_t i = 0; i < cell.size(); ++i) add_line(cell[i], cell[(i + 1) % cell.size()], Kind::cell);
   std::ranges::sort(heights_);
-  rounding_ = kRounding * (heights_.back() - heights_.front());
+  rounding_ = kNarrowest * (heights_.back() - heights_.front());
   std::size_t below = 0;
   for (std::size_t i = 1; i < heights_.size(); ++i) {
     if (!(heights_[i - 1] < heights_[i])) continue;

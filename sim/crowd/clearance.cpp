@@ -8,7 +8,7 @@ namespace throng {
 
 namespace {
 
-constexpr double kRounding = 1e-6;  // of a cell: more than float and the way to a cell's number are off by
+constexpr double kCellRounding = 1e-6;  // of a cell: more than float and the way to its number are off by
 
 }  // namespace
 
@@ -23,7 +23,7 @@ Clearance::Clearance(const broadphase::BoxIndex& index, const Eigen::AlignedBox2
   per_cell_ = 1.0 / cell;
   columns_ = static_cast<int>(size.x() * per_cell_) + 1, rows_ = static_cast<int>(size.y() * per_cell_) + 1;
   clear_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 1e30f);
-  const Vec rim = Vec::Constant(kRounding * cell + 1e-12 * bounds.max().cwiseAbs().maxCoeff());
+  const Vec rim = Vec::Constant(kCellRounding * cell + 1e-12 * bounds.max().cwiseAbs().maxCoeff());
   for (int y = 0; y < rows_; ++y)
     for (int x = 0; x < columns_; ++x) {
       const Vec corner = low_ + cell * Vec(x, y);
@@ -34,7 +34,7 @@ Clearance::Clearance(const broadphase::BoxIndex& index, const Eigen::AlignedBox2
     }
   spread();
   for (float& clear : clear_)
-    clear = static_cast<float>(std::max(0.0, (clear - 1.0) * cell * (1.0 - 4.0 * kRounding)));
+    clear = static_cast<float>(std::max(0.0, (clear - 1.0) * cell * (1.0 - 4.0 * kCellRounding)));
 }
 
 /// From 0 where something is: to how many cells it is at least, diagonally or straight.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "sim/crowd/march.h"
 
@@ -11,7 +10,6 @@ namespace throng {
 
 namespace {
 
-constexpr float kFar = std::numeric_limits<float>::infinity();
 constexpr int kSeedCells = 6;  // as far round the goal distances are exact, where nothing stands in between
 
 /// The nodes in and round the goal whose distance is that of the straight way.
@@ -60,7 +58,7 @@ void DistanceField::mark_broken() {
   for (std::size_t node = 0; node < distance_.size(); ++node)
     for (const std::size_t corner : {node, node + 1, node + columns, node + columns + 1}) {
       const bool is_good = corner < distance_.size() && plan_->footing[corner] >= Footing::close &&
-                           std::abs(distance_[corner]) < kFar;
+                           std::abs(distance_[corner]) < kUnreached;
       if (!is_good) distance_[node] = -std::abs(distance_[node]);
     }
 }
@@ -86,9 +84,9 @@ bool DistanceField::locate(const Vec& p, Cell& cell) const {
 double DistanceField::distance(const Vec& p) const {
   Cell cell;
   if (contains(goal_, p)) return 0.0;
-  if (!locate(p, cell)) return kFar;
+  if (!locate(p, cell)) return kUnreached;
   if (!is_whole(cell.node)) {
-    double distance = kFar;
+    double distance = kUnreached;
     nearest_way(p, cell, 0.0, distance);
     return distance;
   }
@@ -112,7 +110,7 @@ std::size_t DistanceField::nearest_way(const Vec& p, const Cell& cell, double ne
   for (std::size_t y = row - (row > 0); y < std::min<std::size_t>(row + 3, plan_->rows); ++y)
     for (std::size_t x = column - (column > 0); x < std::min(column + 3, columns); ++x) {
       const std::size_t node = y * columns + x;
-      if (!(at(node) < kFar)) continue;
+      if (!(at(node) < kUnreached)) continue;
       const Vec to = plan_->node(node);
       const double way = (to - p).norm(), length = at(node) + way;
       if (!(way >= nearest && length < distance) || barriers_->block(p, to)) continue;
@@ -129,7 +127,7 @@ Vec DistanceField::direction(const Vec& p) const {
     if (slope.squaredNorm() > 0.01 * plan_->cell * plan_->cell) return unit(slope);
   }
   if (contains(goal_, p)) return {0.0, 0.0};
-  double distance = kFar;
+  double distance = kUnreached;
   const std::size_t node = nearest_way(p, cell, plan_->cell, distance);
   return node < plan_->size() ? unit(plan_->node(node) - p) : Vec(0.0, 0.0);
 }

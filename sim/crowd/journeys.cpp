@@ -8,11 +8,11 @@ namespace throng {
 namespace {
 
 constexpr int kSpotTries = 100;
-constexpr double kPatience = 5.0, kLongest = 15.0;  // s: who gets nowhere on the way to a place to wait, or
-                                                    // not there in time, stays where he is
-constexpr double kSettled = 2.0;                    // s: who stands so long at his place stays so
-constexpr double kMargin = 0.5;                     // of a line's spacing: not farther he is at his place
-constexpr double kBeside = 3.0;                     // radii: who waits is that near where he keeps others out
+constexpr double kPatience = 5.0, kLongestWay = 15.0;  // s: who gets nowhere on the way to a place to wait,
+                                                       // or not there in time, stays where he is
+constexpr double kSettled = 2.0;                       // s: who stands so long at his place stays so
+constexpr double kAtPlace = 0.5;                       // of a line's spacing: not farther he is at his place
+constexpr double kBeside = 3.0;  // radii: who waits is that near where he keeps others out
 
 }  // namespace
 
@@ -95,7 +95,7 @@ bool Journeys::has_settled(const State& state, Row row, double distance) const {
   if (state.crowd.place[row] == 0 || since(state, state.crowd.stand_step[row]) < kSettled) return false;
   const Leg& its = leg(state, row);
   const double near = its.kind == Leg::Kind::queue
-                          ? kMargin * scene_.crowd.queues[its.options[state.crowd.option[row]]].spacing
+                          ? kAtPlace * scene_.crowd.queues[its.options[state.crowd.option[row]]].spacing
                           : kFree;
   return distance <= std::min(radius(state, row), near);
 }
@@ -205,7 +205,7 @@ bool Journeys::wait(State& state, Row row) {
   const Vec& p = position(state, row);
   if (const double there = since(state, crowd.since[row]); is_off_spot(state, row)) {
     const bool stands = std::min(there, since(state, crowd.stand_step[row])) >= kPatience;
-    if (stands || (there >= kLongest && ways_.is_in(goal(state, row), p))) crowd.spot[row] = p;
+    if (stands || (there >= kLongestWay && ways_.is_in(goal(state, row), p))) crowd.spot[row] = p;
   }
   const Leg& its = leg(state, row);
   if (its.times.empty()) return false;

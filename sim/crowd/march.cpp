@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <queue>
 
@@ -16,11 +15,10 @@ namespace {
 
 constexpr double kDetour = 1.5;     // from the ground next to barriers, for each step back to free ground
 constexpr double kDeepest = 250.0;  // steps
-constexpr double kFar = std::numeric_limits<double>::infinity();
 
 /// One axis of the equation |grad u| = 1: weight * (u - value)^2, in cells.
 struct Upwind {
-  double value = kFar, weight = 1.0;
+  double value = kUnreached, weight = 1.0;
 };
 
 class March {
@@ -29,7 +27,7 @@ class March {
       : plan_(plan),
         barriers_(barriers),
         steps_{1, -1, plan.columns, -plan.columns},
-        distance_(plan.size(), kFar),
+        distance_(plan.size(), kUnreached),
         known_(plan.size(), false) {}
 
   void run(std::span<const Seed> seeds) {
@@ -45,7 +43,7 @@ class March {
   std::vector<float> distances() const {
     std::vector<float> result(plan_.size());
     for (std::size_t i = 0; i < result.size(); ++i)
-      result[i] = static_cast<float>(known_[i] ? distance_[i] * plan_.cell : kFar);
+      result[i] = static_cast<float>(known_[i] ? distance_[i] * plan_.cell : kUnreached);
     return result;
   }
 
@@ -87,7 +85,7 @@ class March {
         for (const std::ptrdiff_t step : steps_) {
           const std::size_t to = from + static_cast<std::size_t>(step);
           if (known_[to] || plan_.footing[to] == Footing::none || !joined(from, to)) continue;
-          if (distance_[to] == kFar) next.push_back(to);
+          if (distance_[to] == kUnreached) next.push_back(to);
           distance_[to] = std::min(distance_[to], distance_[from] + kDetour);
         }
       for (const std::size_t node : next) known_[node] = true;
@@ -130,7 +128,7 @@ class March {
     look(node, steps_[0], x), look(node, steps_[1], x);
     look(node, steps_[2], y), look(node, steps_[3], y);
     const double alone = std::min(from(x), from(y));
-    if (!(x.value < kFar && y.value < kFar)) return alone;
+    if (!(x.value < kUnreached && y.value < kUnreached)) return alone;
     const double a = x.weight + y.weight, b = x.weight * x.value + y.weight * y.value;
     const double c = x.weight * x.value * x.value + y.weight * y.value * y.value - 1.0;
     const double discriminant = b * b - a * c;

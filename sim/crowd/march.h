@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -14,6 +15,8 @@ struct Seed {
   std::size_t node;
   double distance;  ///< m
 };
+
+inline constexpr double kUnreached = std::numeric_limits<double>::infinity();  ///< m, where no way leads
 
 /// Distances (m) of all nodes from the seeds along ways over the plan, infinite where none leads: first over
 /// free nodes, then from these over the others as far as twice the clearance, never across a barrier and at

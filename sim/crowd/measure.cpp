@@ -98,13 +98,13 @@ void measure_area(const Measure& measure, std::span<const Stride> strides, std::
   }
 }
 
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kUnmeasured = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* kLineColumns[] = {"count", "forward", "back", "flow", "speed"};
 constexpr const char* kAreaColumns[] = {"count", "density", "speed", "flow"};
 
 /// Density, speed and flow in an area.
 std::array<double, 3> measure_instant(const Measure& measure, const Instant& instant) {
-  if (!measure.is_on(instant.step)) return {kUnknown, kUnknown, kUnknown};
+  if (!measure.is_on(instant.step)) return {kUnmeasured, kUnmeasured, kUnmeasured};
   const Inside is_in(measure.area);
   double agents = 0.0, sum = 0.0;
   for (std::size_t row = 0; row < instant.position.size(); ++row) {
@@ -114,7 +114,7 @@ std::array<double, 3> measure_instant(const Measure& measure, const Instant& ins
     sum += instant.velocity[row].norm();
   }
   const double density = agents / measure.size;
-  return {density, agents > 0.0 ? sum / agents : kUnknown, agents > 0.0 ? sum / measure.size : 0.0};
+  return {density, agents > 0.0 ? sum / agents : kUnmeasured, agents > 0.0 ? sum / measure.size : 0.0};
 }
 
 }  // namespace
@@ -167,8 +167,8 @@ void append_columns(const Measure& measure, const Measured& measured, const Inst
   if (measure.area.empty()) {
     for (const std::int64_t count : {measured.count, measured.back})
       row.push_back(static_cast<double>(count));
-    row.push_back(read.flow.value_or(kUnknown));
-    row.push_back(read.speed.value_or(kUnknown));
+    row.push_back(read.flow.value_or(kUnmeasured));
+    row.push_back(read.speed.value_or(kUnmeasured));
     return;
   }
   const std::array<double, 3> now = measure_instant(measure, instant);

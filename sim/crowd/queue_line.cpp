@@ -8,7 +8,7 @@ namespace throng {
 
 namespace {
 
-constexpr double kRounding = 1e-9;  // of a place: a line of 6 m has 11 places 0.6 m apart
+constexpr double kPlaceRounding = 1e-9;  // of a place: a line of 6 m has 11 places 0.6 m apart
 
 }  // namespace
 
@@ -18,7 +18,7 @@ QueueLine::QueueLine(const Queue& queue) : points_(queue.line), along_{0.0}, spa
 }
 
 std::uint32_t QueueLine::places() const {
-  return static_cast<std::uint32_t>(along_.back() / spacing_ + kRounding) + 1;
+  return static_cast<std::uint32_t>(along_.back() / spacing_ + kPlaceRounding) + 1;
 }
 
 Vec QueueLine::at(double along) const {

@@ -8,9 +8,9 @@ namespace throng {
 
 namespace {
 
-constexpr double kSight = 10.0;    // m: nearer than that, the end of a queue is walked to straight on
-constexpr double kPatience = 5.0;  // s: who stands so long where he can't get to his place loses it
-constexpr double kMargin = 0.5;    // of the spacing: who is so much nearer to a place is before another
+constexpr double kSight = 10.0;      // m: nearer than that, the end of a queue is walked to straight on
+constexpr double kKeepsPlace = 5.0;  // s: who stands so long where he can't get to his place loses it
+constexpr double kOvertakes = 0.5;   // of the spacing: who is so much nearer to a place is before another
 
 }  // namespace
 
@@ -101,14 +101,14 @@ Heading Queues::heading(const State& state, Row row) const {
 bool Queues::is_overtaken(const State& state, std::uint32_t queue, std::uint32_t k) const {
   const double his = away(state, queue, k + 1);
   const double other = (position(state, line_[queue][k + 1]) - lines_[queue].place(k + 1)).norm();
-  return k == 0 ? his > spacing(queue) && other < his : other + kMargin * spacing(queue) < his;
+  return k == 0 ? his > spacing(queue) && other < his : other + kOvertakes * spacing(queue) < his;
 }
 
 /// Whether the k-th of the line, from 0, can't get to his place, and stands.
 bool Queues::is_lost(const State& state, std::uint32_t queue, std::uint32_t k) const {
   const Row row = line_[queue][k];
   const double stood = static_cast<double>(state.step - state.crowd.stand_step[row]) * scene_.time.dt;
-  return stood >= kPatience && away(state, queue, k + 1) > spacing(queue) && !straight(state, row, k + 1);
+  return stood >= kKeepsPlace && away(state, queue, k + 1) > spacing(queue) && !straight(state, row, k + 1);
 }
 
 void Queues::take_out(State& state, std::uint32_t queue, std::uint32_t k) {

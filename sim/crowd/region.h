@@ -8,6 +8,10 @@ namespace throng {
 
 using Vec = Eigen::Vector2d;
 
+inline double cross(const Vec& a, const Vec& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
 /// A part of the plane by its rings, outer ones and holes alike: inside is what an odd number of them
 /// encloses. Expects rings that don't cross each other.
 struct Region {

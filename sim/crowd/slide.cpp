@@ -14,8 +14,8 @@ namespace {
 using Segment = Barriers::Segment;
 
 constexpr int kSlides = 3;
-constexpr double kRounding = 0x1p-40;  // of a radius, and
-constexpr double kUlps = 0x1p-49;      // of a coordinate: so much nearer than touching is as good as touching
+constexpr double kRadiusRounding = 0x1p-40;  // of a radius, and
+constexpr double kUlps = 0x1p-49;  // of a coordinate: so much nearer than touching is as good as touching
 
 /// When and against what direction a moving disc first touches.
 struct Hit {
@@ -71,7 +71,7 @@ Hit first_hit(const Barriers& barriers, const Vec& p, const Vec& d, double radiu
 /// Whether the way is as good as promised, whatever was rounded.
 bool is_sound(const Barriers& barriers, const Vec& from, const Vec& to, double radius) {
   bool sound = true;
-  const double rounding = kRounding * radius + kUlps * to.cwiseAbs().maxCoeff();
+  const double rounding = kRadiusRounding * radius + kUlps * to.cwiseAbs().maxCoeff();
   const Vec far(radius, radius);
   const Eigen::AlignedBox2d box(Vec(from.cwiseMin(to) - far), Vec(from.cwiseMax(to) + far));
   barriers.for_each_near(box, [&](const Segment& segment) {

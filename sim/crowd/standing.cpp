@@ -7,7 +7,7 @@ namespace throng {
 
 namespace {
 
-constexpr std::size_t kFewest = 32;  // as many as cost no more to look at one by one than a grid
+constexpr std::size_t kMostUnsorted = 32;  // as many as cost no more to look at one by one than a grid
 
 }  // namespace
 
@@ -23,7 +23,7 @@ void Standing::add(const Vec& centre, double radius) {
 }
 
 void Standing::sort_if_many_are_new() {
-  if (centre_.size() <= sorted_ + kFewest + sorted_ / 16) return;
+  if (centre_.size() <= sorted_ + kMostUnsorted + sorted_ / 16) return;
   sorted_ = centre_.size();
   cells_.sort(centre_, 4.0 * largest_);
 }

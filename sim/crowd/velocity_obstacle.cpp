@@ -9,10 +9,6 @@ namespace throng {
 
 namespace {
 
-double cross(const Vec& a, const Vec& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
 /// Keeps the nearest of what it is shown.
 class Nearest {
  public:
@@ -53,7 +49,7 @@ void show_side(const Vec& a, const Vec& b, double radius, Nearest& nearest) {
 }
 
 /// The way from 0 that touches the disc about `centre` on its left (side 1) or right (-1).
-Vec tangent(const Vec& centre, double radius, double side) {
+Vec tangent_point(const Vec& centre, double radius, double side) {
   const double square = centre.squaredNorm(), leg = std::sqrt(std::max(0.0, square - radius * radius));
   const Vec left(-centre.y(), centre.x());
   return (leg * centre + side * radius * left) / square;
@@ -61,7 +57,7 @@ Vec tangent(const Vec& centre, double radius, double side) {
 
 /// The leg on one side: from where it touches the disc that lies farther out on that side.
 void show_leg(const Vec& a, const Vec& b, double radius, double side, Nearest& nearest) {
-  const Vec at_a = tangent(a, radius, side), at_b = tangent(b, radius, side);
+  const Vec at_a = tangent_point(a, radius, side), at_b = tangent_point(b, radius, side);
   const bool is_a = side * cross(at_b, at_a) >= 0.0;
   const Vec& way = is_a ? at_a : at_b;
   const double begin = way.dot(is_a ? a : b), at = std::max(begin, way.dot(nearest.to()));

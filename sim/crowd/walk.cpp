@@ -14,7 +14,7 @@ namespace throng {
 
 namespace {
 
-constexpr std::size_t kAhead = 16;  // agents, in whose time memory comes
+constexpr std::size_t kAgentsAhead = 16;  // agents, in whose time memory comes
 
 double largest_radius(const Scene& scene) {
   double largest = 0.0;
@@ -146,8 +146,8 @@ void Walk::look(State& state, Workers& workers) {
   ranks_.resize(n), known_.resize(n);
   workers.for_ranges(n, [&](std::size_t begin, std::size_t end) {
     for (std::size_t place = begin; place < end; ++place) {
-      prefetch(state, std::min(place + 2 * kAhead, end - 1));
-      const std::size_t ahead = std::min(place + kAhead, end - 1);
+      prefetch(state, std::min(place + 2 * kAgentsAhead, end - 1));
+      const std::size_t ahead = std::min(place + kAgentsAhead, end - 1);
       journeys_->prefetch(state, cells_.row()[ahead], known(state, row(ahead)).group);
       rank(state, place);
     }
@@ -219,7 +219,7 @@ void Walk::walk(State& state, Workers& workers) {
     std::int64_t corrected_here = 0, squeezed_here = 0;
     bool go_on = true;
     for (std::size_t place = begin; place < end; ++place) {
-      const std::size_t ahead = this->row(std::min(place + kAhead, end - 1)), row = this->row(place);
+      const std::size_t ahead = this->row(std::min(place + kAgentsAhead, end - 1)), row = this->row(place);
       __builtin_prefetch(&state.position[ahead], 1), __builtin_prefetch(&state.velocity[ahead], 1);
       __builtin_prefetch(&state.crowd.stand[ahead - scene_.crowd.first], 1);
       const auto [was_corrected, was_squeezed] = walk_one(state, place, row);

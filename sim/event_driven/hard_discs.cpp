@@ -18,9 +18,8 @@ namespace throng {
 
 namespace {
 
-constexpr double kRounding = 1e-9;            // of the reach: deeper overlaps are the scene's
-constexpr std::uint32_t kMostStill = 1000;    // collisions in a row that lead nowhere
-constexpr std::uint32_t kPatience = 1 << 14;  // events from one look at what wants the run to end to the next
+constexpr std::uint32_t kMostStill = 1000;         // collisions in a row that lead nowhere
+constexpr std::uint32_t kEventsPerLook = 1 << 14;  // between two looks at what wants the run to end
 
 std::vector<std::uint32_t> dynamic_rows(const Bodies& bodies) {
   std::vector<std::uint32_t> rows;
@@ -42,7 +41,7 @@ Eigen::AlignedBox2d box_round(const Bodies& bodies, std::span<const std::uint32_
 }
 
 double slack(double reach) {
-  return (1.0 + kRounding) * reach;
+  return (1.0 + kTouchRounding) * reach;
 }
 
 Vec place_in(const Domain& domain, const Vec& place) {
@@ -95,7 +94,7 @@ std::string HardDiscs::name(std::uint32_t other) const {
 
 void HardDiscs::refuse_overlaps() {
   const auto refuse = [&](std::uint32_t disc, std::uint32_t other, double gap) {
-    if (gap >= -kRounding * discs_[disc].radius) return;
+    if (gap >= -kTouchRounding * discs_[disc].radius) return;
     char depth[32];
     std::snprintf(depth, sizeof depth, "%.3g", -gap);
     throw InputError("engine event_driven: body " + std::to_string(body(disc) + 1) + " and " + name(other) +
@@ -133,7 +132,7 @@ const Surface& HardDiscs::surface(std::uint32_t disc, std::uint32_t other) const
 bool HardDiscs::run_until(double time, std::vector<ContactRow>& rows, bool (*stop)()) {
   rows.clear();
   for (std::uint32_t events = 1; soonest_.time() <= time; ++events) {
-    if (stop && events % kPatience == 0 && stop()) return false;
+    if (stop && events % kEventsPerLook == 0 && stop()) return false;
     const double now = soonest_.time();
     const auto [disc, after] = soonest_.rows();
     fetch(after);  // who is next, unless this event brings somebody sooner
@@ -210,7 +209,7 @@ double HardDiscs::closing_speed(std::uint32_t disc, std::uint32_t other, const V
 void HardDiscs::watch_for_collapse(std::uint32_t disc, std::uint32_t other, double flown, double speed) {
   constexpr double kSpacing = 4.0 * std::numeric_limits<double>::epsilon();
   const Flying& one = discs_[disc];
-  const bool slow = speed * speed <= 2.0 * pull_.norm() * kRounding * one.radius;
+  const bool slow = speed * speed <= 2.0 * pull_.norm() * kTouchRounding * one.radius;
   std::uint32_t& still = next_[disc].still;
   still = slow || flown <= kSpacing * one.since ? still + 1 : 0;
   if (still < kMostStill) return;

@@ -46,9 +46,9 @@ std::string polygon_wkt(const Region& floor) {
 }
 
 /// The rectangle that bodies may be in, as far as can be told.
-class Area {
+class Rectangle {
  public:
-  explicit Area(const Scene& scene) : bounded_(scene.domain.kind != DomainKind::unbounded) {
+  explicit Rectangle(const Scene& scene) : bounded_(scene.domain.kind != DomainKind::unbounded) {
     if (bounded_) include(scene.domain.min), include(scene.domain.max);
     if (bounded_) return;
     for (const Wall& wall : scene.walls)
@@ -178,7 +178,7 @@ void write_table(const Recording& recording, Frames frames, const std::string& o
   const Scene& scene = recording.geometry();
   const std::vector<std::size_t> moving = who_moves(scene);
   Table table(output, count_rows(recording, frames, moving), frame_rate(recording, frames));
-  Area area(scene);
+  Rectangle area(scene);
   Frame frame;
   std::vector<Row> rows;
   for (std::size_t number = 0; number < frames.size(); ++number) {

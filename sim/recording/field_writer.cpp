@@ -8,22 +8,12 @@
 #include <stdexcept>
 #include <string>
 
+#include "sim/recording/numbers.h"
 #include "sim/recording/packed.h"
 
 namespace throng::recording {
 
 namespace {
-
-/// No branch for each number: 0 x is 0 unless x is not finite.
-template <class T>
-bool all_finite(std::span<const T> values) {
-  T sums[4] = {0, 0, 0, 0};
-  const std::size_t whole = values.size() / 4 * 4;
-  for (std::size_t i = 0; i < whole; i += 4)
-    for (std::size_t k = 0; k < 4; ++k) sums[k] += T{0} * values[i + k];
-  for (std::size_t i = whole; i < values.size(); ++i) sums[0] += T{0} * values[i];
-  return sums[0] + sums[1] + sums[2] + sums[3] == T{0};
-}
 
 FrameBlocks make_blocks(hid_t element, RecordField field, const Record& record, const Selection& selection) {
   FrameBlocks::Form form{selection.rows(), components(field), 0};

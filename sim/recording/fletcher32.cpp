@@ -14,7 +14,7 @@ using Pairs [[gnu::vector_size(16)]] = std::uint32_t;
 
 constexpr std::size_t kLanes = 8;  // pairs in two of them
 constexpr std::size_t kRowBytes = kLanes * sizeof(std::uint32_t);
-constexpr std::size_t kRows = 360;  // the most for which the second sum of a lane stays below 2^32
+constexpr std::size_t kMostRows = 360;  // the most for which the second sum of a lane stays below 2^32
 
 /// The sum of words, and the sum of its values after each of them.
 struct Sums {
@@ -39,8 +39,8 @@ struct LaneSums {
   }
 };
 
-/// Of `rows` rows, at most kRows. In registers: compilers left sums in arrays in memory, at a third of the
-/// speed.
+/// Of `rows` rows, at most kMostRows. In registers: compilers left sums in arrays in memory, at a third of
+/// the speed.
 Sums sums_of_rows(const std::byte* bytes, std::size_t rows) {
   LaneSums low_even, low_odd, high_even, high_odd;
   for (std::size_t row = 0; row < rows; ++row) {
@@ -70,7 +70,7 @@ void Fletcher32::add(std::span<const std::byte> bytes) {
   };
   std::size_t at = 0;
   while (bytes.size() - at >= kRowBytes) {
-    const std::size_t rows = std::min(kRows, (bytes.size() - at) / kRowBytes);
+    const std::size_t rows = std::min(kMostRows, (bytes.size() - at) / kRowBytes);
     add(sums_of_rows(bytes.data() + at, rows), rows * 2 * kLanes);
     at += rows * kRowBytes;
   }

@@ -2,9 +2,9 @@
 #include "sim/recording/frame_reader.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "sim/recording/frame_hash.h"
+#include "sim/recording/numbers.h"
 #include "sim/recording/observables.h"
 
 namespace throng::recording {
@@ -24,11 +24,6 @@ std::span<double> resized(std::vector<Vec>& vectors, std::size_t bodies) {
 std::span<double> resized(std::vector<double>& scalars, std::size_t bodies) {
   scalars.resize(bodies);
   return scalars;
-}
-
-template <class T>
-bool all_finite(std::span<const T> numbers) {
-  return std::ranges::all_of(numbers, [](T x) { return std::isfinite(x); });
 }
 
 }  // namespace

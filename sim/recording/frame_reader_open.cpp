@@ -10,8 +10,6 @@ namespace throng::recording {
 
 namespace {
 
-constexpr std::nullopt_t kAny = std::nullopt;
-
 int read_every(hid_t element) {
   const auto every = h5::read_attribute<std::int64_t>(element, "every");
   if (every < 1 || every > kRarest) throw h5::Error("every is out of range");
@@ -66,8 +64,8 @@ void FrameReader::expect_times(std::span<const std::int64_t> found_steps, std::s
 /// Those of an element that has a rate: links to rows that all elements of that rate share, which are read
 /// once.
 void FrameReader::expect_times(hid_t element, const Schedule& when, std::span<const std::int64_t> steps) {
-  const h5::Dataset step = h5::open_dataset<std::int64_t>(*file_, element, "step", {kAny}),
-                    time = h5::open_dataset<double>(*file_, element, "time", {kAny});
+  const h5::Dataset step = h5::open_dataset<std::int64_t>(*file_, element, "step", {h5::kAny}),
+                    time = h5::open_dataset<double>(*file_, element, "time", {h5::kAny});
   const CheckedTimes these{h5::address(step), h5::address(time), when.every()};
   if (std::ranges::find(checked_, these) != checked_.end()) return;
   expect_times(h5::read_all<std::int64_t>(step, when.samples()), h5::read_all<double>(time, when.samples()),
@@ -94,7 +92,7 @@ void FrameReader::open_ids(hid_t throng, hid_t trajectory, std::span<const std::
   present_when_ = Schedule(listed, steps);
   expect_times(listed, h5::read_array<double>(*file_, element, "time"), present_when_, steps);
   present_ =
-      h5::open_dataset<std::uint32_t>(*file_, element, "value", {kAny, ids_.size()}, h5::Storage::sparse);
+      h5::open_dataset<std::uint32_t>(*file_, element, "value", {h5::kAny, ids_.size()}, h5::Storage::sparse);
   expect_samples(present_.dims[0], present_when_.samples(), "id");
 }
 
@@ -108,7 +106,7 @@ void FrameReader::open_region(hid_t element, Record& record) const {
 
 void FrameReader::open_field(hid_t trajectory, RecordField field, std::span<const std::int64_t> steps) {
   const h5::Handle element = h5::open_group(trajectory, name(field));
-  std::vector<std::optional<hsize_t>> dims{kAny, ids_.size()};
+  std::vector<std::optional<hsize_t>> dims{h5::kAny, ids_.size()};
   if (components(field) == 2) dims.push_back(2);
   const h5::Storage storage = changes_ ? h5::Storage::sparse : h5::Storage::whole;
   Stored& stored = fields_[index(field)];
@@ -135,13 +133,13 @@ void FrameReader::open_contacts(hid_t throng, std::span<const std::int64_t> step
   Schedule& when = fields_[index(RecordField::contacts)].when;
   when = open_schedule(group, steps);
   expect_times(group, when, steps);
-  const h5::Dataset offset = h5::open_dataset<std::uint64_t>(*file_, group, "offset", {kAny});
+  const h5::Dataset offset = h5::open_dataset<std::uint64_t>(*file_, group, "offset", {h5::kAny});
   if (when.samples() > 0) expect_samples(offset.dims[0], when.samples() + 1, "contacts");
   contacts_ = {h5::read_all<std::uint64_t>(offset, when.samples() + 1),
-               h5::open_dataset<std::uint32_t>(*file_, group, "a", {kAny}),
-               h5::open_dataset<std::uint32_t>(*file_, group, "b", {kAny}),
-               h5::open_dataset<double>(*file_, group, "impulse", {kAny}),
-               h5::open_dataset<double>(*file_, group, "point", {kAny, 2})};
+               h5::open_dataset<std::uint32_t>(*file_, group, "a", {h5::kAny}),
+               h5::open_dataset<std::uint32_t>(*file_, group, "b", {h5::kAny}),
+               h5::open_dataset<double>(*file_, group, "impulse", {h5::kAny}),
+               h5::open_dataset<double>(*file_, group, "point", {h5::kAny, 2})};
   if (contacts_.offset.empty()) return;
   for (const h5::Dataset* column : {&contacts_.a, &contacts_.b, &contacts_.impulse, &contacts_.point})
     if (column->dims[0] < contacts_.offset.back()) throw h5::Error("contacts are missing");
@@ -150,7 +148,7 @@ void FrameReader::open_contacts(hid_t throng, std::span<const std::int64_t> step
 
 /// Ends of runs of rows, one more than samples, none where nothing was committed.
 std::vector<std::uint64_t> FrameReader::read_ends(hid_t group, const char* name, std::size_t samples) const {
-  const h5::Dataset offset = h5::open_dataset<std::uint64_t>(*file_, group, name, {kAny});
+  const h5::Dataset offset = h5::open_dataset<std::uint64_t>(*file_, group, name, {h5::kAny});
   if (samples > 0) expect_samples(offset.dims[0], samples + 1, name);
   auto ends = h5::read_all<std::uint64_t>(offset, std::min<hsize_t>(offset.dims[0], samples + 1));
   if (!std::ranges::is_sorted(ends)) throw h5::Error(std::string(name) + " runs backwards");
@@ -166,7 +164,7 @@ void FrameReader::open_sensed(hid_t sensors, std::span<const std::int64_t> steps
     stored.offset = read_ends(group, "offset", stored.when.samples());
     stored.whom_offset = read_ends(group, "whom_offset", stored.when.samples());
     const auto open = [&](const char* name, const std::vector<std::uint64_t>& ends) {
-      h5::Dataset column = h5::open_dataset<std::uint32_t>(*file_, group, name, {kAny});
+      h5::Dataset column = h5::open_dataset<std::uint32_t>(*file_, group, name, {h5::kAny});
       if (!ends.empty() && column.dims[0] < ends.back()) throw h5::Error("sensed rows are missing");
       return column;
     };
@@ -192,7 +190,7 @@ std::vector<AskedColumn> asked_in(const h5::File& file, hid_t group) {
     if (!h5::exists(group, column.name)) continue;
     if (column.bins) {
       const h5::Handle element = h5::open_group(group, column.name);
-      column.numbers = h5::open_dataset<double>(file, element, "value", {kAny, kAny}).dims[1];
+      column.numbers = h5::open_dataset<double>(file, element, "value", {h5::kAny, h5::kAny}).dims[1];
       column.bins.up_to = h5::read_attribute<double>(element, "up_to");
       if (column.numbers < 1 || column.numbers > kMostBins || !(column.bins.up_to > 0.0) ||
           !std::isfinite(column.bins.up_to))
@@ -220,7 +218,7 @@ void FrameReader::open_observables(const Scene& scene, std::span<const std::int6
     if (bytes > room) throw h5::Error("observables claim more than the file can hold");
     const h5::Handle element = open_path(group, observable.name);
     expect_times(element, observables_.when, steps);
-    std::vector<std::optional<hsize_t>> dims{kAny};
+    std::vector<std::optional<hsize_t>> dims{h5::kAny};
     if (observable.components > 1) dims.push_back(observable.components);
     const h5::Dataset set = h5::open_dataset<double>(*file_, element, "value", dims);
     expect_samples(set.dims[0], observables_.when.samples(), observable.name.c_str());

@@ -60,6 +60,20 @@ class Handle {
 /// The type of numbers, in the file and in memory alike: throng runs on little-endian machines only.
 template <class T>
 hid_t type();
+template <>
+hid_t type<double>();
+template <>
+hid_t type<float>();
+template <>
+hid_t type<std::uint8_t>();
+template <>
+hid_t type<std::int32_t>();
+template <>
+hid_t type<std::uint32_t>();
+template <>
+hid_t type<std::int64_t>();
+template <>
+hid_t type<std::uint64_t>();
 
 template <class Status>
 Status check(Status status, const char* what) {

@@ -43,6 +43,8 @@ template <class T>
 std::vector<T> read_attribute(hid_t at, const char* name, std::size_t count);
 std::string read_attribute_text(hid_t at, const char* name);
 
+inline constexpr std::nullopt_t kAny = std::nullopt;  ///< a dimension that is not given
+
 /// Opens a dataset of T's type and of these dimensions; where one is not given, any will do.
 template <class T>
 Dataset open_dataset(const File& file, hid_t at, const char* name,

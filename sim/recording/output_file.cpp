@@ -26,7 +26,7 @@ std::string folder_of(const std::string& path) {
   return folder.empty() ? "." : folder;
 }
 
-[[noreturn]] void refuse(const std::string& path, const std::string& why) {
+[[noreturn]] void cannot_write(const std::string& path, const std::string& why) {
   throw InputError("cannot write " + path + ": " + why);
 }
 
@@ -34,24 +34,24 @@ void check_target(const std::string& path, bool force) {
   struct stat found;
   if (path.empty()) throw InputError("the output has no name");
   if (stat(folder_of(path).c_str(), &found) != 0)
-    refuse(path,
-           errno == ENOENT ? "the folder " + folder_of(path) + " does not exist" : std::strerror(errno));
-  if (!S_ISDIR(found.st_mode)) refuse(path, folder_of(path) + " is no folder");
+    cannot_write(
+        path, errno == ENOENT ? "the folder " + folder_of(path) + " does not exist" : std::strerror(errno));
+  if (!S_ISDIR(found.st_mode)) cannot_write(path, folder_of(path) + " is no folder");
   if (lstat(path.c_str(), &found) != 0) return;
-  if (!S_ISREG(found.st_mode)) refuse(path, "it exists and is no regular file");
-  if (!force) refuse(path, "it exists already; --force overwrites it");
+  if (!S_ISREG(found.st_mode)) cannot_write(path, "it exists and is no regular file");
+  if (!force) cannot_write(path, "it exists already; --force overwrites it");
 }
 
 /// What stands at `part` may be written over.
 void check_part(const std::string& path, const std::string& part, const struct stat& found, bool force) {
-  if (!S_ISREG(found.st_mode)) refuse(path, part + " is no regular file");
+  if (!S_ISREG(found.st_mode)) cannot_write(path, part + " is no regular file");
   if (found.st_size > 0 && !force)
-    refuse(path, part + " is left from a run that did not end, and may hold frames: 'throng resume " + path +
-                     "' goes on with it, --force overwrites it");
+    cannot_write(path, part + " is left from a run that did not end, and may hold frames: 'throng resume " +
+                           path + "' goes on with it, --force overwrites it");
 }
 
 [[noreturn]] void refuse_locked(const std::string& path, const std::string& part) {
-  refuse(path, "another run is writing it (" + part + " is locked)");
+  cannot_write(path, "another run is writing it (" + part + " is locked)");
 }
 
 /// A lock on the whole file that belongs to the open file, not to the process: HDF5 opens and closes the same
@@ -104,7 +104,7 @@ OutputFile::~OutputFile() {
 void OutputFile::open_part() {
   const int flags = O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK;
   fd_ = open(part_.c_str(), flags, 0666);
-  if (fd_ < 0) refuse(path_, part_ + ": " + std::strerror(errno));
+  if (fd_ < 0) cannot_write(path_, part_ + ": " + std::strerror(errno));
 }
 
 void OutputFile::lock_part() {
@@ -112,8 +112,8 @@ void OutputFile::lock_part() {
   if (fcntl(fd_, F_OFD_SETLK, &lock) != 0 && (errno == EAGAIN || errno == EACCES))
     refuse_locked(path_, part_);
   struct stat found;
-  if (fstat(fd_, &found) != 0) refuse(path_, part_ + ": " + std::strerror(errno));
-  if (!same_file(fd_, part_)) refuse(path_, "another run has just finished it");
+  if (fstat(fd_, &found) != 0) cannot_write(path_, part_ + ": " + std::strerror(errno));
+  if (!same_file(fd_, part_)) cannot_write(path_, "another run has just finished it");
   was_there_ = found.st_size > 0;
   check_part(path_, part_, found, force_);
 }
@@ -135,7 +135,7 @@ std::string lacking_room(const std::string& path, double bytes) {
 
 void expect_room(const std::string& path, double bytes) {
   if (const std::string why = lacking_room(path, bytes); !why.empty())
-    refuse(path, "the recording needs " + why + "; record fewer frames");
+    cannot_write(path, "the recording needs " + why + "; record fewer frames");
 }
 
 void OutputFile::start_sync() const {
@@ -177,9 +177,9 @@ void expect_writable(const std::string& path, bool force) {
   if (lstat(part.c_str(), &found) == 0) {
     if (is_being_written(part)) refuse_locked(path, part);
     check_part(path, part, found, force);
-    if (access(part.c_str(), R_OK | W_OK) != 0) refuse(path, part + ": " + std::strerror(errno));
+    if (access(part.c_str(), R_OK | W_OK) != 0) cannot_write(path, part + ": " + std::strerror(errno));
   } else if (access(folder_of(path).c_str(), W_OK | X_OK) != 0) {
-    refuse(path, part + ": " + std::strerror(errno));
+    cannot_write(path, part + ": " + std::strerror(errno));
   }
 }
 

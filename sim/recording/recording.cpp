@@ -23,7 +23,6 @@ using namespace recording;
 
 namespace {
 
-constexpr std::nullopt_t kAny = std::nullopt;
 constexpr std::int64_t kMostBodies = 0xffffffff;
 
 /// What the first bytes tell before HDF5 sees the file: throng writes superblocks of version 3 only.
@@ -175,10 +174,10 @@ void Recording::Impl::read_rows() {
   complete = finished != 0 && !file.unfinished;
   while (!complete && !frame_hashes.empty() && frame_hashes.back() == 0) frame_hashes.pop_back();
   const std::size_t n = frame_hashes.size();
-  steps = h5::read_all<std::int64_t>(h5::open_dataset<std::int64_t>(file, group, "step", {kAny}), n);
-  times = h5::read_all<double>(h5::open_dataset<double>(file, group, "time", {kAny}), n);
+  steps = h5::read_all<std::int64_t>(h5::open_dataset<std::int64_t>(file, group, "step", {h5::kAny}), n);
+  times = h5::read_all<double>(h5::open_dataset<double>(file, group, "time", {h5::kAny}), n);
   state_hashes =
-      h5::read_all<std::uint64_t>(h5::open_dataset<std::uint64_t>(file, group, "state_hash", {kAny}), n);
+      h5::read_all<std::uint64_t>(h5::open_dataset<std::uint64_t>(file, group, "state_hash", {h5::kAny}), n);
   if (complete && finished != chain_hash(frame_hashes))
     throw h5::Error("the list of frames does not match its hash");
 }

@@ -11,8 +11,8 @@ namespace throng::recording {
 
 namespace {
 
+using h5::kAny;
 using h5::read_array;
-constexpr std::nullopt_t kAny = std::nullopt;
 
 [[noreturn]] void reject(const std::string& why) {
   throw h5::Error(why);

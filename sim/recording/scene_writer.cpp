@@ -2,21 +2,13 @@
 #include "sim/recording/scene_writer.h"
 
 #include "sim/recording/h5_write.h"
+#include "sim/recording/numbers.h"
 
 namespace throng::recording {
 
 namespace {
 
 using h5::write_array;
-
-template <class T>
-std::span<const T> flat(const std::vector<T>& values) {
-  return values;
-}
-
-std::span<const double> flat(const std::vector<Vec>& values) {
-  return {values.empty() ? nullptr : values[0].data(), 2 * values.size()};
-}
 
 /// One column of a list of structs.
 template <class Item, class F>

@@ -13,7 +13,7 @@ namespace throng::recording {
 
 namespace {
 
-bool is_sound(const std::vector<ContactImpulse>& contacts) {
+bool is_possible(const std::vector<ContactImpulse>& contacts) {
   return std::is_sorted(contacts.begin(), contacts.end(),
                         [](const ContactImpulse& a, const ContactImpulse& b) { return a.key < b.key; }) &&
          std::all_of(contacts.begin(), contacts.end(), [](const ContactImpulse& c) {
@@ -23,8 +23,8 @@ bool is_sound(const std::vector<ContactImpulse>& contacts) {
 }
 
 /// Who they are of is for `fits` to say.
-bool is_sound(const std::vector<SleepingContact>& contacts) {
-  return is_sound(impulses(contacts)) &&
+bool is_possible(const std::vector<SleepingContact>& contacts) {
+  return is_possible(impulses(contacts)) &&
          std::all_of(contacts.begin(), contacts.end(),
                      [](const SleepingContact& c) { return is_near(c.point); });
 }
@@ -42,7 +42,7 @@ bool is_count(std::int64_t n) {
   return 0 <= n && n < std::int64_t{1} << 62;
 }
 
-bool is_sound(const Measured& measured, std::int64_t step) {
+bool is_possible(const Measured& measured, std::int64_t step) {
   return 0 <= measured.first && measured.first <= measured.last && measured.last <= step &&
          0 <= measured.steps && measured.steps <= step && is_count(measured.count) &&
          is_count(measured.back) && is_count(measured.samples) && measured.speed >= 0.0 &&
@@ -50,7 +50,7 @@ bool is_sound(const Measured& measured, std::int64_t step) {
 }
 
 /// Each once, and nobody has gone round the end of a line so often.
-bool is_sound(const std::vector<OnLine>& on_line) {
+bool is_possible(const std::vector<OnLine>& on_line) {
   const auto is_astray = [](const OnLine& a, const OnLine& b) {
     return std::pair(a.line, a.id) >= std::pair(b.line, b.id);
   };
@@ -60,16 +60,16 @@ bool is_sound(const std::vector<OnLine>& on_line) {
 }
 
 /// No body senses more than all the others, which 32 bits name.
-bool is_sound(const SensedSum& sum) {
+bool is_possible(const SensedSum& sum) {
   return is_count(sum.looks) && is_count(sum.sensed) && sum.sensed >> 32 <= sum.looks;
 }
 
-bool is_sound(const Collisions& all) {
+bool is_possible(const Collisions& all) {
   return is_count(all.pairs) && is_count(all.walls) && is_count(all.pushed) && std::isfinite(all.virial) &&
          std::isfinite(all.equilibrium);
 }
 
-bool is_sound(const CrowdState& crowd, std::int64_t step) {
+bool is_possible(const CrowdState& crowd, std::int64_t step) {
   const auto past = [step](std::int64_t s) { return s >= 0 && s <= step; };
   return std::all_of(crowd.stand.begin(), crowd.stand.end(), is_near) &&
          std::all_of(crowd.spot.begin(), crowd.spot.end(), is_near) &&
@@ -77,8 +77,8 @@ bool is_sound(const CrowdState& crowd, std::int64_t step) {
          std::all_of(crowd.since.begin(), crowd.since.end(), past) && past(crowd.last_arrival) &&
          is_count(crowd.arrived) && is_count(crowd.wall_corrections) && is_count(crowd.squeezed) &&
          std::all_of(crowd.measured.begin(), crowd.measured.end(),
-                     [&](const Measured& measured) { return is_sound(measured, step); }) &&
-         is_sound(crowd.on_line);
+                     [&](const Measured& measured) { return is_possible(measured, step); }) &&
+         is_possible(crowd.on_line);
 }
 
 }  // namespace
@@ -86,11 +86,12 @@ bool is_sound(const CrowdState& crowd, std::int64_t step) {
 bool is_sound(const State& state) {
   for (std::size_t row = 0; row < state.id.size(); ++row)
     if (!can_go_on(state, row)) return false;
-  return state.step >= 0 && is_sound(state.crowd, state.step) && are_names(state.id, state.crowd) &&
+  return state.step >= 0 && is_possible(state.crowd, state.step) && are_names(state.id, state.crowd) &&
          std::all_of(state.sensed.begin(), state.sensed.end(),
-                     [](const SensedSum& sum) { return is_sound(sum); }) &&
-         is_sound(state.collisions) && is_sound(state.disc_contacts) && is_sound(state.point_contacts) &&
-         is_sound(state.sleep.disc_contacts) && is_sound(state.sleep.point_contacts);
+                     [](const SensedSum& sum) { return is_possible(sum); }) &&
+         is_possible(state.collisions) && is_possible(state.disc_contacts) &&
+         is_possible(state.point_contacts) && is_possible(state.sleep.disc_contacts) &&
+         is_possible(state.sleep.point_contacts);
 }
 
 }  // namespace throng::recording

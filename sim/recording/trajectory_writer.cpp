@@ -5,17 +5,11 @@
 #include <utility>
 
 #include "sim/recording/frame_hash.h"
+#include "sim/recording/numbers.h"
 
 namespace throng::recording {
 
 namespace {
-
-std::span<const double> flat(const std::vector<Vec>& vectors) {
-  return {vectors.empty() ? nullptr : vectors.front().data(), 2 * vectors.size()};
-}
-std::span<const double> flat(const std::vector<double>& scalars) {
-  return scalars;
-}
 
 /// Puts the numbers of the rows that are present to the front of `to`, which may be `from`.
 std::span<const double> compact(const std::vector<std::uint8_t>& is_present, std::size_t components,

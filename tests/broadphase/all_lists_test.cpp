@@ -12,20 +12,13 @@
 #include "broadphase/brute_force.h"
 #include "broadphase/cell_order.h"
 #include "tests/broadphase/clouds.h"
+#include "tests/broadphase/list.h"
 #include "tests/less_when_watched.h"
 
 namespace throng::broadphase {
 namespace {
 
 using Neighbours = std::vector<Neighbour>;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-Neighbours list(const NeighbourLists& lists, std::size_t i) {
-  Neighbours result;
-  for (std::size_t k = lists.begin[i]; k < lists.begin[i + 1]; ++k)
-    result.push_back({lists.row[k], lists.distance[k]});
-  return result;
-}
 
 void expect_equal(const NeighbourLists& a, const NeighbourLists& b) {
   EXPECT_EQ(a.begin, b.begin);
@@ -65,7 +58,7 @@ TEST(AllLists, AreEmptyWhereNobodyIs) {
   EXPECT_TRUE(lists.row.empty());
   search.find(Points{}, std::vector<double>{}, nullptr, lists);
   EXPECT_EQ(lists.size(), 0u);
-  search.find(Points{{1, 1}}, kInfinity, nullptr, lists);
+  search.find(Points{{1, 1}}, std::numeric_limits<double>::infinity(), nullptr, lists);
   EXPECT_EQ(lists.begin, (std::vector<std::size_t>{0, 0}));
 }
 
@@ -83,7 +76,7 @@ TEST(AllLists, ReachAcrossTheSeamHoweverFar) {
   const Period period{{0, 0}, {10, 10}};
   const Points points{{9.5, 5}, {2, 5}, {5, 5}, {0.25, 10}, {0.25, 0}};
   NeighbourLists lists;
-  for (const double radius : {0.0, 0.5, 2.5, 3.0, 3.5, 5.0, 50.0, kInfinity}) {
+  for (const double radius : {0.0, 0.5, 2.5, 3.0, 3.5, 5.0, 50.0, std::numeric_limits<double>::infinity()}) {
     AllLists().find(points, radius, &period, lists);
     expect_definition(points, std::vector<double>(5, radius), &period, lists);
   }
@@ -102,11 +95,7 @@ class AllListsOnEachTarget : public testing::TestWithParam<std::int64_t> {
   ~AllListsOnEachTarget() override { hwy::SetSupportedTargetsForTest(0); }
 };
 
-std::vector<std::int64_t> targets() {
-  return hwy::SupportedAndGeneratedTargets();
-}
-
-INSTANTIATE_TEST_SUITE_P(All, AllListsOnEachTarget, testing::ValuesIn(targets()),
+INSTANTIATE_TEST_SUITE_P(All, AllListsOnEachTarget, testing::ValuesIn(hwy::SupportedAndGeneratedTargets()),
                          [](const auto& target) { return std::string(hwy::TargetName(target.param)); });
 
 TEST_P(AllListsOnEachTarget, AgreeWithTheDefinition) {
@@ -119,7 +108,7 @@ TEST_P(AllListsOnEachTarget, AgreeWithTheDefinition) {
     for (const bool periodic : {false, true})
       for (const double offset : {0.0, 1e9, -1e9})
         for (const std::size_t n : std::initializer_list<std::size_t>{1, 2, 9, 70, less_when_watched(350)})
-          for (const double radius : {0.0, 0.05, 0.7, 4.0, 9.0, kInfinity}) {
+          for (const double radius : {0.0, 0.05, 0.7, 4.0, 9.0, std::numeric_limits<double>::infinity()}) {
             const Point origin(offset, -0.5 * offset);
             const Period period{origin, Point(16.0, 16.0)};
             Points points = moved(spread(random, how, n, 16.0), origin);

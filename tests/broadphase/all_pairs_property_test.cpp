@@ -21,7 +21,7 @@ Pairs ascending(const PairList& found) {
   return pairs;
 }
 
-Pairs pairs_of(const std::vector<Point>& points, double reach) {
+Pairs all_pairs(const std::vector<Point>& points, double reach) {
   PairList found;
   AllPairs().find(points, reach, nullptr, found);
   return ascending(found);
@@ -42,7 +42,7 @@ TEST(AllPairsOfAnyCloud, AreThoseOfTheDefinition) {
   EXPECT_TRUE(rc::check([] {
     const auto points = *clouds();
     const double reach = *reaches();
-    RC_ASSERT(pairs_of(points, reach) == brute_force::pairs(points, reach));
+    RC_ASSERT(all_pairs(points, reach) == brute_force::pairs(points, reach));
   }));
 }
 
@@ -55,9 +55,9 @@ TEST(AllPairsOfAnyCloud, DontChangeWhereItMovesOrIsTurnedByAQuarter) {
       moved.push_back(p + Point(1048576.0, -4096.0));
       turned.push_back({-p.y(), p.x()});
     }
-    const Pairs pairs = pairs_of(points, reach);
-    RC_ASSERT(pairs_of(moved, reach) == pairs);
-    RC_ASSERT(pairs_of(turned, reach) == pairs);
+    const Pairs pairs = all_pairs(points, reach);
+    RC_ASSERT(all_pairs(moved, reach) == pairs);
+    RC_ASSERT(all_pairs(turned, reach) == pairs);
   }));
 }
 
@@ -65,7 +65,7 @@ TEST(AllPairsOfAnyCloud, GrowWithTheReach) {
   EXPECT_TRUE(rc::check([] {
     const auto points = *clouds();
     const double reach = *reaches();
-    const Pairs few = pairs_of(points, reach), many = pairs_of(points, reach + 0.5);
+    const Pairs few = all_pairs(points, reach), many = all_pairs(points, reach + 0.5);
     RC_ASSERT(std::includes(many.begin(), many.end(), few.begin(), few.end()));
   }));
 }
@@ -80,7 +80,7 @@ TEST(AllPairsOfAnyCloud, AreThoseOfDiscsOfHalfTheReachAndOfBoxesBetween) {
     AllPairs().find_discs(points, std::vector<double>(points.size(), half), nullptr, discs);
     AllPairs().find_boxes(boxes, squares);
     const Pairs touching = ascending(discs), boxed = ascending(squares);
-    RC_ASSERT(touching == pairs_of(points, 2.0 * half));
+    RC_ASSERT(touching == all_pairs(points, 2.0 * half));
     RC_ASSERT(std::includes(boxed.begin(), boxed.end(), touching.begin(), touching.end()));
   }));
 }

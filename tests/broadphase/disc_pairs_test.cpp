@@ -14,7 +14,7 @@ using testing::IsEmpty;
 using Pairs = std::vector<Pair>;
 using Reaches = std::vector<double>;
 
-Pairs pairs_of(const Points& centres, const Reaches& reach, const Period* period = nullptr) {
+Pairs disc_pairs(const Points& centres, const Reaches& reach, const Period* period = nullptr) {
   Pairs pairs{{7, 7}};
   DiscPairs().find(centres, reach, period, pairs);
   return pairs;
@@ -23,24 +23,25 @@ Pairs pairs_of(const Points& centres, const Reaches& reach, const Period* period
 TEST(DiscPairs, FindsThePairsThatPaperFinds) {
   // A large disc at the origin touches a small one at 11 exactly, and not the one at 11.5; the small ones
   // touch.
-  EXPECT_THAT(pairs_of({{11, 0}, {0, 0}, {11.5, 0}}, {1.0, 10.0, 1.0}), ElementsAre(Pair{0, 1}, Pair{0, 2}));
+  EXPECT_THAT(disc_pairs({{11, 0}, {0, 0}, {11.5, 0}}, {1.0, 10.0, 1.0}),
+              ElementsAre(Pair{0, 1}, Pair{0, 2}));
 }
 
 TEST(DiscPairs, FindsNothingAmongNoneOrOne) {
-  EXPECT_THAT(pairs_of({}, {}), IsEmpty());
-  EXPECT_THAT(pairs_of({{1, 2}}, {3.0}), IsEmpty());
+  EXPECT_THAT(disc_pairs({}, {}), IsEmpty());
+  EXPECT_THAT(disc_pairs({{1, 2}}, {3.0}), IsEmpty());
 }
 
 TEST(DiscPairs, FindsCoincidentPointsOfNoSize) {
-  EXPECT_THAT(pairs_of({{1, 2}, {1, 3}, {1, 2}}, {0.0, 0.0, 0.0}), ElementsAre(Pair{0, 2}));
-  EXPECT_THAT(pairs_of({{1, 2}, {1, 3}, {1, 2}}, {0.0, 1.0, 0.0}),
+  EXPECT_THAT(disc_pairs({{1, 2}, {1, 3}, {1, 2}}, {0.0, 0.0, 0.0}), ElementsAre(Pair{0, 2}));
+  EXPECT_THAT(disc_pairs({{1, 2}, {1, 3}, {1, 2}}, {0.0, 1.0, 0.0}),
               ElementsAre(Pair{0, 1}, Pair{0, 2}, Pair{1, 2}));
 }
 
 TEST(DiscPairs, TellsSizesApartBeyondAllPowersOfTwo) {
   const Reaches reach{1e9, 1e-9, 1e-30, 0.0, 5e-324, 1e-9};
   const Points centres{{0, 0}, {1e9, 0}, {0, 0}, {0, 1}, {0, 1}, {1e9, 0}};
-  EXPECT_EQ(pairs_of(centres, reach), brute_force::pairs(centres, reach));
+  EXPECT_EQ(disc_pairs(centres, reach), brute_force::pairs(centres, reach));
 }
 
 /// Reaches of which the largest is `ratio` times the smallest, as many of each power of two.
@@ -68,7 +69,7 @@ TEST(DiscPairs, AgreesWithTheDefinitionForEveryMixOfSizes) {
       const Period* period = round % 2 ? &torus : nullptr;
       const Points centres = cloud(random, n, side);
       const Reaches reach = mixed(random, n, random.between(0.05, 0.25) * side, ratio);
-      const Pairs pairs = pairs_of(centres, reach, period);
+      const Pairs pairs = disc_pairs(centres, reach, period);
       EXPECT_EQ(pairs, brute_force::pairs(centres, reach, period))
           << "ratio " << ratio << ", round " << round;
       near += static_cast<double>(pairs.size());
@@ -85,7 +86,7 @@ TEST(DiscPairs, AgreesWithTheDefinitionFarFromTheOrigin) {
   const Points near = cloud(random, 400, 12.0);
   for (const double offset : {-1e6, 1e9}) {
     const Points centres = moved(near, {offset, offset});
-    EXPECT_EQ(pairs_of(centres, reach), brute_force::pairs(centres, reach));
+    EXPECT_EQ(disc_pairs(centres, reach), brute_force::pairs(centres, reach));
   }
 }
 

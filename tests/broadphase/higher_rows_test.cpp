@@ -50,7 +50,7 @@ TEST(HigherRows, LeaveOutPairsThatNeitherCanMove) {
 }
 
 /// Pairs of which row i has lengths[i].
-Pairs pairs_of(Random& random, const std::vector<std::size_t>& lengths) {
+Pairs random_pairs(Random& random, const std::vector<std::size_t>& lengths) {
   const auto n = static_cast<std::uint32_t>(lengths.size());
   std::vector<std::uint32_t> rows;
   for (std::uint32_t row = 0; row < 1000; ++row) rows.push_back(n + row * 1000);
@@ -77,7 +77,7 @@ TEST(HigherRows, SortListsOfEveryLengthWithEveryWidthOfVectors) {
   cases.emplace_back();
   for (std::size_t length = 0; length < 270; ++length) cases.back().push_back(length);
   for (const std::vector<std::size_t>& lengths : cases) {
-    const Pairs pairs = pairs_of(random, lengths);
+    const Pairs pairs = random_pairs(random, lengths);
     Pairs ascending = pairs;
     std::sort(ascending.begin(), ascending.end());
     HigherRows higher;

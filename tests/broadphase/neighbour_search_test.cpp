@@ -5,16 +5,17 @@
 
 #include <rapidcheck/gtest.h>
 #include <chrono>
+#include <limits>
 
 #include "broadphase/brute_force.h"
 #include "tests/broadphase/clouds.h"
+#include "tests/broadphase/list.h"
 
 namespace throng::broadphase {
 namespace {
 
 using Neighbours = std::vector<Neighbour>;
 using Kind = ProximityTree::Kind;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// A tree, and all that its definition takes.
 struct Sample {
@@ -59,13 +60,6 @@ Sample sample(Random& random, Kind kind, Spread how, std::size_t n, const Point&
   return s;
 }
 
-Neighbours list(const NeighbourLists& lists, std::size_t i) {
-  Neighbours result;
-  for (std::size_t k = lists.begin[i]; k < lists.begin[i + 1]; ++k)
-    result.push_back({lists.row[k], lists.distance[k]});
-  return result;
-}
-
 Neighbours sorted_calls(const ProximityTree& tree, const Place& place, const Near& near) {
   Neighbours result;
   for_each_near(tree, place, near, [&](std::uint32_t row, double d) { result.push_back({row, d}); });
@@ -76,7 +70,7 @@ Neighbours sorted_calls(const ProximityTree& tree, const Place& place, const Nea
 }
 
 Near question(Random& random, std::size_t n, double side) {
-  constexpr double kFar[] = {0.0, 0.02, 0.1, 0.4, 0.7, kInfinity};
+  constexpr double kFar[] = {0.0, 0.02, 0.1, 0.4, 0.7, std::numeric_limits<double>::infinity()};
   const double turn = random.between(0.01, 3.14);
   Near near;
   near.radius = kFar[random.below(6)] * side;
@@ -137,11 +131,7 @@ class EveryTarget : public testing::TestWithParam<std::int64_t> {
   ~EveryTarget() override { hwy::SetSupportedTargetsForTest(0); }
 };
 
-std::vector<std::int64_t> targets() {
-  return hwy::SupportedAndGeneratedTargets();
-}
-
-INSTANTIATE_TEST_SUITE_P(Neighbours, EveryTarget, testing::ValuesIn(targets()),
+INSTANTIATE_TEST_SUITE_P(Neighbours, EveryTarget, testing::ValuesIn(hwy::SupportedAndGeneratedTargets()),
                          [](const auto& target) { return std::string(hwy::TargetName(target.param)); });
 
 TEST_P(EveryTarget, AgreesWithTheDefinition) {

@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <limits>
+
 #include "broadphase/brute_force.h"
 #include "tests/broadphase/clouds.h"
 
@@ -12,8 +14,6 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 using Neighbours = std::vector<Neighbour>;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 ProximityTree tree_of(const Points& points, const Period* period = nullptr) {
   ProximityTree tree;
@@ -71,7 +71,8 @@ TEST(Neighbours, SeeAcrossTheSeamHoweverFarTheyLook) {
 
 TEST(Neighbours, OfAPlaceFarAwayAreFound) {
   const ProximityTree tree = tree_of({{0, 0}, {1, 0}, {0, 1}});
-  EXPECT_THAT(near(tree, {{1e9, 0}}, {kInfinity, 1}), ElementsAre(Neighbour{1, 1e9 - 1.0}));
+  EXPECT_THAT(near(tree, {{1e9, 0}}, {std::numeric_limits<double>::infinity(), 1}),
+              ElementsAre(Neighbour{1, 1e9 - 1.0}));
   EXPECT_THAT(near(tree, {{-1e9, 0}}, {}), testing::SizeIs(3));
 }
 
@@ -101,11 +102,11 @@ TEST(Neighbours, OfBoxesAreMeasuredToTheNearestPoint) {
               ElementsAre(Neighbour{1, 0.0}, Neighbour{2, 2.0}, Neighbour{0, 5.0}));
 }
 
-const double kHalf = std::sqrt(0.5);
+const double kSqrtHalf = std::sqrt(0.5);
 
 TEST(FieldOfView, EndsAtItsBorderWhichBelongsToIt) {
   const ProximityTree tree = tree_of({{2, 2}, {2, -2}, {2, 2.0000000000000004}, {-3, 0}, {0, 0}, {5, 0}});
-  const Near quarter{.view = {kHalf, kHalf}};  // 90 degrees
+  const Near quarter{.view = {kSqrtHalf, kSqrtHalf}};  // 90 degrees
   EXPECT_THAT(rows(near(tree, {{0, 0}, {1, 0}}, quarter)), ElementsAre(4, 0, 1, 5));
   EXPECT_THAT(rows(near(tree, {{0, 0}, {7, 0}}, quarter)), ElementsAre(4, 0, 1, 5));
   const Near half{.view = {0.0, 1.0}};
@@ -132,8 +133,8 @@ TEST(Neighbours, OfDistancesThatRoundToOneAreOrderedByRow) {
     for (int far = 0; far < 30; ++far) points.push_back({5.0, far});  // so that there are leaves
     const ProximityTree tree = tree_of(points);
     for (std::size_t most = 1; most <= 3; ++most)
-      EXPECT_EQ(near(tree, {{0, 0}}, {kInfinity, most}),
-                brute_force::near(points, {{0, 0}}, {kInfinity, most}));
+      EXPECT_EQ(near(tree, {{0, 0}}, {std::numeric_limits<double>::infinity(), most}),
+                brute_force::near(points, {{0, 0}}, {std::numeric_limits<double>::infinity(), most}));
   }
   EXPECT_GT(ties, 100);
 }
@@ -144,7 +145,7 @@ TEST(Neighbours, AreTheSameFromTheEdgeLookingAway) {
   const Points points = spread(random, Spread::uniform, 3000, 10.0);
   const ProximityTree tree = tree_of(points);
   const Place place{{9.99, 5.0}, {1.0, 0.1}};
-  const Near what{.most = 3, .view = {kHalf, kHalf}};
+  const Near what{.most = 3, .view = {kSqrtHalf, kSqrtHalf}};
   EXPECT_EQ(near(tree, place, what), brute_force::near(points, place, what));
 }
 

@@ -33,7 +33,7 @@ class FailingDisk : public DurableRun, public ::testing::WithParamInterface<Fail
   /// From one write that fails to the next: a crowd's are hundreds, and sanitizers take long.
   static int stride() {
     const bool crowd = &GetParam().recorded == &kRecordedCrowd;
-    return full_length() ? 1 : (crowd ? 3 : 1) * (kSanitized ? 3 : 1);
+    return full_length() ? 1 : crowd ? (kSanitized ? 5 : 3) : (kSanitized ? 3 : 1);
   }
 
   /// Of a resume, whose writes are hundreds, most of them alike.

@@ -21,7 +21,7 @@ namespace {
 using namespace testing_recordings;
 using testing::HasSubstr;
 
-constexpr std::size_t kBodies = 2000;
+constexpr std::size_t kManyBodies = 2000;
 
 /// A child process that does `work` and exits the ordinary way with what it returns.
 pid_t start(const std::function<int()>& work) {
@@ -38,7 +38,7 @@ int status_of(pid_t child) {
 
 /// Records until it is stopped from outside.
 int record_for_ever(const std::string& path) {
-  const Scene scene = mixed_scene(kBodies);
+  const Scene scene = mixed_scene(kManyBodies);
   Recorder recorder(path, scene, provenance());
   for (std::int64_t step = 0;; ++step) recorder.record(state_at(scene, step));
 }
@@ -56,7 +56,7 @@ Recording wait_for_frames(const std::string& part) {
 }
 
 void expect_all_frames_right(const Recording& recording) {
-  const Scene scene = mixed_scene(kBodies);
+  const Scene scene = mixed_scene(kManyBodies);
   for (std::size_t i = 0; i < recording.frames(); ++i) {
     const State state = state_at(scene, static_cast<std::int64_t>(i));
     const Frame frame = recording.frame(i);
@@ -135,7 +135,7 @@ TEST(Durability, FramesCommittedBeforeTheDiskIsFullStayReadable) {
   ASSERT_EQ(WEXITSTATUS(status), 3);
   const Recording recording(folder / "a.h5.part");
   EXPECT_FALSE(recording.complete());
-  EXPECT_GE(recording.frames() * kBodies * 48, limit / 2);  // a commit each 64 MB
+  EXPECT_GE(recording.frames() * kManyBodies * 48, limit / 2);  // a commit each 64 MB
   expect_all_frames_right(recording);
 }
 

@@ -21,10 +21,6 @@ Rings scaled(Rings rings, double factor, const Vec& offset = {0, 0}) {
   return rings;
 }
 
-Ring square(double half, const Vec& at = {0, 0}) {
-  return {at + Vec(-half, -half), at + Vec(half, -half), at + Vec(half, half), at + Vec(-half, half)};
-}
-
 /// `middle` far below the plane's curve: a solid with a hole of `inner`'s shape.
 Rings with_hole(const std::vector<double>& inner) {
   return {bench::around(std::vector<double>(64, 3.0)), bench::around(inner)};
@@ -32,8 +28,8 @@ Rings with_hole(const std::vector<double>& inner) {
 
 template <class Volume>
 class OutlineOf : public ::testing::Test {};
-using Volumes = ::testing::Types<Ball<2>, Box<2>, OrientedBox<2>, BoxAndBall<2>>;
-TYPED_TEST_SUITE(OutlineOf, Volumes);
+using PlanarVolumes = ::testing::Types<Ball<2>, Box<2>, OrientedBox<2>, BoxAndBall<2>>;
+TYPED_TEST_SUITE(OutlineOf, PlanarVolumes);
 
 TYPED_TEST(OutlineOf, SquaresIsAsFarAsOnPaper) {
   const auto a = outline<TypeParam>(Rings{square(1.0)});

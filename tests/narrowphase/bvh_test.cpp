@@ -33,8 +33,8 @@ Bvh<Volume> tree_of(const Points<3>& points, const BvhConfig& config) {
 
 template <class Volume>
 class BvhInSpace : public ::testing::Test {};
-using Volumes = ::testing::Types<Ball<3>, Box<3>, OrientedBox<3>, BoxAndBall<3>>;
-TYPED_TEST_SUITE(BvhInSpace, Volumes);
+using SpatialVolumes = ::testing::Types<Ball<3>, Box<3>, OrientedBox<3>, BoxAndBall<3>>;
+TYPED_TEST_SUITE(BvhInSpace, SpatialVolumes);
 
 TYPED_TEST(BvhInSpace, FindsTheNearestPointsOfTwoCloudsAndAllThatAreClose) {
   Random random(20261121);

@@ -70,9 +70,9 @@ Volume around(Points<Volume::kDimension> points) {
 
 template <class Volume>
 class BoundingVolume : public ::testing::Test {};
-using Volumes = ::testing::Types<Ball<2>, Box<2>, OrientedBox<2>, BoxAndBall<2>, Ball<3>, Box<3>,
-                                 OrientedBox<3>, BoxAndBall<3>>;
-TYPED_TEST_SUITE(BoundingVolume, Volumes);
+using AllVolumes = ::testing::Types<Ball<2>, Box<2>, OrientedBox<2>, BoxAndBall<2>, Ball<3>, Box<3>,
+                                    OrientedBox<3>, BoxAndBall<3>>;
+TYPED_TEST_SUITE(BoundingVolume, AllVolumes);
 
 TYPED_TEST(BoundingVolume, HoldsThePointsThatItWasFittedTo) {
   constexpr int kDim = TypeParam::kDimension;

@@ -11,9 +11,9 @@
 namespace throng::narrowphase {
 namespace {
 
-using Points = std::vector<Vec>;
+using Ring = std::vector<Vec>;
 
-using Rings = std::vector<Points>;
+using Rings = std::vector<Ring>;
 
 /// What every decomposition must be: convex parts, no overlap, all of the area.
 void expect_parts(const Rings& rings, const std::vector<Convex>& parts) {
@@ -29,7 +29,7 @@ void expect_parts(const Rings& rings, const std::vector<Convex>& parts) {
   EXPECT_NEAR(area / whole, 1.0, 1e-12);
 }
 
-void expect_parts(const Points& polygon, const std::vector<Convex>& parts) {
+void expect_parts(const Ring& polygon, const std::vector<Convex>& parts) {
   expect_parts(Rings{polygon}, parts);
 }
 
@@ -42,7 +42,7 @@ void expect_no_overlap(const std::vector<Convex>& parts, double tolerance) {
 /// By the even-odd rule, of a point on no edge.
 bool is_inside(const Rings& rings, const Vec& x) {
   bool inside = false;
-  for (const Points& ring : rings)
+  for (const Ring& ring : rings)
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Vec &p = ring[i], &q = ring[(i + 1) % ring.size()];
       const bool passes =
@@ -52,7 +52,7 @@ bool is_inside(const Rings& rings, const Vec& x) {
   return inside;
 }
 
-std::size_t reflex_vertices(const Points& polygon) {
+std::size_t reflex_vertices(const Ring& polygon) {
   std::size_t count = 0;
   const std::size_t n = polygon.size();
   for (std::size_t i = 0; i < n; ++i)
@@ -69,18 +69,18 @@ TEST(Decompose, LeavesAConvexPolygonWhole) {
 }
 
 TEST(Decompose, CutsAnLOnce) {
-  const Points polygon{{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}};
+  const Ring polygon{{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}};
   const auto parts = decompose(polygon);
   EXPECT_EQ(parts.size(), 2u);
   expect_parts(polygon, parts);
 }
 
 TEST(Decompose, CopesWithVerticesThatEveryDiagonalRunsAlong) {
-  const Points cross{{1, 0}, {2, 0}, {2, 1}, {3, 1}, {3, 2}, {2, 2},
-                     {2, 3}, {1, 3}, {1, 2}, {0, 2}, {0, 1}, {1, 1}};
+  const Ring cross{{1, 0}, {2, 0}, {2, 1}, {3, 1}, {3, 2}, {2, 2},
+                   {2, 3}, {1, 3}, {1, 2}, {0, 2}, {0, 1}, {1, 1}};
   expect_parts(cross, decompose(cross));
   expect_no_overlap(decompose(cross), 0.0);
-  const Points stairs{{0, 0}, {4, 0}, {4, 4}, {3, 4}, {3, 3}, {2, 3}, {2, 2}, {1, 2}, {1, 1}, {0, 1}};
+  const Ring stairs{{0, 0}, {4, 0}, {4, 4}, {3, 4}, {3, 3}, {2, 3}, {2, 2}, {1, 2}, {1, 1}, {0, 1}};
   expect_parts(stairs, decompose(stairs));
   expect_no_overlap(decompose(stairs), 0.0);
 }
@@ -89,7 +89,7 @@ TEST(Decompose, CoversRandomPolygonsWithoutOverlap) {
   Random random(12);
   std::size_t reflex = 0;
   for (int i = 0; i < 2000; ++i) {
-    const Points polygon = clean(random_simple(random, 4 + static_cast<int>(random() % 30))).vertices;
+    const Ring polygon = clean(random_simple(random, 4 + static_cast<int>(random() % 30))).vertices;
     if (polygon.empty()) continue;
     const auto parts = decompose(polygon);
     expect_parts(polygon, parts);
@@ -104,10 +104,10 @@ TEST(Decompose, HoldsOnGriddedOutlinesFullOfStraightDiagonals) {
   Random random(13);
   int tried = 0;
   for (int i = 0; i < 40000; ++i) {
-    Points points;
+    Ring points;
     for (std::size_t n = 4 + random() % 9; points.size() < n;)
       points.push_back(Vec{static_cast<double>(random() % 5), static_cast<double>(random() % 5)});
-    const Points polygon = clean(points).vertices;
+    const Ring polygon = clean(points).vertices;
     if (polygon.empty()) continue;
     ++tried;
     expect_parts(polygon, decompose(polygon));
@@ -126,7 +126,7 @@ TEST(Decompose, CutsASquareFrameIntoFour) {
 }
 
 TEST(Decompose, OfOneRingIsThatOfThePolygon) {
-  const Points polygon = star(30, 0.5);
+  const Ring polygon = star(30, 0.5);
   const auto one = decompose(polygon), other = decompose(Rings{polygon});
   ASSERT_EQ(one.size(), other.size());
   for (std::size_t i = 0; i < one.size(); ++i) EXPECT_EQ(one[i].vertices, other[i].vertices);
@@ -138,7 +138,7 @@ TEST(Decompose, BridgesHolesInARow) {
     Rings rings{{{0, 0}, {9, 0}, {9, 3}, {0, 3}}};
     for (double x : {1.0, 3.0, 5.0, 7.0}) rings.push_back({{x, 1}, {x + 0.5, 2}, {x + 1, 1}});
     if (turned)
-      for (Points& ring : rings)
+      for (Ring& ring : rings)
         for (Vec& v : ring) v = {-v.y(), v.x()};
     expect_parts(rings, decompose(rings));
     expect_no_overlap(decompose(rings), 1e-14);
@@ -154,7 +154,7 @@ TEST(Decompose, LeavesHolesOutOnAGridFullOfStraightLines) {
     expect_parts(rings, parts);
     expect_no_overlap(parts, 1e-14);
     std::size_t reflex = 0;
-    for (const Points& ring : rings) reflex += reflex_vertices(ring);
+    for (const Ring& ring : rings) reflex += reflex_vertices(ring);
     ASSERT_LE(parts.size(), 2 * reflex + 1) << "seed 14, " << i;
     for (int k = 0; k < 20; ++k) {
       const Vec x = random_vec(random, 12, 12);
@@ -179,7 +179,7 @@ TEST(Decompose, OfSixteenHundredHolesTakesNoMinutes) {
 }
 
 TEST(Decompose, OfALongSpiralTakesNoMinutes) {
-  for (const Points& polygon : {spiral(4000, 20), comb(4000), star(4000, 0.5)})
+  for (const Ring& polygon : {spiral(4000, 20), comb(4000), star(4000, 0.5)})
     expect_parts(polygon, decompose(polygon));
 }
 

@@ -8,11 +8,10 @@
 #include <random>
 
 #include "narrowphase/distance.h"
+#include "plain_shapes.h"
 
 namespace throng::narrowphase {
 namespace {
-
-const Convex kSquare = convex({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}});
 
 TEST(DiscFlight, HeadOnTakesTheGapOverTheSpeed) {
   EXPECT_DOUBLE_EQ(disc_flight({5, 0}, {-2, 0}, 1.0, 3.0).time, 2.0);

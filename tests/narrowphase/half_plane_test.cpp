@@ -6,12 +6,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "plain_shapes.h"
 #include "random_shapes.h"
 
 namespace throng::narrowphase {
 namespace {
 
-const Convex kSquare = convex({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}});
 const HalfPlane kFloor{{0, 0}, {0, 1}};
 
 TEST(HalfPlane, HoldsASquareAtItsTwoLowestVertices) {

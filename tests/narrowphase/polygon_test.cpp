@@ -14,26 +14,26 @@ namespace throng::narrowphase {
 namespace {
 
 using testing::HasSubstr;
-using Points = std::vector<Vec>;
+using Ring = std::vector<Vec>;
 
-const Points kSquare = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+const Ring kCorners = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
 
 TEST(Clean, LeavesAGoodPolygonAlone) {
-  const Cleaned c = clean(kSquare);
-  EXPECT_EQ(c.vertices, kSquare);
+  const Cleaned c = clean(kCorners);
+  EXPECT_EQ(c.vertices, kCorners);
   EXPECT_TRUE(c.repairs.empty());
   EXPECT_TRUE(c.refusal.empty());
 }
 
 TEST(Clean, TakesAClosingVertexAsAMatterOfCourse) {
-  const Cleaned c = clean(Points{{0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0}});
-  EXPECT_EQ(c.vertices, kSquare);
+  const Cleaned c = clean(Ring{{0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0}});
+  EXPECT_EQ(c.vertices, kCorners);
   EXPECT_TRUE(c.repairs.empty());
 }
 
 TEST(Clean, WeldsRepeatedAndStraightVerticesAndSaysSo) {
-  const Cleaned c = clean(Points{{1, 0}, {2, 0}, {2, 0}, {2, 1}, {2, 1.5}, {2, 2}, {0, 2}, {0, 0}});
-  EXPECT_EQ(c.vertices, (Points{{2, 0}, {2, 2}, {0, 2}, {0, 0}}));
+  const Cleaned c = clean(Ring{{1, 0}, {2, 0}, {2, 0}, {2, 1}, {2, 1.5}, {2, 2}, {0, 2}, {0, 0}});
+  EXPECT_EQ(c.vertices, (Ring{{2, 0}, {2, 2}, {0, 2}, {0, 0}}));
   EXPECT_EQ(c.refusal, "");
   ASSERT_EQ(c.repairs.size(), 4u);
   EXPECT_EQ(c.repairs[0], "vertex 2 repeats the one before it: dropped");
@@ -41,63 +41,63 @@ TEST(Clean, WeldsRepeatedAndStraightVerticesAndSaysSo) {
 }
 
 TEST(Clean, TurnsAClockwisePolygonRound) {
-  const Cleaned c = clean(Points{{0, 0}, {0, 2}, {2, 2}, {2, 0}});
-  EXPECT_EQ(c.vertices, kSquare);
+  const Cleaned c = clean(Ring{{0, 0}, {0, 2}, {2, 2}, {2, 0}});
+  EXPECT_EQ(c.vertices, kCorners);
   EXPECT_EQ(c.repairs.size(), 1u);
 }
 
 TEST(Clean, KeepsAVertexThatIsOneUlpOffTheLine) {
-  EXPECT_EQ(clean(Points{{0, 0}, {1, -0x1p-52}, {2, 0}, {1, 1}}).vertices.size(), 4u);
+  EXPECT_EQ(clean(Ring{{0, 0}, {1, -0x1p-52}, {2, 0}, {1, 1}}).vertices.size(), 4u);
 }
 
 TEST(Clean, RefusesABowtieAndNamesItsEdges) {
-  const Cleaned c = clean(Points{{0, 0}, {2, 2}, {2, 0}, {0, 2}});
+  const Cleaned c = clean(Ring{{0, 0}, {2, 2}, {2, 0}, {0, 2}});
   EXPECT_THAT(c.refusal, HasSubstr("edge 0-1 meets edge 2-3"));
   EXPECT_TRUE(c.vertices.empty());
 }
 
 TEST(Clean, NamesCrossingEdgesByTheGivenVerticesAfterRepairs) {
-  const Cleaned c = clean(Points{{0, 0}, {0, 0}, {1, 1}, {2, 2}, {2, 0}, {0, 2}});
+  const Cleaned c = clean(Ring{{0, 0}, {0, 0}, {1, 1}, {2, 2}, {2, 0}, {0, 2}});
   EXPECT_THAT(c.refusal, HasSubstr("edge 0-3 meets edge 4-5"));
 }
 
 TEST(Clean, RefusesAnOutlineThatTouchesItself) {
-  EXPECT_NE(clean(Points{{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}).refusal, "");
-  EXPECT_NE(clean(Points{{0, 0}, {2, 2}, {4, 0}, {4, 4}, {2, 2}, {0, 4}}).refusal, "");
+  EXPECT_NE(clean(Ring{{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}).refusal, "");
+  EXPECT_NE(clean(Ring{{0, 0}, {2, 2}, {4, 0}, {4, 4}, {2, 2}, {0, 4}}).refusal, "");
 }
 
 TEST(Clean, RefusesAFold) {
-  EXPECT_NE(clean(Points{{0, 0}, {4, 0}, {2, 0}, {2, 2}}).refusal, "");
-  EXPECT_NE(clean(Points{{0, 0}, {4, 0}, {4, 4}, {4, 6}, {4, 4}, {0, 4}}).refusal, "");
+  EXPECT_NE(clean(Ring{{0, 0}, {4, 0}, {2, 0}, {2, 2}}).refusal, "");
+  EXPECT_NE(clean(Ring{{0, 0}, {4, 0}, {4, 4}, {4, 6}, {4, 4}, {0, 4}}).refusal, "");
 }
 
 TEST(Clean, RefusesWhatHasNoAreaOrTooFewVertices) {
-  EXPECT_THAT(clean(Points{}).refusal, HasSubstr("three"));
-  EXPECT_THAT(clean(Points{{0, 0}}).refusal, HasSubstr("three"));
-  EXPECT_THAT(clean(Points{{0, 0}, {1, 1}, {0, 0}, {0, 0}}).refusal, HasSubstr("three"));
-  EXPECT_THAT(clean(Points{{0, 0}, {1, 1}, {2, 2}, {3, 3}}).refusal, HasSubstr("no area"));
+  EXPECT_THAT(clean(Ring{}).refusal, HasSubstr("three"));
+  EXPECT_THAT(clean(Ring{{0, 0}}).refusal, HasSubstr("three"));
+  EXPECT_THAT(clean(Ring{{0, 0}, {1, 1}, {0, 0}, {0, 0}}).refusal, HasSubstr("three"));
+  EXPECT_THAT(clean(Ring{{0, 0}, {1, 1}, {2, 2}, {3, 3}}).refusal, HasSubstr("no area"));
 }
 
 TEST(Clean, RefusesWhatIsNotANumber) {
   for (double x : {std::nan(""), static_cast<double>(INFINITY), 1e308})
-    EXPECT_THAT(clean(Points{{0, 0}, {1, 0}, {1, x}}).refusal, HasSubstr("vertex 2")) << x;
+    EXPECT_THAT(clean(Ring{{0, 0}, {1, 0}, {1, x}}).refusal, HasSubstr("vertex 2")) << x;
 }
 
 // Products of smaller coordinates fall below the doubles, and with them the exact decisions: this sliver's
 // turn, half of 1e-340 m², came out as 0, so that a triangle of three corners had no area.
 TEST(Clean, RefusesCoordinatesWhoseProductsAreLost) {
   for (double x : {1e-170, -1e-170, 9.9e-141, 5e-324})
-    EXPECT_THAT(clean(Points{{0, 0}, {1, 0}, {1, x}}).refusal, HasSubstr("vertex 2")) << x;
-  EXPECT_THAT(clean(Points{{0, 0}, {1e-170, 0}, {0, 1e-170}}).refusal, HasSubstr("vertex 1 "));
-  EXPECT_EQ(clean(Points{{0, 0}, {1e-140, 0}, {0, 1e-140}}).refusal, "");
-  EXPECT_EQ(clean(Points{{-0.0, 0}, {-1e-140, 1e-140}, {0, -1e-140}}).refusal, "");
+    EXPECT_THAT(clean(Ring{{0, 0}, {1, 0}, {1, x}}).refusal, HasSubstr("vertex 2")) << x;
+  EXPECT_THAT(clean(Ring{{0, 0}, {1e-170, 0}, {0, 1e-170}}).refusal, HasSubstr("vertex 1 "));
+  EXPECT_EQ(clean(Ring{{0, 0}, {1e-140, 0}, {0, 1e-140}}).refusal, "");
+  EXPECT_EQ(clean(Ring{{-0.0, 0}, {-1e-140, 1e-140}, {0, -1e-140}}).refusal, "");
 }
 
 TEST(FindCrossing, SeesWhatAllPairsOfEdgesSee) {
   Random random(77);
   int crossing = 0;
   for (int i = 0; i < 20000; ++i) {
-    Points points;
+    Ring points;
     for (std::size_t n = 4 + random() % 6; points.size() < n;) {
       const Vec p(static_cast<double>(random() % 6), static_cast<double>(random() % 6));
       if (points.empty() || (points.back() != p && points.front() != p)) points.push_back(p);
@@ -119,15 +119,15 @@ TEST(FindCrossing, SeesWhatAllPairsOfEdgesSee) {
 }
 
 TEST(Clean, SaysWhichOfTheVerticesAsGivenAreLeft) {
-  const Cleaned c = clean(Points{{0, 0}, {0, 0}, {0, 2}, {2, 2}, {2, 1}, {2, 0}});
-  EXPECT_EQ(c.vertices, kSquare);
+  const Cleaned c = clean(Ring{{0, 0}, {0, 0}, {0, 2}, {2, 2}, {2, 1}, {2, 0}});
+  EXPECT_EQ(c.vertices, kCorners);
   EXPECT_EQ(c.given, (std::vector<std::size_t>{0, 5, 3, 2}));
   EXPECT_EQ(edge_name(c, 3), "edge 0-2");
 }
 
 TEST(CleanHole, TurnsAHoleClockwiseWithoutAWord) {
-  const Points clockwise{{0, 0}, {0, 2}, {2, 2}, {2, 0}};
-  for (const Cleaned& c : {clean_hole(kSquare), clean_hole(clockwise)}) {
+  const Ring clockwise{{0, 0}, {0, 2}, {2, 2}, {2, 0}};
+  for (const Cleaned& c : {clean_hole(kCorners), clean_hole(clockwise)}) {
     EXPECT_EQ(c.vertices, clockwise);
     EXPECT_TRUE(c.repairs.empty());
   }
@@ -137,13 +137,13 @@ TEST(FindCrossing, OfAHundredThousandVerticesTakesNoMinutes) {
   EXPECT_FALSE(find_crossing(star(100000, 0.5)).has_value());
   EXPECT_FALSE(find_crossing(spiral(100000, 100)).has_value());
   EXPECT_FALSE(find_crossing(comb(100000)).has_value());
-  Points knot = star(100000, 0.5);
+  Ring knot = star(100000, 0.5);
   std::swap(knot[70001], knot[70003]);
   EXPECT_TRUE(find_crossing(knot).has_value());
 }
 
 TEST(MassProperties, OfARectangleAreThoseOfTheTextbook) {
-  const Points rectangle = {{1, 1}, {5, 1}, {5, 3}, {1, 3}};
+  const Ring rectangle = {{1, 1}, {5, 1}, {5, 3}, {1, 3}};
   const MassProperties m = mass_properties(rectangle);
   EXPECT_EQ(m.area, 8.0);
   EXPECT_EQ(m.centroid, Vec(3, 2));
@@ -151,7 +151,7 @@ TEST(MassProperties, OfARectangleAreThoseOfTheTextbook) {
 }
 
 TEST(MassProperties, OfAnLAreThoseOfItsTwoRectangles) {
-  const MassProperties m = mass_properties(Points{{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}});
+  const MassProperties m = mass_properties(Ring{{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}});
   EXPECT_EQ(m.area, 5.0);
   EXPECT_NEAR(m.centroid.x(), (3 * 1.5 + 2 * 0.5) / 5, 1e-15);
   EXPECT_NEAR(m.centroid.y(), (3 * 0.5 + 2 * 2.0) / 5, 1e-15);
@@ -161,7 +161,7 @@ TEST(MassProperties, OfAnLAreThoseOfItsTwoRectangles) {
 }
 
 TEST(MassProperties, OfAFrameAreThoseOfItsSquaresTakenFromEachOther) {
-  const std::vector<Points> frame{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{2, 1}, {2, 3}, {3, 3}, {3, 1}}};
+  const std::vector<Ring> frame{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{2, 1}, {2, 3}, {3, 3}, {3, 1}}};
   const MassProperties m = mass_properties(frame);
   EXPECT_EQ(m.area, 14.0);
   EXPECT_NEAR(m.centroid.x(), (16 * 2.0 - 2 * 2.5) / 14, 1e-15);
@@ -173,7 +173,7 @@ TEST(MassProperties, OfAFrameAreThoseOfItsSquaresTakenFromEachOther) {
 
 // I_origin - m c² would leave nothing of it.
 TEST(MassProperties, FarFromTheOriginKeepTheirDigits) {
-  Points here = star(60, 0.4), there = here;
+  Ring here = star(60, 0.4), there = here;
   for (Vec& v : here) v = Vec(std::round(v.x() * 0x1p20), std::round(v.y() * 0x1p20)) * 0x1p-20;
   there = here;
   for (Vec& v : there) v += Vec(0x1p30, -0x1p29);

@@ -12,6 +12,10 @@
 /// Simple polygons that are hard on algorithms.
 namespace throng::narrowphase {
 
+inline std::vector<Vec> square(double half, const Vec& at = {0, 0}) {
+  return {at + Vec(-half, -half), at + Vec(half, -half), at + Vec(half, half), at + Vec(-half, half)};
+}
+
 /// Every other vertex at `inner` of the radius 1.
 inline std::vector<Vec> star(int count, double inner) {
   std::vector<Vec> points;

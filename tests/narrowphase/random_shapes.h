@@ -14,6 +14,8 @@ namespace throng::narrowphase {
 
 using Random = std::mt19937_64;
 
+inline constexpr double kUnitRoundoff = 0x1p-53;
+
 inline double uniform(Random& random, double from, double to) {
   return from + (to - from) * (static_cast<double>(random() >> 11) * 0x1p-53);
 }

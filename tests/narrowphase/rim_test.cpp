@@ -13,7 +13,7 @@ namespace throng::narrowphase {
 namespace {
 
 /// Two pieces of wall that meet at the origin, the second one rising by that angle.
-std::vector<Convex> bend(double angle) {
+std::vector<Convex> bent_wall(double angle) {
   return {segment({-1, 0}, {0, 0}), segment({0, 0}, {std::cos(angle), std::sin(angle)})};
 }
 
@@ -36,7 +36,7 @@ TEST(Rims, AreEmptyForPartsThatMeetNoOther) {
 
 TEST(Rims, KnowHowAWallTurnsOnEachSide) {
   for (const double angle : {0.0, 0.5, -0.5}) {
-    const std::vector<Convex> parts = bend(angle);
+    const std::vector<Convex> parts = bent_wall(angle);
     const std::vector<Rim> r = rims(parts);
     ASSERT_EQ(r[0].size(), 2u);
     const RimEdge& top = upper(parts[0], r[0]);
@@ -83,7 +83,7 @@ Manifold against_second(const std::vector<Convex>& parts, const Convex& body, co
 TEST(OnOutline, LeavesABodyOverTheFirstPieceToIt) {
   const Convex ball = disc(0.5), box = convex({{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}});
   for (const double angle : {0.0, -0.5}) {
-    const std::vector<Convex> parts = bend(angle);
+    const std::vector<Convex> parts = bent_wall(angle);
     EXPECT_GT(manifold(parts[1], {}, ball, {{-0.1, 0.5}}, 0.2).count, 0);
     EXPECT_EQ(against_second(parts, ball, {{-0.1, 0.5}}, 0.2).count, 0);
     EXPECT_GT(manifold(parts[1], {}, box, {{-0.6, 0.5}}, 0.2).count, 0);
@@ -93,7 +93,7 @@ TEST(OnOutline, LeavesABodyOverTheFirstPieceToIt) {
 
 TEST(OnOutline, PressesOnTheFaceBeyondAHollow) {
   const Convex box = convex({{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}});
-  const std::vector<Convex> parts = bend(0.5);
+  const std::vector<Convex> parts = bent_wall(0.5);
   const Manifold m = against_second(parts, box, {{-0.6, 0.5}}, 0.2);
   ASSERT_EQ(m.count, 1);
   EXPECT_NEAR(m.normal.x(), -std::sin(0.5), 1e-15);
@@ -103,7 +103,7 @@ TEST(OnOutline, PressesOnTheFaceBeyondAHollow) {
 
 TEST(OnOutline, KeepsWhatLeansNoFurtherThanTheCorner) {
   const Convex ball = disc(0.5);
-  const std::vector<Convex> parts = bend(-1.0);
+  const std::vector<Convex> parts = bent_wall(-1.0);
   const Pose over_corner{{0.2, 0.5}};
   const Manifold bare = manifold(parts[1], {}, ball, over_corner, 0.2),
                  m = against_second(parts, ball, over_corner, 0.2);
@@ -113,7 +113,7 @@ TEST(OnOutline, KeepsWhatLeansNoFurtherThanTheCorner) {
 
 TEST(OnOutline, KeepsAWallsFreeEndAndBothItsSides) {
   const Convex ball = disc(0.5);
-  const std::vector<Convex> parts = bend(0.0);
+  const std::vector<Convex> parts = bent_wall(0.0);
   for (const Vec& at : {Vec{1.4, 0.1}, Vec{0.5, 0.5}, Vec{0.5, -0.5}, Vec{1.3, -0.3}})
     EXPECT_EQ(against_second(parts, ball, {at}, 0.1).count, 1) << at.transpose();
 }

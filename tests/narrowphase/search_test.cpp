@@ -15,8 +15,6 @@
 namespace throng::narrowphase {
 namespace {
 
-constexpr unsigned kSeed = 1988;
-
 /// A polygon in the unit circle with corners at random angles.
 Convex round(Random& random, int count) {
   std::vector<Vec> points;
@@ -28,7 +26,7 @@ Convex round(Random& random, int count) {
 }
 
 TEST(Support, IsTheFarthestVertexAlongAnyDirection) {
-  Random random(kSeed);
+  Random random(1988);
   for (int i = 0; i < 3000; ++i) {
     const Convex shape = round(random, 3 + static_cast<int>(random() % 500));
     const Pose towards = pose({0, 0}, uniform(random, -4, 4));
@@ -36,12 +34,12 @@ TEST(Support, IsTheFarthestVertexAlongAnyDirection) {
     double most = -std::numeric_limits<double>::infinity();
     for (const Vec& v : shape.vertices) most = std::max(most, direction.dot(v));
     ASSERT_NEAR(direction.dot(shape.vertices[support(shape, direction)]), most, 1e-14)
-        << i << " of " << shape.vertices.size() << " seed " << kSeed;
+        << i << " of " << shape.vertices.size() << " seed 1988";
   }
 }
 
 TEST(Support, AlongANormalIsAnEndOfItsEdge) {
-  Random random(kSeed + 1);
+  Random random(1989);
   const Convex shape = round(random, 100);
   for (std::size_t i = 0; i < 100; ++i) {
     const std::size_t found = support(shape, shape.normals[i]);
@@ -50,7 +48,7 @@ TEST(Support, AlongANormalIsAnEndOfItsEdge) {
 }
 
 TEST(Gjk, FindsFeaturesThatProveThemselvesOrAnOverlap) {
-  Random random(kSeed + 2);
+  Random random(1990);
   int apart = 0, overlapping = 0, unproven = 0;
   for (int i = 0; i < 3000; ++i) {
     const Convex a = round(random, 3 + static_cast<int>(random() % 60)),
@@ -58,7 +56,7 @@ TEST(Gjk, FindsFeaturesThatProveThemselvesOrAnOverlap) {
     const Pose pose_a = random_pose(random, 1.5), pose_b = random_pose(random, 1.5);
     const bool is_apart = separation(a, pose_a, b, pose_b).distance > 0.0;
     const auto found = gjk(a, b, relative(pose_a, pose_b), {});
-    ASSERT_EQ(found.has_value(), is_apart) << i << " seed " << kSeed + 2;
+    ASSERT_EQ(found.has_value(), is_apart) << i << " seed 1990";
     (is_apart ? apart : overlapping) += 1;
     if (found) unproven += !Look({a, pose_a, b, pose_b}, *found).proves();
   }
@@ -69,7 +67,7 @@ TEST(Gjk, FindsFeaturesThatProveThemselvesOrAnOverlap) {
 
 // From features that knew another place, the walk comes closer at every step; none is lost in a circle.
 TEST(Walk, EndsInAProofForAnyShapesApart) {
-  Random random(kSeed + 3);
+  Random random(1991);
   int walked = 0, lost = 0;
   for (int i = 0; i < 20000; ++i) {
     const Convex a =
@@ -93,7 +91,7 @@ TEST(Walk, EndsInAProofForAnyShapesApart) {
 
 // Not where edges are collinear or parallel, nor in slivers, nor where the shapes overlap or touch.
 TEST(Walk, NeverGoesRoundInCircles) {
-  Random random(kSeed + 4);
+  Random random(1992);
   int proven = 0, given_up = 0;
   for (int i = 0; i < 120000; ++i) {
     const auto [family, a, b, scale, world] = random_pair(random);
@@ -102,8 +100,8 @@ TEST(Walk, NeverGoesRoundInCircles) {
     const Placed placed{a.shape, a.pose, b.shape, b.pose};
     if (!exist(f, placed)) continue;
     const Walk to = walk(placed, f, Look(placed, f));
-    ASSERT_LT(to.steps, 32) << family << " " << i << " seed " << kSeed + 4;
-    ASSERT_TRUE(exist(f, placed)) << family << " " << i << " seed " << kSeed + 4;
+    ASSERT_LT(to.steps, 32) << family << " " << i << " seed 1992";
+    ASSERT_TRUE(exist(f, placed)) << family << " " << i << " seed 1992";
     ++(to.proven ? proven : given_up);
   }
   EXPECT_GT(proven, 9000);

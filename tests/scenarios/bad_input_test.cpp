@@ -11,7 +11,7 @@ using testing::load_text;
 
 namespace {
 
-struct Case {
+struct FaultyScenario {
   const char* text;  ///< after a first line "throng = 1"
   const char* fault;
 };
@@ -21,7 +21,7 @@ struct Case {
 #define SHAPE "[shapes]\nb = "
 #define WALL "[[walls]]\n"
 
-const Case kCases[] = {
+const FaultyScenario kFaultyScenarios[] = {
     // text
     {"name = \"a", "s.toml:2:10: error: this is no TOML: "},
     {"name = 'a'\nname = 'b'", "s.toml:3:8: error: this is no TOML: "},
@@ -316,13 +316,15 @@ const Case kCases[] = {
      "error: walls[0].wkt: must have a number from -1e+09 to 1e+09 here"},
 };
 
-void PrintTo(const Case& c, std::ostream* out) {
+#undef BALL
+#undef SHAPE
+#undef WALL
+
+void PrintTo(const FaultyScenario& c, std::ostream* out) {
   *out << c.fault;
 }
 
-}  // namespace
-
-class BadInput : public ::testing::TestWithParam<Case> {};
+class BadInput : public ::testing::TestWithParam<FaultyScenario> {};
 
 TEST_P(BadInput, IsFoundAtItsPlaceAndNamed) {
   const Loaded loaded = load_text(std::string("throng = 1\n") + GetParam().text);
@@ -331,6 +333,7 @@ TEST_P(BadInput, IsFoundAtItsPlaceAndNamed) {
       << GetParam().text << "\nsays: " << faults(loaded) << "wanted: " << GetParam().fault;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, BadInput, ::testing::ValuesIn(kCases));
+INSTANTIATE_TEST_SUITE_P(All, BadInput, ::testing::ValuesIn(kFaultyScenarios));
 
+}  // namespace
 }  // namespace throng

@@ -14,7 +14,7 @@
 namespace throng {
 namespace {
 
-constexpr const char* kEverything = R"toml(motion = 1
+constexpr const char* kWholeMotion = R"toml(motion = 1
 name = "everything"
 description = "All fields of the grammar"
 durations = [2.0, 0.5]
@@ -68,7 +68,7 @@ std::string faults(const LoadedMotion& loaded) {
 }
 
 TEST(ReadMotion, TakesAllThatTheGrammarHas) {
-  const LoadedMotion loaded = load(kEverything);
+  const LoadedMotion loaded = load(kWholeMotion);
   ASSERT_EQ(faults(loaded), "");
   const MotionTask& task = loaded.task;
   EXPECT_EQ(task.name, "everything");
@@ -85,7 +85,7 @@ TEST(ReadMotion, TakesAllThatTheGrammarHas) {
 }
 
 TEST(ReadMotion, LeavesShapesWhereTheirOriginsAre) {
-  const MotionTask task = load(kEverything).task;
+  const MotionTask task = load(kWholeMotion).task;
   EXPECT_EQ(task.shapes[1].name, "frame");
   ASSERT_EQ(task.shapes[1].rings.size(), 2u);
   EXPECT_EQ(task.shapes[1].rings[0][0], Vec(0, 0));
@@ -97,7 +97,7 @@ TEST(ReadMotion, LeavesShapesWhereTheirOriginsAre) {
 }
 
 TEST(ReadMotion, MakesABodyOfTwoSlidesAndATurn) {
-  const Mover bar = load(kEverything).task.movers[0];
+  const Mover bar = load(kWholeMotion).task.movers[0];
   ASSERT_EQ(bar.links.size(), 3u);
   EXPECT_EQ(bar.links[0].axis, Vec(1, 0));
   EXPECT_EQ(bar.links[1].axis, Vec(0, 1));
@@ -108,13 +108,13 @@ TEST(ReadMotion, MakesABodyOfTwoSlidesAndATurn) {
 }
 
 TEST(ReadMotion, KeepsWhoHasOneWaypointThere) {
-  const Mover frame = load(kEverything).task.movers[1];
+  const Mover frame = load(kWholeMotion).task.movers[1];
   EXPECT_EQ(frame.name, "bodies[1]");
   EXPECT_EQ(frame.waypoints, std::vector<std::vector<double>>(3, {7, 8, 0}));
 }
 
 TEST(ReadMotion, FindsTheParentsOfLinks) {
-  const Mover arm = load(kEverything).task.movers[2];
+  const Mover arm = load(kWholeMotion).task.movers[2];
   ASSERT_EQ(arm.links.size(), 5u);
   EXPECT_EQ(arm.base_angle, 0.25);
   EXPECT_EQ(arm.links[0].parent, MotionLink::kNone);
@@ -159,7 +159,7 @@ TEST(ReadMotion, SaysWhatAScenarioIs) {
 }
 
 TEST(ReadMotion, CountsNamesThrough) {
-  const MotionTask task = load(kEverything).task;  // 3 + 3 + 5 + 1 links, then the obstacles
+  const MotionTask task = load(kWholeMotion).task;  // 3 + 3 + 5 + 1 links, then the obstacles
   ASSERT_EQ(task.may_touch.size(), 3u);
   EXPECT_EQ(task.may_touch[0].first.first, 0u);
   EXPECT_EQ(task.may_touch[0].first.count, 3u);
@@ -228,7 +228,7 @@ TEST(MotionReference, HasEveryFieldOfTheRoot) {
     EXPECT_NE(text.find("\n" + field.key + " "), std::string::npos) << field.key;
 }
 
-struct Case {
+struct FaultyMotion {
   const char* text;  ///< after "motion = 1" and two shapes
   const char* fault;
 };
@@ -236,7 +236,7 @@ struct Case {
 #define BALL "[[bodies]]\nshape = 'ball'\n"
 #define ROBOT "[[robots]]\nlinks = [{ limits = [-1, 1] }, { shape = 'rod' }]\n"
 
-const Case kCases[] = {
+const FaultyMotion kFaultyMotions[] = {
     // keys and names
     {"naem = 'x'", "m.toml:5:1: error: naem: unknown key, did you mean \"name\"?"},
     {"obstacels = []", "unknown key, did you mean \"obstacles\"?"},
@@ -318,11 +318,14 @@ const Case kCases[] = {
     {"[[walls]]\nsegment = [[0, 0], [0, 0]]", "walls[0].segment: must have at least 2 different points"},
 };
 
-void PrintTo(const Case& c, std::ostream* out) {
+#undef BALL
+#undef ROBOT
+
+void PrintTo(const FaultyMotion& c, std::ostream* out) {
   *out << c.fault;
 }
 
-class BadMotion : public ::testing::TestWithParam<Case> {};
+class BadMotion : public ::testing::TestWithParam<FaultyMotion> {};
 
 TEST_P(BadMotion, IsFoundAtItsPlaceAndNamed) {
   const LoadedMotion loaded = load(std::string("motion = 1\n\nshapes.ball.disc.radius = 1\n") +
@@ -332,7 +335,7 @@ TEST_P(BadMotion, IsFoundAtItsPlaceAndNamed) {
       << GetParam().text << "\nsays: " << faults(loaded) << "wanted: " << GetParam().fault;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, BadMotion, ::testing::ValuesIn(kCases));
+INSTANTIATE_TEST_SUITE_P(All, BadMotion, ::testing::ValuesIn(kFaultyMotions));
 
 }  // namespace
 }  // namespace throng

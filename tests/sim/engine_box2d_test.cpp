@@ -4,7 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/input_error.h"
 #include "sim/observe.h"
 #include "tests/sim/scene_from.h"
 
@@ -13,29 +12,23 @@ namespace {
 
 using ::testing::HasSubstr;
 
-std::string refusal(const std::string& text) {
-  Scene scene = scene_from(text);  // the loader would refuse it first
-  scene.engine = Engine::box2d;
-  try {
-    simulation(scene);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
-
-const char* const kBall =
+const char* const kOneBall =
     "[shapes]\nball = { disc = { radius = 0.5 } }\n[[bodies]]\nshape = \"ball\"\nat = [0, 2]\n";
 
 TEST(Box2dEngine, RefusesWhatBox2dCannotDoAndSaysWhy) {
-  EXPECT_THAT(refusal(std::string("domain = { periodic = [[-9, -9], [9, 9]] }\n") + kBall),
-              HasSubstr("periodic"));
-  EXPECT_THAT(refusal(std::string("[materials.default]\nrolling_resistance = 0.1\n") + kBall),
+  EXPECT_THAT(
+      engine_refusal(Engine::box2d, std::string("domain = { periodic = [[-9, -9], [9, 9]] }\n") + kOneBall),
+      HasSubstr("periodic"));
+  EXPECT_THAT(engine_refusal(Engine::box2d,
+                             std::string("[materials.default]\nrolling_resistance = 0.1\n") + kOneBall),
               HasSubstr("materials.default.rolling_resistance"));
-  EXPECT_THAT(refusal(std::string("contact = { model = \"none\" }\n") + kBall), HasSubstr("contact.model"));
-  EXPECT_THAT(refusal("[shapes]\nchip = { polygon = [[0, 0], [0.004, 0], [0.004, 0.004], [0, 0.004]] }\n"
-                      "[[bodies]]\nshape = \"chip\"\nat = [0, 2]\n"),
-              HasSubstr("shapes.chip"));
+  EXPECT_THAT(engine_refusal(Engine::box2d, std::string("contact = { model = \"none\" }\n") + kOneBall),
+              HasSubstr("contact.model"));
+  EXPECT_THAT(
+      engine_refusal(Engine::box2d,
+                     "[shapes]\nchip = { polygon = [[0, 0], [0.004, 0], [0.004, 0.004], [0, 0.004]] }\n"
+                     "[[bodies]]\nshape = \"chip\"\nat = [0, 2]\n"),
+      HasSubstr("shapes.chip"));
 }
 
 TEST(Box2dEngine, KnowsTheMassOfEveryShape) {
@@ -55,7 +48,8 @@ TEST(Box2dEngine, KnowsTheMassOfEveryShape) {
 
 TEST(Box2dEngine, LetsADiscRestOnTheFloorOfTheBox) {
   const Scene scene = scene_from(
-      std::string("engine = \"box2d\"\ngravity = [0, -10]\ndomain = { box = [[-5, 0], [5, 9]] }\n") + kBall);
+      std::string("engine = \"box2d\"\ngravity = [0, -10]\ndomain = { box = [[-5, 0], [5, 9]] }\n") +
+      kOneBall);
   const auto run = simulation(scene);
   for (int i = 0; i < 500; ++i) run->step();
   EXPECT_NEAR(run->state().position[0].y(), 0.5, 0.02);

@@ -6,6 +6,8 @@
 #include <string>
 
 #include "scenarios/load.h"
+#include "sim/input_error.h"
+#include "sim/simulation.h"
 
 namespace throng {
 
@@ -22,6 +24,18 @@ inline Scene gallery_scene(const std::string& name) {
   Loaded loaded = load_scenario(file);
   EXPECT_EQ(loaded.errors(), 0) << to_string(loaded.diagnostics, file);
   return std::move(loaded.scene);
+}
+
+/// Why an engine doesn't take a scene, "" where it does.
+inline std::string engine_refusal(Engine engine, const std::string& text) {
+  Scene scene = scene_from(text);  // the loader would refuse it first
+  scene.engine = engine;
+  try {
+    simulation(scene);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
 }
 
 }  // namespace throng

@@ -29,7 +29,7 @@ std::string body(const std::string& shape, double x, double y, const std::string
 /// Three bricks, two of them side by side below, and a composite in the lap of the ball beside them: six
 /// bodies that lean on each other from x - 0.5 to x + 2.7.
 constexpr std::size_t kHeap = 5;
-std::string heap(double x) {
+std::string heap_at(double x) {
   return body("brick", x, 0.5) + body("brick", x + 1, 0.5) + body("brick", x + 0.5, 1.5) +
          body("ball", x + 2, 0.5) + body("pair", x + 2.6, 0.3);
 }
@@ -55,7 +55,7 @@ int steps_until_awake(Trial& run, std::size_t body, int most = 1000) {
 }
 
 TEST(Sleepers, LeaveTheLoop) {
-  Trial run(kWorld + heap(10));
+  Trial run(kWorld + heap_at(10));
   steps_until_asleep(run, kHeap);
   EXPECT_EQ(kinetic_energy(run.scene, run.state), 0.0);
   const std::vector<Vec> before = run.state.position;
@@ -84,7 +84,7 @@ TEST(Sleepers, AreNoneBesideOneWhoMoves) {
 }
 
 TEST(Sleepers, KeepPressing) {
-  const Scene scene = scene_from(kWorld + heap(10));
+  const Scene scene = scene_from(kWorld + heap_at(10));
   const auto run = simulation(scene);
   for (int i = 0; i < 2000 && sleepers(run->state()) < kHeap; ++i) run->step();
   ASSERT_EQ(sleepers(run->state()), kHeap);
@@ -103,7 +103,7 @@ TEST(Sleepers, KeepPressing) {
 
 /// Two heaps; a brick falls on the second.
 std::string two_heaps() {
-  return kWorld + heap(10) + heap(20) + body("brick", 20.5, 50);
+  return kWorld + heap_at(10) + heap_at(20) + body("brick", 20.5, 50);
 }
 
 TEST(Sleepers, WakeWithTheirIslandWhenSomethingMayTouchThemAndNoneElse) {
@@ -230,8 +230,8 @@ TEST(Sleepers, AreNoneInTheAirWhereHardlyAnythingPulls) {
 }
 
 TEST(Sleepers, AreNoneWhereTheSceneSaysSoAndAllGoesOnAsIfNobodySlept) {
-  const Scene may = scene_from(kWorld + heap(10)),
-              never = scene_from("sleep = false\n" + (kWorld + heap(10)));
+  const Scene may = scene_from(kWorld + heap_at(10)),
+              never = scene_from("sleep = false\n" + (kWorld + heap_at(10)));
   EXPECT_FALSE(plan_for(never).sleep);
   Trial sleeping(may), awake(never);
   EXPECT_TRUE(awake.state.sleep.calm.empty());

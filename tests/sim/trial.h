@@ -30,11 +30,17 @@ struct Trial {
   Workspace work;
 };
 
+inline constexpr double kG = 9.81;  // m/s^2
+
 inline const char* const kDisc = "[shapes]\nball = { disc = { radius = 0.5 } }\n";
 
 inline std::string material(double restitution, double friction) {
   return "[materials.default]\nrestitution = " + std::to_string(restitution) +
          "\nfriction = " + std::to_string(friction) + "\n";
+}
+
+inline std::string spring(double stiffness, const std::string& more = "") {
+  return "contact = { model = \"spring\", stiffness = " + std::to_string(stiffness) + more + " }\n";
 }
 
 inline std::string ball(double x, double y, double vx, double vy, double spin = 0.0) {

@@ -12,13 +12,15 @@
 #include <string>
 #include <vector>
 
+#include "tests/tools/picture.h"
+
 namespace throng {
 namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
 
-constexpr const char* kScene = R"(throng = 1
+constexpr const char* kThreeDiscs = R"(throng = 1
 name = "three </script><b>&"
 gravity = [0.0, -9.81]
 time = { dt = 0.01, until = 0.2, substeps = 2 }
@@ -48,7 +50,7 @@ struct Replay : testing::Test {
   Replay() {
     std::string pattern = std::filesystem::temp_directory_path() / "throng-test-XXXXXX";
     folder = mkdtemp(pattern.data());
-    std::ofstream(folder / "three.toml") << kScene;
+    std::ofstream(folder / "three.toml") << kThreeDiscs;
     const Answer made = throng("run three.toml -o a.h5 --progress none");
     EXPECT_EQ(made.code, 0) << made.text;
   }
@@ -431,26 +433,6 @@ velocity = [9, 7]
 }
 
 constexpr const char* kHole = "[[[-1.5, -1.5], [1.5, -1.5], [1.5, 1.5], [-1.5, 1.5]]]";
-
-class Picture {
- public:
-  explicit Picture(const std::filesystem::path& file)
-      : surface_(cairo_image_surface_create_from_png(file.c_str())) {}
-  ~Picture() { cairo_surface_destroy(surface_); }
-  Picture(const Picture&) = delete;
-
-  int width() const { return cairo_image_surface_get_width(surface_); }
-  int height() const { return cairo_image_surface_get_height(surface_); }
-  /// Red, green and blue.
-  std::array<int, 3> at(int x, int y) const {
-    const unsigned char* pixel =
-        cairo_image_surface_get_data(surface_) + y * cairo_image_surface_get_stride(surface_) + 4 * x;
-    return {pixel[2], pixel[1], pixel[0]};
-  }
-
- private:
-  cairo_surface_t* surface_;
-};
 
 /// The share of a picture that has the colour of bodies that stand.
 double grey_share(const std::filesystem::path& file) {

@@ -1,46 +1,27 @@
 // SPDX-License-Identifier: MIT
 // What the pictures of throng motion show of what was proven.
-#include <cairo.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
 #include <array>
 
 #include "tests/tools/motion_program.h"
+#include "tests/tools/picture.h"
 
 namespace throng {
 namespace {
 
 constexpr std::array<int, 3> kWhite{255, 255, 255};
 
-/// A picture as a user gets it, by its pixels.
-class Picture {
- public:
-  explicit Picture(const std::string& file) : surface_(cairo_image_surface_create_from_png(file.c_str())) {}
-  ~Picture() { cairo_surface_destroy(surface_); }
-  Picture(const Picture&) = delete;
-  Picture& operator=(const Picture&) = delete;
+/// As what is proven free is painted, between its ticks.
+bool is_proven(const std::array<int, 3>& colour) {
+  const auto [red, green, blue] = colour;
+  return blue > green && green > red && red < 220 && red > 100;
+}
 
-  int width() const { return cairo_image_surface_get_width(surface_); }
-  int height() const { return cairo_image_surface_get_height(surface_); }
-  std::array<int, 3> blue_green_red(int x, int y) const {
-    const unsigned char* pixel =
-        cairo_image_surface_get_data(surface_) + y * cairo_image_surface_get_stride(surface_) + 4 * x;
-    return {pixel[0], pixel[1], pixel[2]};
-  }
-  /// As what is proven free is painted, between its ticks.
-  bool is_proven(int x, int y) const {
-    const auto [blue, green, red] = blue_green_red(x, y);
-    return blue > green && green > red && red < 220 && red > 100;
-  }
-  bool is_dark(int x, int y) const {
-    const auto [blue, green, red] = blue_green_red(x, y);
-    return std::max({blue, green, red}) < 110;
-  }
-
- private:
-  cairo_surface_t* surface_;
-};
+bool is_dark(const std::array<int, 3>& colour) {
+  return std::ranges::max(colour) < 110;
+}
 
 class MotionPicture : public MotionCommand {
  protected:
@@ -56,7 +37,7 @@ int lowest_lane(const Picture& picture) {
   const int from = static_cast<int>(0.3 * picture.width()), to = static_cast<int>(0.95 * picture.width());
   for (int y = picture.height() - 1; y > 0; --y)
     for (int x = from; x < to; ++x)
-      if (picture.is_proven(x, y)) return y - static_cast<int>(0.006 * picture.width());
+      if (is_proven(picture.at(x, y))) return y - static_cast<int>(0.006 * picture.width());
   return 0;
 }
 
@@ -79,8 +60,8 @@ TEST_F(MotionPicture, ShowsWhatIsProvenOfALongPath) {
       "shapes.ball.disc.radius = 0.5\n[[obstacles]]\nshape = 'ball'\nat = [2, 3]\n"
       "[[bodies]]\nshape = 'ball'\nwaypoints = [" +
       waypoints + "]\n");
-  const auto proven = [&](int x, int y) { return picture.is_proven(x, y); };
-  const auto dark = [&](int x, int y) { return picture.is_dark(x, y); };
+  const auto proven = [&](int x, int y) { return is_proven(picture.at(x, y)); };
+  const auto dark = [&](int x, int y) { return is_dark(picture.at(x, y)); };
   EXPECT_GT(share(picture, 0.3, 0.95, proven), 0.5);
   EXPECT_LT(share(picture, 0.3, 0.95, dark), 0.4);
 }
@@ -98,8 +79,8 @@ at = [4, 1.1]
 shape = "ball"
 waypoints = [[0, 0], [10, 0]]
 )");  // first contact at 0.8
-  const auto proven = [&](int x, int y) { return picture.is_proven(x, y); };
-  const auto white = [&](int x, int y) { return picture.blue_green_red(x, y) == kWhite; };
+  const auto proven = [&](int x, int y) { return is_proven(picture.at(x, y)); };
+  const auto white = [&](int x, int y) { return picture.at(x, y) == kWhite; };
   EXPECT_GT(share(picture, 0.25, 0.75, proven), 0.9);
   EXPECT_GT(share(picture, 0.86, 0.95, white), 0.9);
 }

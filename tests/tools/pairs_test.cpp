@@ -173,7 +173,7 @@ std::string random_solid(std::mt19937_64& random, int kind) {
   return R"({"discs":[[0,0,1],[)" + x + ",1,0.5],[1," + y + ",0.25]]";
 }
 
-std::string placed(const std::string& solid, const Vec& at, double angle) {
+std::string placed_solid(const std::string& solid, const Vec& at, double angle) {
   std::ostringstream text;
   text.precision(17);
   text << solid << R"(,"at":[)" << at.x() << ',' << at.y() << R"(],"angle":)" << angle << '}';
@@ -187,13 +187,13 @@ TEST_F(Pairs, PartsWhatOverlapsByItsWayOut) {
     std::string a, b;
     Vec at;
     double angle;
-    std::string line() const { return R"({"a":)" + a + R"(,"b":)" + placed(b, at, angle) + "}\n"; }
+    std::string line() const { return R"({"a":)" + a + R"(,"b":)" + placed_solid(b, at, angle) + "}\n"; }
   };
   std::vector<Pair> pairs;
   std::string text;
   for (int i = 0; i < 300; ++i) {
     const Vec at{8 * uniform() - 3, 8 * uniform() - 2};
-    pairs.push_back({placed(random_solid(random, i % 3), {1, 2}, 6 * uniform()),
+    pairs.push_back({placed_solid(random_solid(random, i % 3), {1, 2}, 6 * uniform()),
                      random_solid(random, i / 3 % 3), at, 6 * uniform()});
     text += pairs.back().line();
   }

@@ -14,7 +14,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-const char* const kScene = R"(throng = 1
+const char* const kDrop = R"(throng = 1
 name = "drop"
 gravity = [0, -10]
 time = { dt = 0.01, until = 1.0 }
@@ -62,7 +62,7 @@ class RunCommand : public Program {};
 class PlanCommand : public Program {};
 
 TEST_F(RunCommand, PrintsOneObjectWithTheKeysOfTheContract) {
-  const Result result = throng("run " + write("a.toml", kScene));
+  const Result result = throng("run " + write("a.toml", kDrop));
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const json summary = json::parse(result.out);
   for (const char* key : {"scenario", "engine", "steps", "time", "bodies", "agents", "wall_s", "step_ms",
@@ -101,7 +101,7 @@ TEST_F(RunCommand, CountsWhoSleepsWhereAnybodyMay) {
 }
 
 TEST_F(RunCommand, NamesASceneWithoutANameAfterItsFile) {
-  std::string text = kScene;
+  std::string text = kDrop;
   text.erase(text.find("name"), text.find("gravity") - text.find("name"));
   const Result result = throng("run --until 0 " + write("dropped ball.toml", text).insert(0, "'") + "'");
   ASSERT_EQ(result.exit_code, 0) << result.err;
@@ -109,7 +109,7 @@ TEST_F(RunCommand, NamesASceneWithoutANameAfterItsFile) {
 }
 
 TEST_F(RunCommand, HashesTheSameWithAndWithoutRecordingAndForAnyNumberOfThreads) {
-  const std::string scene = write("a.toml", kScene);
+  const std::string scene = write("a.toml", kDrop);
   const auto hash = [&](const std::string& options) {
     return json::parse(throng("run " + scene + options).out)["hash"];
   };
@@ -131,7 +131,7 @@ TEST_F(RunCommand, HashesTheSameOnAProcessorWithoutFmaAndInAnyLocale) {
 }
 
 TEST_F(RunCommand, OptionsAreFieldsOfTheScenario) {
-  const Result result = throng("run " + write("a.toml", kScene) +
+  const Result result = throng("run " + write("a.toml", kDrop) +
                                " --until 0.1 --dt 0.02 --set bodies.0.velocity=[1,0] --set gravity=[0,0]");
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const json summary = json::parse(result.out);
@@ -140,7 +140,7 @@ TEST_F(RunCommand, OptionsAreFieldsOfTheScenario) {
 }
 
 TEST_F(RunCommand, RecordsWhatReplayThenVerifies) {
-  const std::string scene = write("a.toml", kScene), recording = path("a.h5");
+  const std::string scene = write("a.toml", kDrop), recording = path("a.h5");
   ASSERT_EQ(throng("run " + scene + " --every 10 -o " + recording).exit_code, 0);
   EXPECT_FALSE(std::filesystem::exists(recording + ".part"));
   const Result verified = throng("replay --verify " + recording);
@@ -192,7 +192,7 @@ TEST_F(RunCommand, StopsWhereHardDiscsComeToRestAndRefusesThoseThatOverlap) {
 }
 
 TEST_F(RunCommand, OverwritesOnlyWhenForced) {
-  const std::string command = "run " + write("a.toml", kScene) + " -o " + write("a.h5", "precious");
+  const std::string command = "run " + write("a.toml", kDrop) + " -o " + write("a.h5", "precious");
   const Result refused = throng(command);
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_THAT(refused.err, HasSubstr("--force"));
@@ -201,14 +201,14 @@ TEST_F(RunCommand, OverwritesOnlyWhenForced) {
 }
 
 TEST_F(RunCommand, RefusesAnOutputFolderThatDoesNotExist) {
-  const Result result = throng("run " + write("a.toml", kScene) + " -o " + path("nowhere/a.h5"));
+  const Result result = throng("run " + write("a.toml", kDrop) + " -o " + path("nowhere/a.h5"));
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.err, HasSubstr("nowhere"));
   EXPECT_FALSE(std::filesystem::exists(path("nowhere")));
 }
 
 TEST_F(RunCommand, DryRunWritesNothing) {
-  const Result result = throng("run " + write("a.toml", kScene) + " --dry-run -o " + path("a.h5"));
+  const Result result = throng("run " + write("a.toml", kDrop) + " --dry-run -o " + path("a.h5"));
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(json::parse(result.out)["steps"], 0);
   EXPECT_FALSE(std::filesystem::exists(path("a.h5")));
@@ -216,7 +216,7 @@ TEST_F(RunCommand, DryRunWritesNothing) {
 
 /// A rehearsal must find what would stop the run hours later, and must leave no trace.
 TEST_F(RunCommand, DryRunChecksTheOutputWithoutMakingIt) {
-  const std::string dry = "run --dry-run " + write("a.toml", kScene) + " -o ";
+  const std::string dry = "run --dry-run " + write("a.toml", kDrop) + " -o ";
   EXPECT_EQ(throng(dry + path("no/such/a.h5")).exit_code, 2);
   const Result exists = throng(dry + write("a.h5", "precious"));
   EXPECT_EQ(exists.exit_code, 2);
@@ -246,7 +246,7 @@ TEST_F(RunCommand, ARunThatBreaksDownNamesStepAndBodyAndKeepsItsFrames) {
 }
 
 TEST_F(RunCommand, AStoppedRunClosesItsFileAndNamesIt) {
-  const std::string run = "run " + write("a.toml", kScene) + " --until 1e6 --every 1000 -o ";
+  const std::string run = "run " + write("a.toml", kDrop) + " --until 1e6 --every 1000 -o ";
   for (const std::string signal : {"INT", "TERM"}) {
     const std::string part = path(signal + ".h5.part");
     const Result result =
@@ -286,11 +286,11 @@ TEST_F(RunCommand, ASignalThatComesAgainStopsItOnce) {
 }
 
 TEST_F(RunCommand, NeverWritesOverItsScenario) {
-  const std::string scene = write("a.toml", kScene);
+  const std::string scene = write("a.toml", kDrop);
   const Result result = throng("run " + scene + " --force -o " + path("./a.toml"));
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.err, HasSubstr("it is the scenario"));
-  EXPECT_EQ(read(scene), kScene);
+  EXPECT_EQ(read(scene), kDrop);
 }
 
 /// The sentence is there to be pasted into a shell.
@@ -307,7 +307,7 @@ TEST_F(RunCommand, TheCommandThatReproducesAFailureIsOneThatAShellUnderstands) {
 }
 
 TEST_F(RunCommand, NamesARecordingAfterAFileWhoseNameIsNoUtf8) {
-  std::string text = kScene;
+  std::string text = kDrop;
   text.erase(text.find("name"), text.find("gravity") - text.find("name"));
   ASSERT_EQ(throng("run --until 0.1 " + write("caf\xe9.toml", text) + " -o " + path("a.h5")).exit_code, 0);
   EXPECT_EQ(throng("replay --verify " + path("a.h5")).exit_code, 0);
@@ -315,7 +315,7 @@ TEST_F(RunCommand, NamesARecordingAfterAFileWhoseNameIsNoUtf8) {
 
 /// File names are bytes: a run of a Latin-1 name once made a recording that nobody could read.
 TEST_F(RunCommand, TakesFileNamesThatAreNoUtf8) {
-  const std::string scene = write("caf\xe9.toml", kScene);
+  const std::string scene = write("caf\xe9.toml", kDrop);
   const Result result = throng("run --until 0.1 " + scene + " -o " + path("caf\xe9.h5"), "USER=Ren\xe9 ");
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(json::parse(result.out)["output"].get<std::string>(), HasSubstr("caf\xEF\xBF\xBD.h5"));
@@ -326,14 +326,14 @@ TEST_F(RunCommand, TakesFileNamesThatAreNoUtf8) {
 
 TEST_F(RunCommand, RefusesABadScenarioWithAllItsFaults) {
   const Result result =
-      throng("run " + write("a.toml", std::string(kScene) + "colour = \"red\"\nspin = \"fast\"\n"));
+      throng("run " + write("a.toml", std::string(kDrop) + "colour = \"red\"\nspin = \"fast\"\n"));
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.err, AllOf(HasSubstr("a.toml:14:"), HasSubstr("a.toml:15:")));
   EXPECT_EQ(result.out, "");
 }
 
 TEST_F(RunCommand, RefusesUnknownOptionsAndValues) {
-  const std::string scene = write("a.toml", kScene);
+  const std::string scene = write("a.toml", kDrop);
   for (const char* options :
        {" --thread 2", " --threads 0", " --threads two", " --progress loud", " --dt fast", " --dt nan",
         " --engine havok", " --set", " --set nonsense", " --every 0", " --substeps 1.5"})
@@ -341,7 +341,7 @@ TEST_F(RunCommand, RefusesUnknownOptionsAndValues) {
 }
 
 TEST_F(PlanCommand, SaysWhichStagesRunAndWhy) {
-  const Result text = throng("plan " + write("a.toml", kScene));
+  const Result text = throng("plan " + write("a.toml", kDrop));
   EXPECT_EQ(text.exit_code, 0) << text.err;
   EXPECT_THAT(text.out, AllOf(HasSubstr("find_pairs"), HasSubstr("skipped"), HasSubstr("2 dynamic")));
   const Result object = throng("plan --json " + path("a.toml"));
@@ -352,7 +352,7 @@ TEST_F(PlanCommand, SaysWhichStagesRunAndWhy) {
 }
 
 TEST_F(PlanCommand, TakesTheOptionsOfARun) {
-  const std::string plan = "plan --json " + write("a.toml", kScene);
+  const std::string plan = "plan --json " + write("a.toml", kDrop);
   const json planned =
       json::parse(throng(plan + " --dt 0.1 --until 2 --substeps 1 --every 5 --engine box2d").out);
   EXPECT_EQ(planned["steps"], 20);
@@ -363,7 +363,7 @@ TEST_F(PlanCommand, TakesTheOptionsOfARun) {
 
 /// It happened: "1 substeps", and substeps of agents and of what has no time step.
 TEST_F(PlanCommand, SpeaksOfSubstepsWhereThereAreAny) {
-  EXPECT_THAT(throng("plan --substeps 1 " + write("a.toml", kScene)).out,
+  EXPECT_THAT(throng("plan --substeps 1 " + write("a.toml", kDrop)).out,
               HasSubstr("steps of 0.01 s in 1 substep\n"));
   const auto without = [&](const std::string& scene) {
     EXPECT_THAT(throng("plan " + scene).out, testing::ContainsRegex("steps of [0-9.]+ s\n")) << scene;
@@ -392,7 +392,7 @@ TEST_F(PlanCommand, ForetellsTheSizeOfSmallAndSparseRecordings) {
   }
   EXPECT_THAT(throng("plan " + folder + "corridor.toml").out,
               HasSubstr(" if all are there from the first to the last\n"));
-  EXPECT_THAT(throng("plan " + write("a.toml", kScene)).out,
+  EXPECT_THAT(throng("plan " + write("a.toml", kDrop)).out,
               testing::ContainsRegex("101 frames, about [0-9.]+ kB\n"));
 }
 
@@ -423,7 +423,7 @@ class AnyCommand : public Program {};
 
 /// It happened: results were lost on a full disk, and the exit code said that all was well.
 TEST_F(AnyCommand, FailsWhereItsAnswerCannotBeWritten) {
-  const std::string scene = write("a.toml", kScene), recording = path("a.h5"),
+  const std::string scene = write("a.toml", kDrop), recording = path("a.h5"),
                     pair =
                         write("a.jsonl", R"({"a": {"disc": {"radius": 1}}, "b": {"disc": {"radius": 1}}})");
   ASSERT_EQ(throng("run " + scene + " -o " + recording).exit_code, 0);

@@ -17,7 +17,7 @@ using nlohmann::json;
 using testing::AllOf;
 using testing::HasSubstr;
 
-const std::string kCrowd = R"toml(throng = 1
+const std::string kSensingCrowd = R"toml(throng = 1
 time = { dt = 0.05, until = 6 }
 walkable = "POLYGON ((0 0, 12 0, 12 6, 0 6, 0 0), (5 1, 5.5 1, 5.5 5, 5 5, 5 1))"
 areas = { start = [[0, 0], [4, 0], [4, 6], [0, 6]], exit = [[11, 0], [12, 0], [12, 6], [11, 6]] }
@@ -140,7 +140,7 @@ class Sensors : public Program {
 };
 
 TEST_F(Sensors, FindWhomQueryFinds) {
-  run(kCrowd, "crowd.h5");
+  run(kSensingCrowd, "crowd.h5");
   EXPECT_GT(compare("crowd.h5", 0, "--radius 4 --fov 170 --sight"), 500u);
   EXPECT_GT(compare("crowd.h5", 1, "--radius 2.5", {3, 4, 5, 29}), 40u);
   run(kPile, "pile.h5");
@@ -155,13 +155,13 @@ TEST_F(Sensors, FindNobodyWhomQueryFindsHiddenByBodies) {
     return scene;
   };
   const std::string sight = " --sight --bodies-hide";
-  run(hidden(kCrowd), "crowd.h5");
+  run(hidden(kSensingCrowd), "crowd.h5");
   const std::size_t crowd = compare("crowd.h5", 0, "--radius 4 --fov 170" + sight);
   run(hidden(kPile), "pile.h5");
   const std::size_t pile = compare("pile.h5", 0, "--radius 1.5 --fov 90 --heading angle" + sight);
   EXPECT_GT(crowd, 300u);
   EXPECT_GT(pile, 30u);
-  run(kCrowd, "crowd.h5", "--force");
+  run(kSensingCrowd, "crowd.h5", "--force");
   run(kPile, "pile.h5", "--force");
   EXPECT_LT(crowd, compare("crowd.h5", 0, "--radius 4 --fov 170 --sight"));
   EXPECT_LT(pile, compare("pile.h5", 0, "--radius 1.5 --fov 90 --heading angle --sight"));
@@ -195,7 +195,7 @@ TEST_F(Sensors, AreSummedUpAndPlanned) {
 
 TEST_F(Sensors, AreVerifiedAndToldOf) {
   for (const auto& [scene, engine] :
-       {std::pair(kCrowd, "native"), std::pair(kPile, "native"), std::pair(kPile, "box2d")}) {
+       {std::pair(kSensingCrowd, "native"), std::pair(kPile, "native"), std::pair(kPile, "box2d")}) {
     run(scene, "a.h5", std::string("--force --engine ") + engine);
     const Result verified = throng("replay --verify " + path("a.h5"));
     EXPECT_EQ(verified.exit_code, 0) << verified.out << verified.err;
@@ -225,7 +225,7 @@ TEST_F(Sensors, ThatFoundOthersAreNamedInPrintableLetters) {
 }
 
 TEST_F(Sensors, GoOnWhereARunWasStopped) {
-  const std::string scene = write("s.toml", kCrowd);
+  const std::string scene = write("s.toml", kSensingCrowd);
   const Result whole = throng("run " + scene + " -o " + path("whole.h5"));
   const Result half = throng("run " + scene + " --until 3 --checkpoint 1000 -o " + path("half.h5"));
   ASSERT_EQ(half.exit_code, 0) << half.err;

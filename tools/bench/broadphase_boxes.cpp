@@ -16,9 +16,9 @@ namespace {
 
 using broadphase::Pair;
 using broadphase::Point;
-using Box = Eigen::AlignedBox2d;
+using Eigen::AlignedBox2d;
 
-constexpr std::uint64_t kPlace = 21, kSize = 22, kWidth = 23, kHeight = 24, kAngle = 25;
+constexpr std::uint64_t kStart = 21, kSize = 22, kWidth = 23, kHeight = 24, kAngle = 25;
 constexpr std::size_t kMostForBruteForce = 10000;
 
 /// Boxes of 0.1 to 3 m, each with ten others on it in the mean; each goes straight on, by a twentieth of the
@@ -38,13 +38,13 @@ class MovingBoxes {
     const double count = static_cast<double>(n);
     const double side = std::sqrt(0.1 * 2.0 * (areas + sum.prod() / count));  // ten on each in the mean
     for (std::size_t i = 0; i < n; ++i) {
-      start_.push_back(side * Point(random_unit(kPlace, 2 * i), random_unit(kPlace, 2 * i + 1)));
+      start_.push_back(side * Point(random_unit(kStart, 2 * i), random_unit(kStart, 2 * i + 1)));
       const double angle = 2.0 * std::numbers::pi * random_unit(kAngle, i);
       step_.push_back(0.025 / count * sum.sum() * Point(std::cos(angle), std::sin(angle)));
     }
     restart();
   }
-  std::span<const Box> boxes() const { return boxes_; }
+  std::span<const AlignedBox2d> boxes() const { return boxes_; }
   void restart() {
     boxes_.clear();
     for (std::size_t i = 0; i < start_.size(); ++i)
@@ -58,7 +58,7 @@ class MovingBoxes {
   static double share(std::uint64_t seed, std::uint64_t i) { return 0.5 + 0.5 * random_unit(seed, i); }
 
   std::vector<Point> half_, start_, step_;
-  std::vector<Box> boxes_;
+  std::vector<AlignedBox2d> boxes_;
 };
 
 /// Each block is kSteps steps from the same start; the check is of the last one.

@@ -13,6 +13,7 @@
 #include "tools/bench/benchmarks.h"
 #include "tools/bench/cgal_points.h"
 #include "tools/bench/clouds.h"
+#include "tools/bench/dataset.h"
 #include "tools/bench/interleave.h"
 
 namespace throng::bench {
@@ -22,7 +23,7 @@ namespace {
 using broadphase::Near;
 using broadphase::NeighbourLists;
 using broadphase::Point;
-using Points = std::vector<Point>;
+using PointList = std::vector<Point>;
 
 constexpr std::size_t kMostForBox2d = 100000;
 
@@ -52,17 +53,17 @@ struct Throng {
   broadphase::AllLists search;
   NeighbourLists lists;
 
-  void find(const Points& points, const Near& near) { search.find(points, near.radius, nullptr, lists); }
+  void find(const PointList& points, const Near& near) { search.find(points, near.radius, nullptr, lists); }
   Check check() const { return check_of(lists); }
 };
 
 /// The tree, which answers any question.
-struct Tree {
+struct ThrongTree {
   broadphase::ProximityTree tree;
   broadphase::NeighbourSearch search;
   NeighbourLists lists;
 
-  void find(const Points& points, const Near& near, int threads) {
+  void find(const PointList& points, const Near& near, int threads) {
     tree.build(points);
     search.find(tree, {.at = points, .own = 0}, near, lists, threads);
   }
@@ -93,7 +94,7 @@ struct Pairs {
   broadphase::AllPairs search;
   broadphase::PairList pairs;
 
-  void find(const Points& points, double radius) { search.find(points, radius, nullptr, pairs); }
+  void find(const PointList& points, double radius) { search.find(points, radius, nullptr, pairs); }
   Check check() const {
     Check result;
     pairs.for_each([&](const broadphase::Pair& pair) {
@@ -107,8 +108,8 @@ struct Pairs {
 /// nanoflann's kd-tree of doubles, sorted as it does by itself.
 class Nanoflann {
  public:
-  void find(const Points& points, const Near& near) {
-    const Cloud cloud{points};
+  void find(const PointList& points, const Near& near) {
+    const Dataset cloud{points};
     Tree tree(2, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(10));
     tree.buildIndex();
     lists_.clear();
@@ -120,21 +121,10 @@ class Nanoflann {
   Check check() const { return lists_.check(); }
 
  private:
-  struct Cloud {
-    const Points& points;
-    std::size_t kdtree_get_point_count() const { return points.size(); }
-    double kdtree_get_pt(std::size_t row, std::size_t axis) const {
-      return points[row][static_cast<Eigen::Index>(axis)];
-    }
-    template <class Bounds>
-    bool kdtree_get_bbox(Bounds&) const {
-      return false;
-    }
-  };
-  using Metric = nanoflann::L2_Simple_Adaptor<double, Cloud, double, std::uint32_t>;
-  using Tree = nanoflann::KDTreeSingleIndexAdaptor<Metric, Cloud, 2, std::uint32_t>;
+  using Metric = nanoflann::L2_Simple_Adaptor<double, Dataset, double, std::uint32_t>;
+  using Tree = nanoflann::KDTreeSingleIndexAdaptor<Metric, Dataset, 2, std::uint32_t>;
 
-  void within(const Tree& tree, const Points& points, double radius) {
+  void within(const Tree& tree, const PointList& points, double radius) {
     for (std::uint32_t i = 0; i < points.size(); ++i) {
       tree.radiusSearch(points[i].data(), radius * radius, found_, nanoflann::SearchParams());
       for (const auto& [row, squared] : found_)
@@ -142,7 +132,7 @@ class Nanoflann {
       lists_.end();
     }
   }
-  void nearest(const Tree& tree, const Points& points, std::size_t most) {
+  void nearest(const Tree& tree, const PointList& points, std::size_t most) {
     rows_.resize(most + 1);
     squared_.resize(most + 1);
     for (std::uint32_t i = 0; i < points.size(); ++i) {
@@ -163,7 +153,7 @@ class Nanoflann {
 /// unsorted.
 class Box2dTree {
  public:
-  void find(const Points& points, double radius) {
+  void find(const PointList& points, double radius) {
     b2DynamicTree tree;
     points_ = &points;
     radius_ = radius;
@@ -197,21 +187,21 @@ class Box2dTree {
     return box;
   }
 
-  const Points* points_ = nullptr;
+  const PointList* points_ = nullptr;
   double radius_ = 0.0;
   std::uint32_t asking_ = 0;
   std::vector<std::uint32_t> rows_;  // per proxy
   Lists lists_;
 };
 
-struct Case {
+struct CloudCase {
   Kind kind;
   std::size_t n;
   double k;
   bool spatial;
 };
 
-std::vector<Case> cases(bool quick) {
+std::vector<CloudCase> cloud_cases(bool quick) {
   if (quick)
     return {{Kind::uniform, 10000, 10, false},
             {Kind::clustered, 10000, 10, false},
@@ -225,9 +215,9 @@ std::vector<Case> cases(bool quick) {
 void add_rows(const std::string& name, const Cloud& cloud, const Near& near, bool pairs_too,
               const Options& options, std::vector<Row>& rows) {
   if (!chosen(name, options)) return;
-  const Points& points = cloud.points;
+  const PointList& points = cloud.points;
   Throng one(1), two(2);
-  Tree tree_one, tree_two;
+  ThrongTree tree_one, tree_two;
   Pairs pairs;
   Nanoflann nanoflann;
   NeighbourLists cgal;
@@ -281,7 +271,7 @@ void add_rows(const std::string& name, const Cloud& cloud, const Near& near, boo
 
 std::vector<Row> bench_broadphase_queries(const Options& options) {
   std::vector<Row> rows;
-  for (const Case& one : cases(options.quick)) {
+  for (const CloudCase& one : cloud_cases(options.quick)) {
     const Cloud points = cloud(one.kind, one.n, one.k, one.spatial);
     if (!chosen(points.name + " radius", options) && !chosen(points.name + " nearest", options)) continue;
     add_rows(points.name + " radius", points, {.radius = points.reach}, true, options, rows);

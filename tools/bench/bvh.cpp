@@ -19,7 +19,7 @@ using Brute = double (*)(const std::vector<OutlineEdge>&, const std::vector<Outl
 
 /// All pairs at the time of a pair, measured over every so-maniest edge: what brute force would take. Its row
 /// has the check of the row before, since it isn't run.
-void add_extrapolated(const Pair& pair, Brute brute, const Options& options, std::vector<Row>& rows) {
+void add_extrapolated(const PolygonPair& pair, Brute brute, const Options& options, std::vector<Row>& rows) {
   const auto some = [](const std::vector<Ring>& rings) {
     const std::vector<OutlineEdge> all = outline_edges(rings);
     std::vector<OutlineEdge> result;
@@ -43,7 +43,7 @@ void add_extrapolated(const Pair& pair, Brute brute, const Options& options, std
 }
 
 template <class... Volumes>
-void collision_rows(const Pair& pair, const Options& options, std::vector<Row>& rows,
+void collision_rows(const PolygonPair& pair, const Options& options, std::vector<Row>& rows,
                     const Built<Volumes>&... built) {
   Case first("first hit " + pair.name, kPlaces), full("all meetings " + pair.name, kPlaces);
   const auto add = [&](const auto& one) {
@@ -76,7 +76,7 @@ void collision_rows(const Pair& pair, const Options& options, std::vector<Row>& 
 
 /// Exact and approximate, their true error beside; brute force where it takes less than a second.
 template <class... Volumes>
-void distance_rows(const Pair& pair, const Options& options, std::vector<Row>& rows,
+void distance_rows(const PolygonPair& pair, const Options& options, std::vector<Row>& rows,
                    const Built<Volumes>&... built) {
   const std::string name = "distance " + pair.name;
   if (!chosen(name, options)) return;
@@ -107,7 +107,7 @@ void distance_rows(const Pair& pair, const Options& options, std::vector<Row>& r
 
 /// Each engine's own errors, so no sums to agree on: the promise is checked instead.
 template <class Volume>
-void approximate_rows(const Pair& pair, const Options& options, std::vector<Row>& rows,
+void approximate_rows(const PolygonPair& pair, const Options& options, std::vector<Row>& rows,
                       const Built<Volume>& one) {
   const std::string name = "within a " + one.name + " " + pair.name;
   if (!chosen(name, options)) return;
@@ -147,7 +147,7 @@ void add_builder(Case& build, const std::string& name, const std::vector<Ring>& 
     });
 }
 
-void build_rows(const Pair& pair, const Options& options, std::vector<Row>& rows) {
+void build_rows(const PolygonPair& pair, const Options& options, std::vector<Row>& rows) {
   const std::string name = "build " + pair.name.substr(pair.name.find(' ') + 1);
   if (!chosen(name, options)) return;
   Case build(name, 1.0);
@@ -172,7 +172,7 @@ std::vector<Vec> points_around(const Ring& ring, bool close) {
 }
 
 template <class... Volumes>
-void point_rows(const Pair& pair, bool close, const Options& options, std::vector<Row>& rows,
+void point_rows(const PolygonPair& pair, bool close, const Options& options, std::vector<Row>& rows,
                 const Built<Volumes>&... built) {
   const std::string name = (close ? "close point " : "point ") + pair.name.substr(pair.name.find(' ') + 1);
   if (!chosen(name, options)) return;
@@ -196,7 +196,7 @@ void point_rows(const Pair& pair, bool close, const Options& options, std::vecto
   near.finish(options, rows);
 }
 
-bool any_chosen(const Pair& pair, const Options& options) {
+bool any_chosen(const PolygonPair& pair, const Options& options) {
   const std::string shape = pair.name.substr(pair.name.find(' ') + 1);
   for (const char* query : {"first hit ", "all meetings ", "distance ", "within a mixed ", "within a obb "})
     if (chosen(query + pair.name, options)) return true;
@@ -228,7 +228,7 @@ std::vector<Row> bench_bvh(const Options& options) {
   for (const Size& size : sizes(options.quick))
     for (const char* situation : {"near", "touching", "interlocked"}) {
       if (!fits(size, situation)) continue;
-      const Pair pair = make_pair(size.family, situation, size.n);
+      const PolygonPair pair = make_pair(size.family, situation, size.n);
       if (!any_chosen(pair, options)) continue;
       if (situation == std::string("near")) build_rows(pair, options, rows);
       options.show(rows);

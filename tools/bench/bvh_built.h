@@ -15,16 +15,16 @@ struct Built {
   std::string name;
   Outline<Volume> a, b;
 
-  Built(std::string engine, const Pair& pair)
+  Built(std::string engine, const PolygonPair& pair)
       : name(std::move(engine)), a(outline<Volume>(pair.a)), b(outline<Volume>(pair.b)) {}
 
-  double collisions(const Pair& pair, Order order, BvhCounters* counters = nullptr) const {
+  double collisions(const PolygonPair& pair, Order order, BvhCounters* counters = nullptr) const {
     double count = 0.0;
     for (const auto& [at_a, at_b] : pair.places)
       count += collide(a, at_a, b, at_b, {order, nullptr, counters});
     return count;
   }
-  double meetings(const Pair& pair, BvhCounters* counters = nullptr) const {
+  double meetings(const PolygonPair& pair, BvhCounters* counters = nullptr) const {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
     double count = 0.0;
     for (const auto& [at_a, at_b] : pair.places) {
@@ -33,14 +33,14 @@ struct Built {
     }
     return count;
   }
-  double distances(const Pair& pair, double relative_error, BvhCounters* counters = nullptr) const {
+  double distances(const PolygonPair& pair, double relative_error, BvhCounters* counters = nullptr) const {
     double sum = 0.0;
     for (const auto& [at_a, at_b] : pair.places)
       sum += proximity(a, at_a, b, at_b, {relative_error, nullptr, counters}).upper;
     return sum;
   }
   /// One step after the other, each from the last one's closest edges.
-  double coherent_distances(const Pair& pair, double relative_error, OutlineCache& cache,
+  double coherent_distances(const PolygonPair& pair, double relative_error, OutlineCache& cache,
                             BvhCounters* counters = nullptr) const {
     double sum = 0.0;
     for (const auto& [at_a, at_b] : pair.places)

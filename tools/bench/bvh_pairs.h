@@ -16,7 +16,7 @@ using narrowphase::Pose;
 
 constexpr int kPlaces = 8;  ///< turned poses that a block asks about
 
-struct Pair {
+struct PolygonPair {
   std::string name;
   std::vector<Ring> a, b;
   std::vector<std::pair<Pose, Pose>> places;
@@ -28,7 +28,7 @@ inline std::vector<double> radii(const std::string& family, std::size_t n, std::
 }
 
 /// The same relative pose up to some thousandths, all of it turned: no box is parallel to an axis.
-inline void place(Pair& pair, const Vec& offset, double turn_b, double wobble) {
+inline void place(PolygonPair& pair, const Vec& offset, double turn_b, double wobble) {
   for (int i = 0; i < kPlaces; ++i) {
     const Pose world = narrowphase::pose({0.3, -0.2}, 0.7 * i + 0.1);
     const Vec at = offset + 0.5 * wobble * Vec(noise(1, i), noise(2, i));
@@ -39,8 +39,8 @@ inline void place(Pair& pair, const Vec& offset, double turn_b, double wobble) {
 
 /// Side by side with a gap of about 1 % of the radius; the same with outlines that cross; or one in a hole
 /// of the other's shape, 1e-3 wider all around, turned in its frame: nearest almost everywhere.
-inline Pair make_pair(const std::string& family, const std::string& situation, std::size_t n) {
-  Pair pair;
+inline PolygonPair make_pair(const std::string& family, const std::string& situation, std::size_t n) {
+  PolygonPair pair;
   const std::vector<double> own = radii(family, n, 1);
   pair.name = situation + " " + family + " n=" + std::to_string(n);
   pair.a = {around(own)};

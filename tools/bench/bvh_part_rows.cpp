@@ -13,7 +13,7 @@ namespace {
 
 using namespace narrowphase;
 
-constexpr int kSteps = 500;
+constexpr int kMotionSteps = 500;
 
 /// Ten steps there, ten back, and so on: the shapes stay about as far apart.
 Pose place(const Vec& at, double turn, int step) {
@@ -23,12 +23,12 @@ Pose place(const Vec& at, double turn, int step) {
 void add_motion(Case& one, const PartsBvh& tree, const Vec& at, double turn) {
   const auto sum = [=](const auto& distance) {
     double total = 0.0;
-    for (int step = 0; step < kSteps; ++step) total += distance(place(at, turn, step));
+    for (int step = 0; step < kMotionSteps; ++step) total += distance(place(at, turn, step));
     return total;
   };
   const auto figures = [](const BvhCounters& counters) -> nlohmann::ordered_json {
-    return {{"nodes", static_cast<double>(counters.nodes) / kSteps},
-            {"leaves", static_cast<double>(counters.leaves) / kSteps}};
+    return {{"nodes", static_cast<double>(counters.nodes) / kMotionSteps},
+            {"leaves", static_cast<double>(counters.leaves) / kMotionSteps}};
   };
   const auto tracked = [&tree, sum](bool keeps_features, BvhCounters* counters) {
     PartsMemory memory;
@@ -53,22 +53,22 @@ void add_motion(Case& one, const PartsBvh& tree, const Vec& at, double turn) {
 }  // namespace
 
 std::vector<Row> bvh_part_rows(const Options& options) {
-  struct Motion {
+  struct Approach {
     const char* name;
     std::vector<double> radii;
     Vec at;
   };
   std::vector<Row> rows;
-  for (const Motion& motion : {Motion{"gear n=64 near", gear_radii(64), {2.02, 0.1}},
-                               Motion{"gear n=64 overlapping", gear_radii(64), {1.85, 0.1}},
-                               Motion{"star n=64 near", star_radii(64), {1.9, 0.1}},
-                               Motion{"coast n=256 near", coast_radii(256, 1), {2.3, 0.1}}})
+  for (const Approach& motion : {Approach{"gear n=64 near", gear_radii(64), {2.02, 0.1}},
+                                 Approach{"gear n=64 overlapping", gear_radii(64), {1.85, 0.1}},
+                                 Approach{"star n=64 near", star_radii(64), {1.9, 0.1}},
+                                 Approach{"coast n=256 near", coast_radii(256, 1), {2.3, 0.1}}})
     for (const double turn : {0.001, 0.01, 0.1}) {
       const std::string name = "parts " + std::string(motion.name) + " " + text(turn) + " rad";
       if (!chosen(name, options) || (options.quick && turn != 0.01)) continue;
       const std::vector<Convex> parts = decompose(around(motion.radii));
       const PartsBvh tree = parts_bvh(parts);
-      Case one(name, kSteps);
+      Case one(name, kMotionSteps);
       add_motion(one, tree, motion.at, turn);
       one.finish(options, rows);
     }

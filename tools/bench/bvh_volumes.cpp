@@ -12,7 +12,7 @@ namespace {
 
 using namespace narrowphase;
 
-constexpr std::size_t kPairs = 4096;
+constexpr std::size_t kVolumePairs = 4096;
 
 double area(const Ball<2>& volume) {
   return std::numbers::pi * volume.radius * volume.radius;
@@ -24,7 +24,8 @@ double area(const Boxes& volume) {
 
 double area(const Points<2>& hull) {
   double twice = 0.0;
-  for (std::size_t i = 2; i < hull.size(); ++i) twice += cross(hull[i - 1] - hull[0], hull[i] - hull[0]);
+  for (std::size_t i = 2; i < hull.size(); ++i)
+    twice += narrowphase::cross(hull[i - 1] - hull[0], hull[i] - hull[0]);
   return 0.5 * twice;
 }
 
@@ -69,11 +70,11 @@ Quality quality(const Outline<Volume>& shape) {
 template <class Volume>
 struct Tests {
   Outline<Volume> shape;
-  std::vector<Frame<2>> frames;
+  std::vector<narrowphase::Frame<2>> frames;
   std::vector<std::uint32_t> nodes;
 
   explicit Tests(const std::vector<Ring>& rings) : shape(outline<Volume>(rings)) {
-    for (std::uint64_t i = 0; i < kPairs; ++i) {
+    for (std::uint64_t i = 0; i < kVolumePairs; ++i) {
       const double place = 0.5 * (noise(5, i) + 1.0) * static_cast<double>(shape.tree.nodes.size());
       nodes.push_back(static_cast<std::uint32_t>(place));
       const Volume& volume = shape.tree.nodes[nodes.back()].volume;
@@ -85,7 +86,7 @@ struct Tests {
   }
   double parted() const {
     double count = 0.0;
-    for (std::size_t i = 0; i < kPairs; ++i) {
+    for (std::size_t i = 0; i < kVolumePairs; ++i) {
       const Volume& volume = shape.tree.nodes[nodes[i]].volume;
       count += apart(volume, volume, frames[i]);
     }
@@ -93,7 +94,7 @@ struct Tests {
   }
   double bounded() const {
     double sum = 0.0;
-    for (std::size_t i = 0; i < kPairs; ++i) {
+    for (std::size_t i = 0; i < kVolumePairs; ++i) {
       const Volume& volume = shape.tree.nodes[nodes[i]].volume;
       sum += bound(volume, volume, frames[i]);
     }
@@ -108,7 +109,7 @@ void add_rows(const std::string& family, const std::string& engine, const Ring& 
   double sink = 0.0;
   std::vector<Contestant> contestants{{"apart", [&] { sink += tests.parted(); }},
                                       {"bound", [&] { sink += tests.bounded(); }}};
-  interleave(contestants, options.blocks, kPairs);
+  interleave(contestants, options.blocks, kVolumePairs);
   for (Contestant& one : contestants)
     for (double& ms : one.ms) ms *= 1e6;  // a million tests
   const Quality measured = quality(tests.shape);
@@ -122,7 +123,7 @@ void add_rows(const std::string& family, const std::string& engine, const Ring& 
                   {{"area_over_hull", measured.area_over_hull},
                    {"change_by_turn", measured.change},
                    {"bound_ms", median(contestants[1].ms)},
-                   {"parted", tests.parted() / kPairs},
+                   {"parted", tests.parted() / kVolumePairs},
                    {"bytes", static_cast<double>(sizeof(Volume))}}});
 }
 

@@ -24,19 +24,19 @@ using Place = CGAL::First_of_pair_property_map<Item>;
 using PlaneTraits = CGAL::Search_traits_2<Kernel>;
 using Traits = CGAL::Search_traits_adapter<Item, Place, PlaneTraits>;
 using Splitter = CGAL::Sliding_midpoint<Traits>;
-using Tree = CGAL::Kd_tree<Traits, Splitter, CGAL::Tag_true, CGAL::Tag_true>;  // with coordinates at hand
-using Metric = CGAL::Distance_adapter<Item, Place, CGAL::Euclidean_distance<PlaneTraits>>;
-using Nearest = CGAL::Orthogonal_k_neighbor_search<Traits, Metric, Splitter, Tree>;
-using Found = std::vector<std::pair<double, std::uint32_t>>;  // squared distance (m²), row
+using KdTree = CGAL::Kd_tree<Traits, Splitter, CGAL::Tag_true, CGAL::Tag_true>;  // with coordinates at hand
+using PlaceDistance = CGAL::Distance_adapter<Item, Place, CGAL::Euclidean_distance<PlaneTraits>>;
+using Nearest = CGAL::Orthogonal_k_neighbor_search<Traits, PlaceDistance, Splitter, KdTree>;
+using Neighbours = std::vector<std::pair<double, std::uint32_t>>;  // squared distance (m²), row
 
-void within(const Tree& tree, const Item& item, double radius, std::vector<Item>& hits, Found& found) {
+void within(const KdTree& tree, const Item& item, double radius, std::vector<Item>& hits, Neighbours& found) {
   hits.clear();
   tree.search(std::back_inserter(hits), CGAL::Fuzzy_sphere<Traits>(item, radius));
   for (const Item& hit : hits) found.emplace_back(CGAL::squared_distance(item.first, hit.first), hit.second);
-  std::ranges::sort(found, {}, &Found::value_type::first);
+  std::ranges::sort(found, {}, &Neighbours::value_type::first);
 }
 
-void nearest(const Tree& tree, const Item& item, std::size_t most, Found& found) {
+void nearest(const KdTree& tree, const Item& item, std::size_t most, Neighbours& found) {
   const Nearest search(tree, item.first, static_cast<unsigned>(most + 1));
   for (auto it = search.begin(); it != search.end(); ++it) found.emplace_back(it->second, it->first.second);
 }
@@ -48,12 +48,12 @@ void cgal_neighbours(const std::vector<broadphase::Point>& points, const broadph
   std::vector<Item> items, hits;
   for (const broadphase::Point& p : points)
     items.emplace_back(Kernel::Point_2(p.x(), p.y()), static_cast<std::uint32_t>(items.size()));
-  Tree tree(items.begin(), items.end(), Splitter(kBucket));
+  KdTree tree(items.begin(), items.end(), Splitter(kBucket));
   tree.build();
   lists.begin.assign(1, 0);
   lists.row.clear();
   lists.distance.clear();
-  Found found;
+  Neighbours found;
   for (const Item& item : items) {
     found.clear();
     if (near.most < points.size())

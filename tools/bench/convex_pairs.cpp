@@ -15,7 +15,7 @@ using narrowphase::Convex;
 using narrowphase::Pose;
 using narrowphase::Vec;
 
-class Random {
+class Twister {
  public:
   double uniform(double from, double to) {
     return from + (to - from) * (static_cast<double>(bits_() >> 11) * 0x1p-53);
@@ -26,7 +26,7 @@ class Random {
   std::mt19937_64 bits_{20260101};
 };
 
-Convex polygon(Random& random, std::size_t vertices) {
+Convex polygon(Twister& random, std::size_t vertices) {
   std::vector<Vec> points;
   for (std::size_t i = 0; i < vertices; ++i) {
     const double turn = (static_cast<double>(i) + random.uniform(0.0, 0.7)) / static_cast<double>(vertices);
@@ -41,7 +41,7 @@ struct Course {
   double angle_a, angle_b, bearing, distance;
 };
 
-Course course(Random& random, Gap gap) {
+Course course(Twister& random, Gap gap) {
   const double angle_a = random.angle(), angle_b = random.angle(), bearing = random.angle();
   const double distance = gap == Gap::overlapping ? random.uniform(1.2, 1.6) : random.uniform(2.0, 2.5);
   return {angle_a, angle_b, bearing, distance};
@@ -78,7 +78,7 @@ std::string case_name(std::size_t vertices, double step, Gap gap) {
 ConvexPairs convex_pairs(std::size_t vertices, double step, Gap gap, bool quick) {
   const std::size_t count = vertices <= 40 ? 512 : vertices <= 400 ? 256 : 64;
   const std::size_t times = quick ? 2 : vertices <= 400 ? 64 : 32;
-  Random random;
+  Twister random;
   ConvexPairs c{case_name(vertices, step, gap), {}, {}, {}, {}, step > 0.0};
   for (int i = 0; i < 8; ++i) c.shapes.push_back(polygon(random, vertices));
   std::vector<Course> courses;

@@ -9,6 +9,8 @@
 
 #include <cmath>
 
+#include "tools/bench/single.h"
+
 namespace throng::bench {
 
 using narrowphase::Convex;
@@ -21,20 +23,6 @@ struct Box2dDistance::Pairs {
   std::vector<b2SimplexCache> cache;
   std::vector<b2Transform> transforms;  // a and b at each placement
 };
-
-namespace {
-
-b2Vec2 single(const Vec& v) {
-  return {static_cast<float>(v.x()), static_cast<float>(v.y())};
-}
-
-b2Transform single(const Pose& pose) {
-  b2Transform t;
-  t.p = single(pose.position), t.q.c = static_cast<float>(pose.cos), t.q.s = static_cast<float>(pose.sin);
-  return t;
-}
-
-}  // namespace
 
 Box2dDistance::Box2dDistance(const ConvexPairs& pairs, bool warm)
     : pairs_(std::make_unique<Pairs>()), warm_(warm) {
@@ -75,15 +63,15 @@ double Box2dDistance::distance(std::size_t pair, std::size_t placement) {
 namespace {
 
 using Exact = CGAL::Gmpq;
-using Kernel = CGAL::Simple_cartesian<Exact>;
-using Traits = CGAL::Polytope_distance_d_traits_2<Kernel, Exact, Exact>;
+using ExactKernel = CGAL::Simple_cartesian<Exact>;
+using ExactTraits = CGAL::Polytope_distance_d_traits_2<ExactKernel, Exact, Exact>;
 
 /// About `origin`, so that nothing is rounded.
-std::vector<Kernel::Point_2> exact(const Convex& shape, const Pose& pose, const Vec& origin) {
+std::vector<ExactKernel::Point_2> exact(const Convex& shape, const Pose& pose, const Vec& origin) {
   const Exact c = pose.cos, s = pose.sin;
   const Exact x = Exact(pose.position.x()) - Exact(origin.x()),
               y = Exact(pose.position.y()) - Exact(origin.y());
-  std::vector<Kernel::Point_2> points;
+  std::vector<ExactKernel::Point_2> points;
   for (const Vec& v : shape.vertices)
     points.emplace_back(c * Exact(v.x()) - s * Exact(v.y()) + x, s * Exact(v.x()) + c * Exact(v.y()) + y);
   return points;
@@ -94,7 +82,7 @@ std::vector<Kernel::Point_2> exact(const Convex& shape, const Pose& pose, const 
 double cgal_distance(const Convex& a, const Convex& b, const Placement& placement) {
   const auto of_a = exact(a, placement.a, placement.a.position),
              of_b = exact(b, placement.b, placement.a.position);
-  const CGAL::Polytope_distance_d<Traits> distance(of_a.begin(), of_a.end(), of_b.begin(), of_b.end());
+  const CGAL::Polytope_distance_d<ExactTraits> distance(of_a.begin(), of_a.end(), of_b.begin(), of_b.end());
   return std::sqrt(
       CGAL::to_double(distance.squared_distance_numerator() / distance.squared_distance_denominator()));
 }

@@ -28,7 +28,7 @@ int steps_in_all(std::size_t agents, int blocks) {
   return 1 + kWarm + (blocks + 2) * steps_a_block(agents);
 }
 
-struct Case {
+struct CrowdCase {
   const char* model;
   std::size_t agents;
   double each;  ///< m², of the floor
@@ -39,8 +39,8 @@ struct Case {
 };
 
 /// Of 24 neighbours within 3 m; of orca RVO2's circle: radius 1.5 m, the 10 nearest of about 20 within 15 m.
-std::vector<Case> cases(bool quick) {
-  std::vector<Case> all;
+std::vector<CrowdCase> crowd_cases(bool quick) {
+  std::vector<CrowdCase> all;
   for (std::size_t agents : {10'000, 100'000, 1'000'000})
     for (const char* model : {"collision_free_speed", "social_force", "orca"}) {
       if (quick && agents > 10'000) continue;
@@ -53,7 +53,7 @@ std::vector<Case> cases(bool quick) {
 }
 
 /// Two streams that cross: to the right, and upwards, to goals that nobody reaches in so many steps.
-Scene scene_of(const Case& one, int steps) {
+Scene scene_of(const CrowdCase& one, int steps) {
   const double crowded = std::sqrt(one.each * static_cast<double>(one.agents));
   const double inside = crowded + steps * one.dt * 2.0 * one.speed, side = inside + 2.0;
   const auto number = [](double value) { return std::to_string(value); };
@@ -91,7 +91,7 @@ void expect_same(const std::string& name, const Simulation& a, const Simulation&
     throw std::runtime_error(name + ": two threads have come to another state than one");
 }
 
-std::vector<Row> run(const Case& one, const Options& options) {
+std::vector<Row> run(const CrowdCase& one, const Options& options) {
   std::fprintf(stderr, "placing %zu agents\n", one.agents);
   const Scene scene = scene_of(one, steps_in_all(one.agents, options.blocks));
   const auto native = simulation(scene), shared = simulation(scene, 2);
@@ -136,7 +136,7 @@ std::vector<Row> bench_crowd(const Options& options) {
   options.show(rows);
   for (Row& row : bench_stadium(options)) rows.push_back(std::move(row));
   options.show(rows);
-  for (const Case& one : cases(options.quick)) {
+  for (const CrowdCase& one : crowd_cases(options.quick)) {
     if (!chosen(one.name(), options)) continue;
     for (Row& row : run(one, options)) rows.push_back(std::move(row));
     options.show(rows);

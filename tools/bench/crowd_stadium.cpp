@@ -9,7 +9,7 @@ namespace throng::bench {
 
 namespace {
 
-constexpr int kWarm = 200;  // steps, 10 s: a third of them walk
+constexpr int kSetOut = 200;  // steps, 10 s: a third of them walk
 
 }  // namespace
 
@@ -20,7 +20,7 @@ std::vector<Row> bench_stadium(const Options& options) {
   if (options.quick) overrides.push_back("agents.0.count=10000");
   const Scene scene = gallery_scene(options.scenarios, name, overrides);
   const auto run = simulation(scene);
-  for (int i = 0; i < (options.quick ? 1 : kWarm); ++i) run->step();
+  for (int i = 0; i < (options.quick ? 1 : kSetOut); ++i) run->step();
   const auto before = run->stage_times();
   std::vector<Contestant> contestants{{"throng", [&] { run->step(); }}};
   interleave(contestants, options.blocks, 1.0);

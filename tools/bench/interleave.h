@@ -16,6 +16,9 @@ struct Contestant {
   std::function<void()> look = {};  ///< at where a block has got, untimed; may be absent
 };
 
+/// Takes what blocks have answered, so that no answer is left out.
+inline volatile double answer_sink = 0.0;
+
 /// Runs the contestants' blocks in turn, A B A B ..., after one uncounted round, so that their ratio means
 /// something on a noisy machine. `work`: units (steps, queries) in a block.
 inline void interleave(std::vector<Contestant>& contestants, int blocks, double work) {

@@ -2,7 +2,6 @@
 // throng bench motion: do moving solids meet, and when first; run time against error.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "tools/bench/benchmarks.h"
@@ -16,9 +15,7 @@ namespace throng::bench {
 namespace {
 
 using namespace narrowphase;
-using Truth = std::vector<std::optional<double>>;
-
-constexpr double kAllOfThem = std::numeric_limits<double>::infinity();  // s, that asking may take
+using HitTimes = std::vector<std::optional<double>>;
 
 /// What an engine said, query by query, as far as there was time for it.
 struct Answers {
@@ -43,7 +40,8 @@ struct Faults {
          gap = 0.0;  ///< s, and of the size: the largest errors of a hit's time, and of its contact
 };
 
-Faults faults(const MotionCase& c, const MotionEngine& engine, const Answers& answers, const Truth& truth) {
+Faults faults(const MotionCase& c, const MotionEngine& engine, const Answers& answers,
+              const HitTimes& truth) {
   Faults f;
   for (std::size_t i = 0; i < answers.told.size(); ++i) {
     const Told& told = answers.told[i];
@@ -58,7 +56,7 @@ Faults faults(const MotionCase& c, const MotionEngine& engine, const Answers& an
 }
 
 /// All engines of a case have the truth's check, but who promises to be exact and isn't.
-std::string check(const MotionEngine& engine, const Faults& f, const Truth& truth) {
+std::string check(const MotionEngine& engine, const Faults& f, const HitTimes& truth) {
   const auto hits = std::ranges::count_if(truth, [](const auto& time) { return time.has_value(); });
   std::string text = std::to_string(hits) + " of " + std::to_string(truth.size()) + " hit";
   const int wrong = engine.promise == Promise::exact ? f.missed + f.false_hits : 0;
@@ -67,7 +65,7 @@ std::string check(const MotionEngine& engine, const Faults& f, const Truth& trut
   return text;
 }
 
-Row row(const MotionCase& c, const MotionEngine& engine, const Answers& answers, const Truth& truth) {
+Row row(const MotionCase& c, const MotionEngine& engine, const Answers& answers, const HitTimes& truth) {
   const Faults f = faults(c, engine, answers, truth);
   Row result{"motion",
              c.name,
@@ -85,7 +83,7 @@ Row row(const MotionCase& c, const MotionEngine& engine, const Answers& answers,
 }
 
 /// Of the queries that hit, the median share of another's evaluations that an engine needs.
-double share(const Answers& mine, const Answers& other, const Truth& truth) {
+double share(const Answers& mine, const Answers& other, const HitTimes& truth) {
   std::vector<double> shares;
   for (std::size_t i = 0; i < std::min(mine.told.size(), other.told.size()); ++i)
     if (truth[i] && other.told[i].evaluations > 0)
@@ -101,7 +99,7 @@ bool is_sequential(const MotionEngine& engine) {
 
 /// The first engine is the bisection, which answers everything.
 std::vector<Row> run(MotionCase c, const Options& options) {
-  const Truth times = truth(c);
+  const HitTimes times = truth(c);
   const std::vector<MotionEngine> engines = motion_engines(c, options.quick);
   std::vector<Row> rows;
   Answers first;

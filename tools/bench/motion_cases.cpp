@@ -16,9 +16,9 @@ namespace {
 using namespace narrowphase;
 
 /// Numbers of one case, each asked for once.
-class Random {
+class CaseRandom {
  public:
-  explicit Random(std::uint64_t seed) : seed_(seed) {}
+  explicit CaseRandom(std::uint64_t seed) : seed_(seed) {}
   double uniform(double from, double to) { return 0.5 * (from + to + (to - from) * noise(seed_, next_++)); }
   double angle() { return uniform(-std::numbers::pi, std::numbers::pi); }
   Vec bearing() { return narrowphase::pose({0.0, 0.0}, angle()).rotate({1.0, 0.0}); }
@@ -32,7 +32,7 @@ Convex box(const Vec& low, const Vec& high) {
 }
 
 /// On a circle, at uneven angles.
-Convex round_polygon(Random& random, std::size_t vertices, double radius) {
+Convex round_polygon(CaseRandom& random, std::size_t vertices, double radius) {
   Ring ring;
   for (std::size_t i = 0; i < vertices; ++i) {
     const double turn = (static_cast<double>(i) + random.uniform(0.0, 0.7)) / static_cast<double>(vertices);
@@ -42,7 +42,7 @@ Convex round_polygon(Random& random, std::size_t vertices, double radius) {
 }
 
 /// b comes from up to 4.5 m away, in a straight line that passes a's origin within `aside`; both turn.
-MotionQuery passing(Random& random, const Solid* a, const Solid* b, double aside) {
+MotionQuery passing(CaseRandom& random, const Solid* a, const Solid* b, double aside) {
   const Vec from = random.bearing(), home{random.uniform(-9.0, 9.0), random.uniform(-9.0, 9.0)};
   const Vec drift{random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)};
   const double far = random.uniform(2.1, 4.5), by = random.uniform(-aside, aside);
@@ -58,7 +58,7 @@ MotionCase passing_pairs(std::string name, std::vector<std::vector<Convex>> shap
   MotionCase c{std::move(name), 2.0, false};
   for (std::vector<Convex>& parts : shapes) c.solids.push_back(std::make_unique<Solid>(std::move(parts)));
   const std::size_t n = c.solids.size();
-  Random random(20261121);
+  CaseRandom random(20261121);
   for (std::size_t i = 0; i < queries; ++i)
     c.queries.push_back(passing(random, c.solids[i % n].get(), c.solids[i / n % n].get(), aside));
   return c;
@@ -84,7 +84,7 @@ MotionCase bar_past_post(double clearance, std::size_t queries) {
   c.solids.push_back(std::make_unique<Solid>(std::vector{box({-3.0, -0.1}, {1.0, 0.1})}));
   c.solids.push_back(
       std::make_unique<Solid>(std::vector{box({reach + clearance, -0.5}, {reach + clearance + 1.0, 0.5})}));
-  Random random(7);
+  CaseRandom random(7);
   for (std::size_t i = 0; i < queries; ++i) {
     const double angle = random.angle();
     const Pose world = narrowphase::pose({random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)}, angle);
@@ -97,7 +97,7 @@ MotionCase bar_past_post(double clearance, std::size_t queries) {
 }
 
 MotionCase random_octagons(std::size_t queries) {
-  Random random(8);
+  CaseRandom random(8);
   std::vector<std::vector<Convex>> shapes;
   for (int i = 0; i < 8; ++i) shapes.push_back({round_polygon(random, 8, 1.0)});
   return passing_pairs("octagons, random", std::move(shapes), 3.4, queries);
@@ -118,7 +118,7 @@ MotionCase random_outlines(const std::string& family, std::size_t edges, std::si
 }
 
 MotionCase random_clutter(std::size_t queries) {
-  Random random(9);
+  CaseRandom random(9);
   MotionCase c{"bracket in clutter of 400, random", 1.0, false};
   c.solids.push_back(
       std::make_unique<Solid>(std::vector{box({-0.1, -0.1}, {0.9, 0.1}), box({-0.1, 0.1}, {0.1, 0.9})}));

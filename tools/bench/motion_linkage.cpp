@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <limits>
 #include <memory>
 
 #include "narrowphase/exhaustive.h"
@@ -18,9 +17,8 @@ namespace {
 
 using namespace narrowphase;
 
-constexpr double kArm = 5.0;                                            // m, stretched
-constexpr double kLimit = 2.6;                                          // rad, of each joint either way
-constexpr double kAllOfThem = std::numeric_limits<double>::infinity();  // s, that asking may take
+constexpr double kArm = 5.0;         // m, stretched
+constexpr double kJointLimit = 2.6;  // rad, of each joint either way
 
 /// An arm, what stands around it, and straight motions from free configurations.
 struct ArmCase {
@@ -55,7 +53,7 @@ std::vector<Convex> posts(std::size_t count, std::uint64_t& place) {
 Linkage arm_of(std::size_t links, const PartsBvh& beam) {
   Linkage arm(links);
   for (std::size_t i = 0; i < links; ++i) {
-    arm[i].shape = &beam, arm[i].lower = -kLimit, arm[i].upper = kLimit;
+    arm[i].shape = &beam, arm[i].lower = -kJointLimit, arm[i].upper = kJointLimit;
     if (i > 0)
       arm[i].parent = static_cast<std::uint32_t>(i - 1), arm[i].at = {kArm / static_cast<double>(links), 0.0};
   }
@@ -69,7 +67,7 @@ void add_motions(ArmCase& c, std::size_t count, double step, bool free, std::uin
     std::vector<double> from, to;
     for (std::size_t i = 0; i < c.arm.size(); ++i) {
       from.push_back(uniform(place, -2.0, 2.0));
-      to.push_back(std::clamp(from.back() + uniform(place, -step, step), -kLimit, kLimit));
+      to.push_back(std::clamp(from.back() + uniform(place, -step, step), -kJointLimit, kJointLimit));
     }
     if (checker.contact(from)) continue;
     if (free && checker.check_motion(from, to).verdict != Verdict::free) continue;
@@ -77,7 +75,7 @@ void add_motions(ArmCase& c, std::size_t count, double step, bool free, std::uin
   }
 }
 
-std::string case_name(std::size_t links, std::size_t obstacles, bool free) {
+std::string arm_case_name(std::size_t links, std::size_t obstacles, bool free) {
   return "arm of " + std::to_string(links) + " links, " +
          (obstacles > 0 ? std::to_string(obstacles) + " obstacles, " : "itself alone, ") +
          (free ? "free paths" : "random");
@@ -87,7 +85,7 @@ std::unique_ptr<ArmCase> arm_case(std::size_t links, std::size_t obstacles, doub
                                   std::size_t motions) {
   std::uint64_t place = 0;
   auto c = std::make_unique<ArmCase>();
-  c->name = case_name(links, obstacles, free);
+  c->name = arm_case_name(links, obstacles, free);
   const double length = kArm / static_cast<double>(links);
   c->beam = {convex({{0.0, -0.02}, {length, -0.02}, {length, 0.02}, {0.0, 0.02}})};
   c->beam_bvh = parts_bvh(c->beam);
@@ -155,7 +153,7 @@ Asked ask_all(const ArmCase& c, const ArmEngine& engine, double seconds) {
 }
 
 /// Which motions hit: in a configuration of many, `step` of the arm apart, or where an engine has proven it.
-std::vector<bool> truth(const ArmCase& c, const std::vector<Asked>& asked, double step) {
+std::vector<bool> which_hit(const ArmCase& c, const std::vector<Asked>& asked, double step) {
   LinkageChecker checker(c.scene());
   std::vector<bool> hits;
   for (std::size_t i = 0; i < c.from.size(); ++i) {
@@ -195,7 +193,7 @@ std::vector<Row> run(const ArmCase& c, const Options& options) {
     asked.push_back(ask_all(c, engine, asked.empty() ? kAllOfThem : options.quick ? 0.005 : 0.02));
     ask.push_back([&engine](std::size_t i) { return engine.ask(i).from; });
   }
-  const std::vector<bool> hits = truth(c, asked, options.quick ? 1e-4 : 1e-5);
+  const std::vector<bool> hits = which_hit(c, asked, options.quick ? 1e-4 : 1e-5);
   std::vector<Row> rows;
   for (std::size_t i = 0; i < engines.size(); ++i) rows.push_back(row(c, engines[i], asked[i], hits));
   expect_agreement(rows);
@@ -209,7 +207,7 @@ std::vector<Row> motion_linkage_rows(const Options& options) {
   std::vector<Row> rows;
   const std::size_t n = options.quick ? 10 : 100;
   const auto add = [&](std::size_t links, std::size_t obstacles, double step, bool free) {
-    if (!chosen(case_name(links, obstacles, free), options)) return;
+    if (!chosen(arm_case_name(links, obstacles, free), options)) return;
     const auto c = arm_case(links, obstacles, step, free, n);
     for (Row& row : run(*c, options)) rows.push_back(std::move(row));
   };

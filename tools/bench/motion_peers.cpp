@@ -7,6 +7,8 @@
 #include <deque>
 #include <map>
 
+#include "tools/bench/single.h"
+
 namespace throng::bench {
 
 using narrowphase::Convex;
@@ -21,10 +23,6 @@ struct Box2dImpact::Inputs {
 namespace {
 
 constexpr std::size_t kMostVertices = 8;
-
-b2Vec2 single(const Vec& v) {
-  return {static_cast<float>(v.x()), static_cast<float>(v.y())};
-}
 
 /// About `origin`, to lose few digits.
 b2Sweep sweep(const Motion& motion, const Vec& origin) {

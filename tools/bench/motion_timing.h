@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "tools/bench/rows.h"
@@ -10,6 +11,8 @@
 /// How the engines of `throng bench motion` are asked and timed: some answer a thousand queries while others
 /// are at their first.
 namespace throng::bench {
+
+inline constexpr double kAllOfThem = std::numeric_limits<double>::infinity();  ///< s, that asking may take
 
 /// Calls `ask` with 0, 1, ... until `queries` are answered, or one at least and `seconds` have passed.
 template <class Ask>

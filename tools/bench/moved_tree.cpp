@@ -8,9 +8,9 @@ namespace throng::bench {
 
 namespace {
 
-using Box = Eigen::AlignedBox2d;
+using Eigen::AlignedBox2d;
 
-b2AABB around(const Box& box) {
+b2AABB around(const AlignedBox2d& box) {
   constexpr float kUp = std::numeric_limits<float>::infinity();
   const auto below = [](double x) { return std::nextafter(static_cast<float>(x), -kUp); };
   const auto above = [](double x) { return std::nextafter(static_cast<float>(x), kUp); };
@@ -22,7 +22,7 @@ b2AABB around(const Box& box) {
 
 struct Query {
   const b2DynamicTree& tree;
-  std::span<const Box> boxes;
+  std::span<const AlignedBox2d> boxes;
   std::uint32_t row;
   std::vector<broadphase::Pair>& pairs;
   bool QueryCallback(int32 proxy) {
@@ -34,12 +34,12 @@ struct Query {
 
 }  // namespace
 
-MovedTree::MovedTree(std::span<const Box> boxes) {
+MovedTree::MovedTree(std::span<const AlignedBox2d> boxes) {
   for (std::size_t row = 0; row < boxes.size(); ++row)
     proxies_.push_back(tree_.CreateProxy(around(boxes[row]), reinterpret_cast<void*>(row)));
 }
 
-void MovedTree::find(std::span<const Box> boxes, std::vector<broadphase::Pair>& pairs) {
+void MovedTree::find(std::span<const AlignedBox2d> boxes, std::vector<broadphase::Pair>& pairs) {
   for (std::size_t row = 0; row < boxes.size(); ++row)
     tree_.MoveProxy(proxies_[row], around(boxes[row]), b2Vec2_zero);
   pairs.clear();

@@ -21,22 +21,21 @@ using namespace narrowphase;
 constexpr double kUlp = 4.0 * 0x1p-52;  // m: coordinates reach 4 m from the first shape's centre
 
 /// How an engine's distances are to be read.
-enum class Answers { with_depth, without_depth, single_without_depth };
+enum class Distances { with_depth, without_depth, single_without_depth };
 
-struct Engine {
+struct DistanceEngine {
   std::string name;
-  Answers answers;
+  Distances answers;
   std::size_t queries;                   ///< of the case, from the first on
   std::function<void(bool back)> block;  ///< asks them all, from the last to the first if `back`
   std::function<double(std::size_t placement)> ask;
   SearchStatistics* statistics = nullptr;  ///< of `ask`
 };
 
-volatile double sink;  // so that no answer is left out
-
 /// `ask(pair, placement)` is compiled into the loop that is timed.
 template <class Ask>
-Engine engine(std::string name, Answers answers, const ConvexPairs& c, std::size_t queries, Ask ask) {
+DistanceEngine engine(std::string name, Distances answers, const ConvexPairs& c, std::size_t queries,
+                      Ask ask) {
   const std::size_t pairs = c.pairs();
   const auto block = [pairs, queries, ask](bool back) {
     double sum = 0.0;
@@ -48,7 +47,7 @@ Engine engine(std::string name, Answers answers, const ConvexPairs& c, std::size
       else
         pair = pair + 1 == pairs ? 0 : pair + 1;
     }
-    sink = sum;
+    answer_sink = sum;
   };
   return {std::move(name), answers, queries, block,
           [pairs, ask](std::size_t i) { return ask(i % pairs, i); }};
@@ -57,7 +56,7 @@ Engine engine(std::string name, Answers answers, const ConvexPairs& c, std::size
 /// `separation` by GJK from any features, which are replaced.
 Separation by_gjk(const Placed& p, ClosestFeatures& f) {
   if (const auto found = gjk(p.a, p.b, relative(p.pose_a, p.pose_b), f)) {
-    const Look look(p, *found);
+    const narrowphase::Look look(p, *found);
     if (look.proves()) return f = *found, answer(look, found->vertex_of_b);
   }
   return separation(p.a, p.pose_a, p.b, p.pose_b);
@@ -81,19 +80,19 @@ std::size_t affordable(const ConvexPairs& c, double each) {
   return std::clamp<std::size_t>(static_cast<std::size_t>(5e6 / each), 1, c.placements.size());
 }
 
-std::vector<Engine> engines(const ConvexPairs& c, Kept& kept) {
+std::vector<DistanceEngine> engines(const ConvexPairs& c, Kept& kept) {
   const auto placed = [&c](std::size_t pair, std::size_t i) {
     return Placed{c.shapes[c.a[pair]], c.placements[i].a, c.shapes[c.b[pair]], c.placements[i].b};
   };
   const std::size_t all = c.placements.size();
   const double vertices = static_cast<double>(c.shapes[0].vertices.size());
-  std::vector<Engine> result;
-  const auto add = [&](const char* name, Answers answers, std::size_t queries, auto ask) {
+  std::vector<DistanceEngine> result;
+  const auto add = [&](const char* name, Distances answers, std::size_t queries, auto ask) {
     result.push_back(engine(name, answers, c, queries, ask));
   };
   kept.tracked.resize(c.pairs()), kept.by_gjk.resize(c.pairs());
   if (c.coherent) {
-    add("tracker", Answers::with_depth, all, [&kept, placed](std::size_t pair, std::size_t i) {
+    add("tracker", Distances::with_depth, all, [&kept, placed](std::size_t pair, std::size_t i) {
       const Placed p = placed(pair, i);
       return track(p.a, p.pose_a, p.b, p.pose_b, kept.tracked[pair]).distance;
     });
@@ -102,22 +101,22 @@ std::vector<Engine> engines(const ConvexPairs& c, Kept& kept) {
       return track(p.a, p.pose_a, p.b, p.pose_b, kept.tracked[i % c.pairs()], &kept.statistics).distance;
     };
     result.back().statistics = &kept.statistics;
-    add("gjk warm", Answers::with_depth, all, [&kept, placed](std::size_t pair, std::size_t i) {
+    add("gjk warm", Distances::with_depth, all, [&kept, placed](std::size_t pair, std::size_t i) {
       return by_gjk(placed(pair, i), kept.by_gjk[pair]).distance;
     });
   }
-  add("separation", Answers::with_depth, all, [placed](std::size_t pair, std::size_t i) {
+  add("separation", Distances::with_depth, all, [placed](std::size_t pair, std::size_t i) {
     const Placed p = placed(pair, i);
     return separation(p.a, p.pose_a, p.b, p.pose_b).distance;
   });
-  add("gjk cold", Answers::with_depth, all, [placed](std::size_t pair, std::size_t i) {
+  add("gjk cold", Distances::with_depth, all, [placed](std::size_t pair, std::size_t i) {
     ClosestFeatures anywhere;
     return by_gjk(placed(pair, i), anywhere).distance;
   });
-  add("sat", Answers::with_depth, affordable(c, 20.0 * vertices),
+  add("sat", Distances::with_depth, affordable(c, 20.0 * vertices),
       [placed](std::size_t pair, std::size_t i) { return by_faces(placed(pair, i)).distance; });
   if (vertices <= 400)
-    add("exhaustive", Answers::with_depth, affordable(c, 60.0 * vertices * vertices),
+    add("exhaustive", Distances::with_depth, affordable(c, 60.0 * vertices * vertices),
         [placed](std::size_t pair, std::size_t i) {
           const Placed p = placed(pair, i);
           return exhaustive_separation(p.a, p.pose_a, p.b, p.pose_b).distance;
@@ -126,13 +125,13 @@ std::vector<Engine> engines(const ConvexPairs& c, Kept& kept) {
     kept.box2d_warm = std::make_unique<Box2dDistance>(c, true);
     kept.box2d_cold = std::make_unique<Box2dDistance>(c, false);
     if (c.coherent)
-      add("box2d warm", Answers::single_without_depth, all,
+      add("box2d warm", Distances::single_without_depth, all,
           [&warm = *kept.box2d_warm](std::size_t pair, std::size_t i) { return warm.distance(pair, i); });
-    add("box2d cold", Answers::single_without_depth, all,
+    add("box2d cold", Distances::single_without_depth, all,
         [&cold = *kept.box2d_cold](std::size_t pair, std::size_t i) { return cold.distance(pair, i); });
   }
   if (vertices <= 40)
-    add("cgal", Answers::without_depth, 8, [placed, &c](std::size_t pair, std::size_t i) {
+    add("cgal", Distances::without_depth, 8, [placed, &c](std::size_t pair, std::size_t i) {
       const Placed p = placed(pair, i);
       return cgal_distance(p.a, p.b, c.placements[i]);
     });
@@ -158,18 +157,18 @@ struct Oracle {
   }
 };
 
-struct Errors {
+struct DistanceErrors {
   double most = 0.0;  ///< m
   int false_overlaps = 0, false_separations = 0, compared = 0;
 };
 
-Errors errors(const Engine& e, const Oracle& oracle) {
-  Errors result;
+DistanceErrors errors(const DistanceEngine& e, const Oracle& oracle) {
+  DistanceErrors result;
   for (std::size_t i = 0; i < e.queries; ++i) {
     const double found = e.ask(i);
     if (i % oracle.stride != 0) continue;
     const double exact = oracle.distance[i / oracle.stride];
-    const bool depth = e.answers == Answers::with_depth;
+    const bool depth = e.answers == Distances::with_depth;
     result.most = std::max(result.most, std::abs(found - (depth ? exact : std::max(0.0, exact))));
     result.false_overlaps += exact > 4.0 * kUlp && (depth ? found < 0.0 : found <= 0.0);
     result.false_separations += exact < -4.0 * kUlp && found > 0.0;
@@ -178,15 +177,15 @@ Errors errors(const Engine& e, const Oracle& oracle) {
   return result;
 }
 
-std::string check(const Engine& e, const Errors& found) {
-  const double allowed = e.answers == Answers::single_without_depth ? 1e-5 : 4.0 * kUlp;
+std::string check(const DistanceEngine& e, const DistanceErrors& found) {
+  const double allowed = e.answers == Distances::single_without_depth ? 1e-5 : 4.0 * kUlp;
   if (found.most <= allowed && found.false_overlaps + found.false_separations == 0) return "distances agree";
   return "error " + std::to_string(found.most / kUlp) + " ulp, " + std::to_string(found.false_overlaps) +
          " false overlaps, " + std::to_string(found.false_separations) + " false separations";
 }
 
-Row row(const ConvexPairs& c, const Engine& e, const Oracle& oracle) {
-  const Errors found = errors(e, oracle);
+Row row(const ConvexPairs& c, const DistanceEngine& e, const Oracle& oracle) {
+  const DistanceErrors found = errors(e, oracle);
   Row result{"narrowphase", c.name, e.name, 1, {}, static_cast<double>(e.queries), check(e, found)};
   result.error = {{"max_ulp", std::round(found.most / kUlp * 100.0) / 100.0},
                   {"false_overlap", found.false_overlaps},
@@ -203,11 +202,11 @@ Row row(const ConvexPairs& c, const Engine& e, const Oracle& oracle) {
 
 std::vector<Row> run(const ConvexPairs& c, int blocks) {
   Kept kept;
-  const std::vector<Engine> all = engines(c, kept);
+  const std::vector<DistanceEngine> all = engines(c, kept);
   const Oracle oracle(c);
   std::vector<Row> rows;
   std::vector<Contestant> contestants;
-  for (const Engine& e : all) {
+  for (const DistanceEngine& e : all) {
     rows.push_back(row(c, e, oracle));
     contestants.push_back({e.name, [&e, back = false]() mutable { e.block(back = !back); }});
   }

@@ -8,6 +8,8 @@
 #include <limits>
 #include <nanoflann.hpp>
 
+#include "tools/bench/dataset.h"
+
 namespace throng::bench {
 
 namespace {
@@ -20,19 +22,6 @@ double most(const Cloud& cloud, std::size_t i, std::size_t j) {
   const double reach = cloud.radii.empty() ? cloud.reach : cloud.radii[i] + cloud.radii[j];
   return reach * reach;
 }
-
-/// As nanoflann wants its points.
-struct Dataset {
-  const std::vector<Point>& points;
-  std::size_t kdtree_get_point_count() const { return points.size(); }
-  double kdtree_get_pt(std::size_t row, std::size_t axis) const {
-    return points[row][static_cast<Eigen::Index>(axis)];
-  }
-  template <class Box>
-  bool kdtree_get_bbox(Box&) const {
-    return false;
-  }
-};
 
 /// As nanoflann wants its results' keeper: it is told of points nearer than worstDist().
 struct Keeper {

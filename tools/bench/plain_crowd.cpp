@@ -12,29 +12,15 @@
 #include "sim/crowd/velocity_obstacle.h"
 #include "sim/crowd/walk.h"
 #include "sim/random.h"
+#include "tools/bench/dataset.h"
 #include "tools/bench/plain_velocity.h"
 
 namespace throng::bench {
 
-namespace {
-
-struct Cloud {
-  const std::vector<Vec>& points;
-  std::size_t kdtree_get_point_count() const { return points.size(); }
-  double kdtree_get_pt(std::size_t row, std::size_t axis) const {
-    return points[row][static_cast<Eigen::Index>(axis)];
-  }
-  template <class Bounds>
-  bool kdtree_get_bbox(Bounds&) const {
-    return false;
-  }
-};
-using Metric = nanoflann::L2_Simple_Adaptor<double, Cloud, double, std::uint32_t>;
-using Tree = nanoflann::KDTreeSingleIndexAdaptor<Metric, Cloud, 2, std::uint32_t>;
-
-}  // namespace
-
 struct PlainCrowd::Near {
+  using Metric = nanoflann::L2_Simple_Adaptor<double, Dataset, double, std::uint32_t>;
+  using Tree = nanoflann::KDTreeSingleIndexAdaptor<Metric, Dataset, 2, std::uint32_t>;
+
   explicit Near(const std::vector<Vec>& points)
       : cloud{points}, tree(2, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(10)) {
     tree.buildIndex();
@@ -53,7 +39,7 @@ struct PlainCrowd::Near {
         f(row, Vec(cloud.points[row] - p), std::sqrt(square));
   }
 
-  Cloud cloud;
+  Dataset cloud;
   Tree tree;
 };
 

@@ -69,7 +69,7 @@ void write_frames(const std::string& file, const Scene& scene, State& state, int
 
 void read_frames(const std::string& file) {
   const Recording recording(file);
-  Frame frame;
+  throng::Frame frame;
   for (std::size_t i = 0; i < recording.frames(); ++i) recording.read(i, frame);
 }
 
@@ -146,7 +146,7 @@ void write_states(const std::string& file, const Scene& scene, const std::vector
 /// m, of any coordinate in any frame.
 double farthest_off(const std::string& file, const std::vector<State>& states) {
   const Recording recording(file);
-  Frame frame;
+  throng::Frame frame;
   double most = 0.0;
   for (std::size_t i = 0; i < states.size(); ++i) {
     recording.read(i, frame);
@@ -195,7 +195,7 @@ void write_again(const std::string& file, const Scene& scene, const std::vector<
 
 /// Frames in an order in which none follows its neighbour, each read on its own and held against its hash.
 void seek(const Recording& recording) {
-  Frame frame;
+  throng::Frame frame;
   for (std::size_t k = 0; k < kSeeks; ++k) recording.read((k + 1) * 7919 % recording.frames(), frame);
 }
 

@@ -8,12 +8,17 @@
 #include <cstdio>
 #include <filesystem>
 #include <map>
+#include <numeric>
 #include <stdexcept>
 #include <system_error>
 
 #include "sim/input_error.h"
 
 namespace throng::bench {
+
+double mean(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
 
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());

@@ -20,6 +20,7 @@ struct Row {
   double reference_ms = 0.0;  ///< what the ratio is to; 0: the median of the case's first row
 };
 
+double mean(const std::vector<double>& values);
 double median(std::vector<double> values);
 double minimum(const std::vector<double>& values);
 

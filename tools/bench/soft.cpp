@@ -18,12 +18,12 @@ namespace throng::bench {
 
 namespace {
 
-constexpr double kDt = 5e-3;         // s, from one search for pairs to the next
-constexpr double kPerImpact = 50.0;  // substeps
-constexpr double kSettle = 12.0;     // s, rigidly: springs would take days
-constexpr double kRing = 1.5;        // s, softly: until those that were rigid have found their springs
-constexpr double kJoin = 0.1;        // s, softly: until beds side by side have found each other
-constexpr int kPeerSteps = 5;        // steps of kDt behind a figure of LAMMPS, which begins anew each time
+constexpr double kDt = 5e-3;          // s, from one search for pairs to the next
+constexpr double kPerContact = 50.0;  // substeps
+constexpr double kSettle = 12.0;      // s, rigidly: springs would take days
+constexpr double kRingDown = 1.5;     // s, softly: until those that were rigid have found their springs
+constexpr double kJoin = 0.1;         // s, softly: until beds side by side have found each other
+constexpr int kPeerSteps = 5;         // steps of kDt behind a figure of LAMMPS, which begins anew each time
 
 struct Bed {
   const char* name;
@@ -38,7 +38,7 @@ Scene softened(Scene scene, ContactModel model) {
   scene.soft.stiffness = 1e5;
   scene.soft.youngs_modulus = 1e7;
   scene.time.dt = kDt;
-  scene.time.substeps = static_cast<int>(std::ceil(kDt * kPerImpact / soft_timing(scene).contact));
+  scene.time.substeps = static_cast<int>(std::ceil(kDt * kPerContact / soft_timing(scene).contact));
   if (const std::string refusal = soft_refusal(scene); !refusal.empty()) throw InputError("bed: " + refusal);
   return scene;
 }
@@ -109,7 +109,7 @@ void pass(Runner& runner, double seconds) {
 /// The bed at rest on springs. `part`: how much of the times that it takes.
 std::unique_ptr<Runner> at_rest(const Bed& bed, const Scene& rigid, ContactModel model, double part) {
   auto runner = std::make_unique<Runner>(softened(rigid, model));
-  pass(*runner, part * kRing);
+  pass(*runner, part * kRingDown);
   if (bed.copies == 1) return runner;
   auto wide =
       std::make_unique<Runner>(side_by_side(begun_at(runner->scene, runner->run->state()), bed.copies));

@@ -34,7 +34,7 @@ std::vector<std::string> wider_pile() {
           "bodies[0].place.random.within=[[0, 0], [316.23, 411]]"};
 }
 
-struct Case {
+struct StepCase {
   const char* name;
   const char* scene;
   std::vector<std::string> overrides;
@@ -46,8 +46,8 @@ struct Case {
       0;  ///< if not 0, native also with so many, with which its mean overlap is about the best peer's
 };
 
-const std::vector<Case>& cases() {
-  static const std::vector<Case> all = {
+const std::vector<StepCase>& step_cases() {
+  static const std::vector<StepCase> all = {
       {"gas n=1000", "gas", {}, 0.0, 100, 40, true, false},
       {"gas n=10000", "gas", wider_gas("10000", "161.8"), 0.0, 20, 10, true, false},
       {"gas n=100000", "gas", wider_gas("100000", "511.66"), 0.0, 5, 2, true, false},
@@ -74,7 +74,7 @@ void wall_in(Scene& scene) {
   scene.domain.max.array() += widest;
 }
 
-Scene scene_of(const Case& one, const Options& options) {
+Scene scene_of(const StepCase& one, const Options& options) {
   std::vector<std::string> overrides = kCustomary;
   overrides.insert(overrides.end(), one.overrides.begin(), one.overrides.end());
   Scene scene = gallery_scene(options.scenarios, one.scene, overrides);
@@ -136,7 +136,7 @@ struct Racer {
   int calm;  ///< steps before anything is timed
 };
 
-std::vector<Row> race(const Case& one, const Options& options, std::vector<Racer>& racers) {
+std::vector<Row> race_all(const StepCase& one, const Options& options, std::vector<Racer>& racers) {
   std::vector<Contestant> contestants;
   for (Racer& racer : racers) {
     const auto block = [&racer, n = one.steps] {
@@ -155,7 +155,7 @@ std::vector<Row> race(const Case& one, const Options& options, std::vector<Racer
   return rows;
 }
 
-std::vector<Row> run(const Case& one, const Options& options) {
+std::vector<Row> run(const StepCase& one, const Options& options) {
   const Scene scene = scene_of(one, options);
   Scene sleeping_scene = scene, box2d_scene = scene, coarse_scene = scene;
   box2d_scene.engine = Engine::box2d, box2d_scene.time.substeps = kBox2dSubsteps;
@@ -185,14 +185,14 @@ std::vector<Row> run(const Case& one, const Options& options) {
   add("box2d", box2d.get(), one.calm);
   const auto chipmunk = one.peers ? chipmunk_simulation(scene) : nullptr;
   add("chipmunk", chipmunk.get(), one.calm);
-  return race(one, options, racers);
+  return race_all(one, options, racers);
 }
 
 }  // namespace
 
 std::vector<Row> bench_step(const Options& options) {
   std::vector<Row> rows;
-  for (const Case& one : cases()) {
+  for (const StepCase& one : step_cases()) {
     if (!chosen(one.name, options)) continue;
     for (Row& row : run(one, options)) rows.push_back(std::move(row));
     options.show(rows);

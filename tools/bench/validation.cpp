@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::vector<ValidationCase> all_cases() {
+std::vector<ValidationCase> validation_cases() {
   std::vector<ValidationCase> all;
   for (const auto& part : {lone_cases(), exit_cases(), stream_cases(), choice_cases()})
     all.insert(all.end(), part.begin(), part.end());
@@ -45,7 +45,7 @@ Row judge(const ValidationCase& one, const Trials& trials) {
   return row;
 }
 
-std::string text(const Json& number) {
+std::string figure_text(const Json& number) {
   char buffer[32];
   std::snprintf(buffer, sizeof buffer, "%.4g", number.is_number() ? number.get<double>() : 0.0);
   return number.is_number() ? buffer : "-";
@@ -54,8 +54,8 @@ std::string text(const Json& number) {
 /// "0 to 1.33", "at least 0.1", "at most 60".
 std::string bounds_text(const Json& error) {
   const Json &low = error.at("low"), &high = error.at("high");
-  if (low.is_null()) return "at most " + text(high);
-  return high.is_null() ? "at least " + text(low) : text(low) + " to " + text(high);
+  if (low.is_null()) return "at most " + figure_text(high);
+  return high.is_null() ? "at least " + figure_text(low) : figure_text(low) + " to " + figure_text(high);
 }
 
 /// Refuses who isn't there; says who is.
@@ -77,7 +77,7 @@ std::vector<Row> bench_validation(const Options& options) {
     if (options.engines.empty() || std::ranges::find(options.engines, walker.name()) != options.engines.end())
       all.emplace_back(walker, THRONG_VALIDATION, options.set);
   std::vector<Row> rows;
-  for (const ValidationCase& one : all_cases()) {
+  for (const ValidationCase& one : validation_cases()) {
     if (!chosen(one.name, options) || (options.quick && !one.quick)) continue;
     for (const Trials& trials : all) {
       std::fprintf(stderr, "%s: %s\n", one.name, trials.walker().name().c_str());
@@ -95,7 +95,7 @@ void print_verdicts(const std::vector<Row>& rows, std::size_t begin) {
     const Json& e = row.error;
     const std::string verdict = e["verdict"], unit = e["unit"], note = e["note"];
     std::printf("  %-32s %-5s %9s %-4s  %-16s %s\n", row.engine.c_str(), verdict.c_str(),
-                text(e["value"]).c_str(), unit.c_str(), bounds_text(e).c_str(), note.c_str());
+                figure_text(e["value"]).c_str(), unit.c_str(), bounds_text(e).c_str(), note.c_str());
   }
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "tools/bench/rows.h"
 #include "tools/bench/validation_cases.h"
 
 namespace throng::bench {
@@ -46,10 +46,6 @@ std::vector<double> speeds(const Walked& walked) {
   for (std::size_t agent = 0; agent < walked.arrival.size(); ++agent)
     result.push_back(40.0 / time_between_lines(walked, agent));
   return result;
-}
-
-double mean(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 double variance(const std::vector<double>& values) {

@@ -3,21 +3,21 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "linkage_world.h"
 #include "narrowphase/motion/check_motion.h"
 
 namespace throng::narrowphase {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 TEST(CheckLinkage, BarThatSweepsOverAPostHitsIt) {
   World world = bar_and_post(2.0, {0.0, 1.0}, 0.1);
   LinkageChecker checker = world.checker();
-  const LinkageAnswer hit = checker.check_motion(std::vector{0.0}, std::vector{kPi});
+  const LinkageAnswer hit = checker.check_motion(std::vector{0.0}, std::vector{std::numbers::pi});
   EXPECT_EQ(hit.verdict, Verdict::hit);
   EXPECT_EQ(hit.from, hit.to);
-  EXPECT_NEAR(hit.from, 0.5, 0.1 / kPi) << "the bar's end points where the post is seen";
+  EXPECT_NEAR(hit.from, 0.5, 0.1 / std::numbers::pi) << "the bar's end points where the post is seen";
   EXPECT_EQ(hit.pair, (LinkPair{0, kWorld}));
   EXPECT_EQ(checker.check_motion(std::vector{0.0}, std::vector{1.4}).verdict, Verdict::free);
 }
@@ -25,12 +25,14 @@ TEST(CheckLinkage, BarThatSweepsOverAPostHitsIt) {
 TEST(CheckLinkage, BarPassesAPostAtALittleClearance) {
   for (double clearance : {1e-2, 1e-4, 1e-6, 1e-8}) {
     World world = bar_and_post(2.0, {0.0, 2.1 + clearance}, 0.1);
-    const LinkageAnswer answer = world.checker().check_motion(std::vector{0.0}, std::vector{kPi});
+    const LinkageAnswer answer =
+        world.checker().check_motion(std::vector{0.0}, std::vector{std::numbers::pi});
     EXPECT_EQ(answer.verdict, Verdict::free) << clearance;
     EXPECT_LE(answer.evaluations, 7.0 / std::sqrt(clearance)) << clearance;
   }
   World world = bar_and_post(2.0, {0.0, 2.1 - 1e-6}, 0.1);
-  EXPECT_EQ(world.checker().check_motion(std::vector{0.0}, std::vector{kPi}).verdict, Verdict::hit);
+  EXPECT_EQ(world.checker().check_motion(std::vector{0.0}, std::vector{std::numbers::pi}).verdict,
+            Verdict::hit);
 }
 
 TEST(CheckLinkage, ArmFoldsOntoItself) {
@@ -57,9 +59,10 @@ TEST(CheckLinkage, JointsBeforeAPairCostItNothing) {
 TEST(CheckLinkage, TwoRobotsReachForEachOther) {
   World world;
   world.linkage = arm(world.shapes, 2, 1.0, 0.1);
-  mount(world.linkage, arm(world.shapes, 2, 1.0, 0.1), {3.0, 0.0}, kPi);
+  mount(world.linkage, arm(world.shapes, 2, 1.0, 0.1), {3.0, 0.0}, std::numbers::pi);
   LinkageChecker checker = world.checker();
-  const std::vector<double> up{kPi / 2, 0, -kPi / 2, 0}, both{0, 0, 0, 0}, one{0, 0, -kPi / 2, 0};
+  const std::vector<double> up{std::numbers::pi / 2, 0, -std::numbers::pi / 2, 0}, both{0, 0, 0, 0},
+      one{0, 0, -std::numbers::pi / 2, 0};
   EXPECT_EQ(checker.check_motion(up, one).verdict, Verdict::free);
   const LinkageAnswer answer = checker.check_motion(up, both);
   EXPECT_EQ(answer.verdict, Verdict::hit);
@@ -189,7 +192,9 @@ TEST(CheckLinkage, NoMotionIsOneQuestionAPair) {
   EXPECT_EQ(free.verdict, Verdict::free);
   EXPECT_EQ(free.evaluations, 1u);
   EXPECT_EQ(checker.check_motion(std::vector{0.3}, std::vector{0.3 + 5e-324}).verdict, Verdict::free);
-  EXPECT_EQ(checker.check_motion(std::vector{kPi / 2}, std::vector{kPi / 2}).verdict, Verdict::hit);
+  EXPECT_EQ(
+      checker.check_motion(std::vector{std::numbers::pi / 2}, std::vector{std::numbers::pi / 2}).verdict,
+      Verdict::hit);
 }
 
 TEST(CheckLinkage, DenormalRatesAreFree) {
@@ -218,7 +223,8 @@ TEST(CheckLinkage, WithoutPairsEverythingIsFree) {
 
 TEST(CheckLinkage, AHundredTurnsPastAPostAreFree) {
   World world = bar_and_post(2.0, {0.0, 2.5}, 0.1);
-  const LinkageAnswer answer = world.checker().check_motion(std::vector{0.0}, std::vector{100 * 2.0 * kPi});
+  const LinkageAnswer answer =
+      world.checker().check_motion(std::vector{0.0}, std::vector{100 * 2.0 * std::numbers::pi});
   EXPECT_EQ(answer.verdict, Verdict::free);
 }
 

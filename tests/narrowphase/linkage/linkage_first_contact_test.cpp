@@ -3,18 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "linkage_world.h"
 
 namespace throng::narrowphase {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 TEST(LinkageFirstContact, BarMeetsTheNearSideOfAPost) {
   World world = bar_and_post(2.0, {0.0, 1.0}, 0.1);
-  const LinkageAnswer answer = world.checker().first_contact(std::vector{0.0}, std::vector{kPi});
-  const double exact = 0.5 - std::asin(0.1) / kPi;
+  const LinkageAnswer answer = world.checker().first_contact(std::vector{0.0}, std::vector{std::numbers::pi});
+  const double exact = 0.5 - std::asin(0.1) / std::numbers::pi;
   EXPECT_EQ(answer.verdict, Verdict::hit);
   EXPECT_LE(answer.from, exact);
   EXPECT_GE(answer.to, exact);
@@ -41,8 +40,9 @@ TEST(LinkageFirstContact, TheFirstOfTwoPostsIsToldWhicheverIsAskedFirst) {
     std::vector<Convex> posts{disc(0.1, {0.0, 1.0}), disc(0.1, {1.0, 1.0})};
     if (swapped) std::swap(posts[0], posts[1]);
     world.obstacles = world.shapes.add(posts);
-    const LinkageAnswer answer = world.checker().first_contact(std::vector{0.0}, std::vector{kPi});
-    EXPECT_NEAR(answer.to, 0.25 - std::asin(0.1 / std::sqrt(2.0)) / kPi, 1e-10);
+    const LinkageAnswer answer =
+        world.checker().first_contact(std::vector{0.0}, std::vector{std::numbers::pi});
+    EXPECT_NEAR(answer.to, 0.25 - std::asin(0.1 / std::sqrt(2.0)) / std::numbers::pi, 1e-10);
     EXPECT_EQ(answer.part_b, swapped ? 0u : 1u);
   }
 }
@@ -52,10 +52,10 @@ TEST(LinkageFirstContact, TheFasterOfTwoRobotsIsTold) {
   const Linkage bar = world.linkage;
   mount(world.linkage, bar, {0.0, 0.0}, 0.0);
   world.pairs = {{0, kWorld}, {1, kWorld}};
-  const LinkageAnswer answer =
-      world.checker().first_contact(std::vector{0.0, 0.0}, std::vector{kPi, 2 * kPi});
+  const LinkageAnswer answer = world.checker().first_contact(
+      std::vector{0.0, 0.0}, std::vector{std::numbers::pi, 2 * std::numbers::pi});
   EXPECT_EQ(answer.pair, (LinkPair{1, kWorld}));
-  EXPECT_NEAR(answer.to, 0.25 - std::asin(0.1) / (2 * kPi), 1e-10);
+  EXPECT_NEAR(answer.to, 0.25 - std::asin(0.1) / (2 * std::numbers::pi), 1e-10);
 }
 
 /// Discs of radius 0.5, each on a track of its own that ends at a wall.
@@ -117,10 +117,11 @@ TEST(LinkageFirstContact, BeginsBeforeEachPairsOwnContact) {
 TEST(LinkageFirstContact, GrazingPathsAreFreeOrHitAsTheyAre) {
   for (double clearance : {1e-3, 1e-6, 1e-9}) {
     World passes = bar_and_post(2.0, {0.0, 2.1 + clearance}, 0.1);
-    const LinkageAnswer free = passes.checker().first_contact(std::vector{0.0}, std::vector{kPi});
+    const LinkageAnswer free =
+        passes.checker().first_contact(std::vector{0.0}, std::vector{std::numbers::pi});
     EXPECT_EQ(free.verdict, Verdict::free) << clearance;
     World meets = bar_and_post(2.0, {0.0, 2.1 - clearance}, 0.1);
-    const LinkageAnswer hit = meets.checker().first_contact(std::vector{0.0}, std::vector{kPi});
+    const LinkageAnswer hit = meets.checker().first_contact(std::vector{0.0}, std::vector{std::numbers::pi});
     EXPECT_EQ(hit.verdict, Verdict::hit) << clearance;
     EXPECT_LE(free.evaluations + hit.evaluations, 200u) << clearance;
   }

@@ -140,8 +140,8 @@ TEST(LinkageRate, IsNeverExceededNorExceedsTheTextbook) {
 
 /// Where b's origin is relative to a's, seen by who turns at `seen_by` since `now`, and stands as their
 /// common ancestor then.
-Vec offset(const LinkageMotion& motion, const LinkPair& pair, std::uint32_t ancestor, double seen_by,
-           double now, double time) {
+Vec relative_offset(const LinkageMotion& motion, const LinkPair& pair, std::uint32_t ancestor, double seen_by,
+                    double now, double time) {
   const Vec between = motion.pose(pair.b, time).position - motion.pose(pair.a, time).position;
   const Vec upright = pose({0, 0}, seen_by * (time - now)).unrotate(between);
   return motion.pose(ancestor, now).unrotate(upright);
@@ -163,9 +163,9 @@ TEST(LinkageInstant, HasTheVelocityAndBoundsTheAcceleration) {
     const std::uint32_t ancestor = nearest_common_ancestor(forest, pair);
     const double t = uniform(random, 0.1, 0.9), dt = 1e-4;
     const LinkageMotion::Instant now = motion.at(pair, bounds, t);
-    const Vec before = offset(motion, pair, ancestor, bounds.seen_by, t, t - dt);
-    const Vec at = offset(motion, pair, ancestor, bounds.seen_by, t, t);
-    const Vec after = offset(motion, pair, ancestor, bounds.seen_by, t, t + dt);
+    const Vec before = relative_offset(motion, pair, ancestor, bounds.seen_by, t, t - dt);
+    const Vec at = relative_offset(motion, pair, ancestor, bounds.seen_by, t, t);
+    const Vec after = relative_offset(motion, pair, ancestor, bounds.seen_by, t, t + dt);
     const std::string what = "seed 10, forest " + std::to_string(i);
     EXPECT_LE((now.b.position - now.a.position - at).norm(), 1e-12) << what;
     EXPECT_LE(((after - before) / (2 * dt) - now.motion.velocity).norm(), 1e-5) << what;

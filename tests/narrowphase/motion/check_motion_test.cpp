@@ -17,7 +17,7 @@ struct Solid {
   PartsBvh shape;
 };
 
-const Solid kBall(disc(1.0)), kSquare(convex({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}));
+const Solid kBall(disc(1.0)), kBlock(convex({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}));
 const Solid kBar(convex({{-2, -0.1}, {2, -0.1}, {2, 0.1}, {-2, 0.1}})), kPost(disc(0.3));
 
 Motion still(const Vec& at) {
@@ -79,7 +79,7 @@ TEST(CheckMotion, TellsAGapThatIsJustWideEnoughFromOneThatIsNot) {
 TEST(CheckMotion, KnowsHowFarASpinningSquareReaches) {
   const Solid wall(segment({-9, 0}, {9, 0}));
   for (const double clearance : {1e-6, -1e-6}) {
-    const PathAnswer answer = check_motion(kSquare.shape, {{0, 0}, 0, {0, 0}, 2}, wall.shape,
+    const PathAnswer answer = check_motion(kBlock.shape, {{0, 0}, 0, {0, 0}, 2}, wall.shape,
                                            still({0, std::sqrt(2.0) + clearance}), 1.0);
     EXPECT_EQ(answer.verdict, clearance > 0 ? Verdict::free : Verdict::hit) << clearance;
   }

@@ -3,12 +3,13 @@
 
 #include "exact_gap.h"
 #include "moving_shapes.h"
+#include "moving_solids.h"
 #include "narrowphase/motion/first_contact.h"
 
 namespace throng::narrowphase {
 namespace {
 
-FirstContact ask(const MovingPairOfShapes& p, double until = 1.0) {
+FirstContact contact_of(const MovingPairOfShapes& p, double until = 1.0) {
   return first_contact(p.a, p.motion_a, p.b, p.motion_b, until);
 }
 
@@ -24,7 +25,7 @@ TEST(FirstContactExact, BracketsTheContactOfFiftyDigits) {
   int hits = 0;
   for (int i = 0; i < 1000; ++i) {
     const MovingPairOfShapes p = random_motions(random);
-    const FirstContact found = ask(p);
+    const FirstContact found = contact_of(p);
     if (found.verdict != Verdict::hit || found.t_lo == 0.0) continue;
     ++hits;
     const auto gap = [&](double t) { return exact_gap(p.a, p.motion_a, p.b, p.motion_b, t); };
@@ -39,18 +40,11 @@ TEST(FirstContactExact, BracketsTheContactOfFiftyDigits) {
   EXPECT_LT(hits, 700);
 }
 
-/// What two answers about one path must agree on.
-void expect_same(const FirstContact& found, const FirstContact& expected, double tolerance) {
-  EXPECT_EQ(found.verdict, expected.verdict);
-  EXPECT_LE(found.t_lo, expected.t_hi + tolerance);
-  EXPECT_GE(found.t_hi, expected.t_lo - tolerance);
-}
-
 TEST(FirstContactExact, IsTheSameWithTheShapesSwapped) {
   Random random(20260203);
   for (int i = 0; i < 2000; ++i) {
     const MovingPairOfShapes p = random_motions(random);
-    expect_same(ask({p.b, p.a, p.motion_b, p.motion_a}), ask(p), 0.0);
+    expect_same_contact(contact_of({p.b, p.a, p.motion_b, p.motion_a}), contact_of(p), 0.0);
   }
 }
 
@@ -63,12 +57,12 @@ TEST(FirstContactExact, IsTheSameSeenFromElsewhere) {
   Random random(20260204);
   for (int i = 0; i < 2000; ++i) {
     MovingPairOfShapes p = random_motions(random);
-    const FirstContact expected = ask(p);
+    const FirstContact expected = contact_of(p);
     const double angle = uniform(random, -3.0, 3.0);
     const Pose frame = pose({1e6, -3e6}, angle);
     p.motion_a = seen_from(p.motion_a, frame, angle, {70.0, -30.0});
     p.motion_b = seen_from(p.motion_b, frame, angle, {70.0, -30.0});
-    expect_same(ask(p), expected, 1e-8);
+    expect_same_contact(contact_of(p), expected, 1e-8);
   }
 }
 
@@ -76,21 +70,15 @@ TEST(FirstContactExact, ScalesFromMillimetresToKilometres) {
   Random random(20260205);
   for (int i = 0; i < 2000; ++i) {
     const MovingPairOfShapes p = random_motions(random);
-    const FirstContact expected = ask(p);
+    const FirstContact expected = contact_of(p);
     for (const double factor : {0x1p-12, 0x1p12, 0x1p-300, 0x1p300, 0x1p-480, 0x1p480}) {
       SCOPED_TRACE(factor);
       MovingPairOfShapes q{scaled(p.a, factor), scaled(p.b, factor), p.motion_a, p.motion_b};
       for (Motion* motion : {&q.motion_a, &q.motion_b})
         motion->position *= factor, motion->velocity *= factor;
-      expect_same(ask(q), expected, 0.0);
+      expect_same_contact(contact_of(q), expected, 0.0);
     }
   }
-}
-
-/// A path run backwards from where both stand at `time`.
-Motion reversed(const Motion& motion, double time) {
-  return {motion.position + time * motion.velocity, motion.angle + time * motion.spin, -motion.velocity,
-          -motion.spin};
 }
 
 TEST(FirstContactExact, OfAPathRunBackwardsIsThePathsWhereOnlyOneMomentTouches) {
@@ -98,10 +86,11 @@ TEST(FirstContactExact, OfAPathRunBackwardsIsThePathsWhereOnlyOneMomentTouches) 
   int hits = 0;
   for (int i = 0; i < 2000; ++i) {
     const MovingPairOfShapes p = random_motions(random);
-    const FirstContact found = ask(p);
+    const FirstContact found = contact_of(p);
     const double end = found.t_lo;  // free up to there: so is the way back
     if (end == 0.0) continue;
-    const FirstContact back = ask({p.a, p.b, reversed(p.motion_a, end), reversed(p.motion_b, end)}, end);
+    const FirstContact back =
+        contact_of({p.a, p.b, reversed(p.motion_a, end), reversed(p.motion_b, end)}, end);
     hits += found.verdict == Verdict::hit;
     // It begins as near to touching as rounding tells: then the first moment alone may be in doubt.
     EXPECT_TRUE(back.verdict == Verdict::free || back.t_hi < 1e-6) << "seed 20260206, pair " << i;

@@ -13,10 +13,6 @@ namespace {
 
 using Ring = std::vector<Vec>;
 
-Ring square(double half) {
-  return {{-half, -half}, {half, -half}, {half, half}, {-half, half}};
-}
-
 template <class Volume>
 Outline<Volume> solid(const Ring& ring) {
   return outline<Volume>(std::span(&ring, 1));
@@ -24,8 +20,8 @@ Outline<Volume> solid(const Ring& ring) {
 
 template <class Volume>
 class FirstOutlineContact : public ::testing::Test {};
-using Volumes = ::testing::Types<Ball<2>, Box<2>, OrientedBox<2>, BoxAndBall<2>>;
-TYPED_TEST_SUITE(FirstOutlineContact, Volumes);
+using PlanarVolumes = ::testing::Types<Ball<2>, Box<2>, OrientedBox<2>, BoxAndBall<2>>;
+TYPED_TEST_SUITE(FirstOutlineContact, PlanarVolumes);
 
 TYPED_TEST(FirstOutlineContact, OfACornerAndAWallIsTheirDistanceOverTheirSpeed) {
   const auto wedge = solid<TypeParam>({{0, 0}, {-2, 1}, {-2, -1}}), wall = solid<TypeParam>(square(3.0));

@@ -17,7 +17,7 @@ struct Solids {
 };
 
 /// A star-shaped polygon in parts, or discs.
-std::vector<Convex> random_solid(Random& random, double scale) {
+std::vector<Convex> random_parts(Random& random, double scale) {
   std::vector<Convex> parts;
   if (random() % 3 == 0) {
     for (std::size_t n = 1 + random() % 5; parts.size() < n;) {
@@ -33,7 +33,7 @@ std::vector<Convex> random_solid(Random& random, double scale) {
 
 Solids random_solids(Random& random) {
   const MovingPairOfShapes p = random_motions(random);
-  return {random_solid(random, 0.9), random_solid(random, 0.9), p.motion_a, p.motion_b};
+  return {random_parts(random, 0.9), random_parts(random, 0.9), p.motion_a, p.motion_b};
 }
 
 /// All pairs of parts, one by one.

@@ -13,8 +13,6 @@
 namespace throng::narrowphase {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 Convex box(double x, double y) {
   return convex({{-x, -y}, {x, -y}, {x, y}, {-x, y}});
 }
@@ -34,7 +32,8 @@ TEST(FirstContact, OfASquareThatGoesStraightIntoAWallIsItsDistanceOverItsSpeed) 
 }
 
 TEST(FirstContact, OfASquareThatSpinsBesideAWallIsWhenItsCornerComesRound) {
-  const double at = kPi / 4 - std::acos(1.2 / std::numbers::sqrt2);  // the corner's height is 1.2
+  const double at =
+      std::numbers::pi / 4 - std::acos(1.2 / std::numbers::sqrt2);  // the corner's height is 1.2
   const FirstContact found =
       first_contact(box(1, 1), {{0, 0}, 0, {0, 0}, 0.5}, segment({1.2, -9}, {1.2, 9}), {}, 9.0);
   expect_hit(found, at / 0.5);
@@ -130,7 +129,7 @@ TEST(FirstContact, IsUndecidedWhereAGapStaysZeroWithinRounding) {
 TEST(FirstContact, OfASpinningBarPastAPostTakesFewLooksHoweverNear) {
   const Convex bar = box(1, 0.05), post = disc(0.1);
   for (const double clearance : {1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-9}) {
-    const Motion spinning{{-4, 0}, 0.3, {8, 0}, 2 * kPi};
+    const Motion spinning{{-4, 0}, 0.3, {8, 0}, 2 * std::numbers::pi};
     // As near as the bar comes, the post stands `clearance` farther away.
     double low = 0.0, high = 3.0;
     const auto hits = [&](double y) {

@@ -22,14 +22,14 @@ double gap_along(const MovingConvexPair& pair, const TurningAxis& axis, double t
   return of_b - of_a - pair.radius;
 }
 
-struct Look {
+struct AxisSample {
   PlacedPair placed;
   TurningAxis axis;
   double apart;
 };
 
 /// Along the normal of the two as they stand, which turns with one of them or by itself.
-Look look(Random& random, const MovingConvexPair& pair, double time) {
+AxisSample sample_axis(Random& random, const MovingConvexPair& pair, double time) {
   const PlacedPair placed{pair.pose_a(time), pair.pose_b(time)};
   const double spins[] = {0.0, pair.spin_a, pair.spin_b, uniform(random, -3.0, 3.0)};
   const double spin = spins[random() % 4], apart = (pair.offset_at(time) + pair.arms).norm();
@@ -54,7 +54,7 @@ TEST(GapParabola, NeverHoldsLongerThanTheGap) {
     const MovingPairOfShapes p = trial % 2 ? random_swing(random) : random_motions(random);
     const double time = uniform(random, 0.0, 1.0), most = 1.0;
     const MovingConvexPair pair(p.a, p.motion_a, p.b, p.motion_b, time + most);
-    const auto [placed, axis, apart] = look(random, pair, time);
+    const auto [placed, axis, apart] = sample_axis(random, pair, time);
     const GapParabola all = gap_parabola(pair, placed, axis, 0.0, most);
     const TurningAxis own{axis.normal, axis.spin, bend_of_origins(axis.spin, pair.speed, apart)};
     const GapParabola by_vertex = gap_parabola_by_vertex(pair, placed, own, 0.0, most);

@@ -8,7 +8,6 @@
 namespace throng::narrowphase {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// Two discs that pass each other through their middles from 0 to 4 s, in any unit of length.
@@ -33,7 +32,8 @@ TEST(Near, IsAllOfItWhereNumbersAreNone) {
   const Convex a = disc(1), b = disc(1);
   for (const Vec& velocity : {Vec{1.0, 0.0}, Vec{0.0, 0.0}}) {
     MovingConvexPair pair(a, {}, b, {{1.5, 0}, 0, velocity, 0}, 1.0);
-    EXPECT_EQ(near(pair, kInfinity).until, kInfinity);
+    EXPECT_EQ(near(pair, std::numeric_limits<double>::infinity()).until,
+              std::numeric_limits<double>::infinity());
     pair.offset = {kNaN, 0.0};
     EXPECT_EQ(near(pair, 1.0).from, 0.0);
     EXPECT_EQ(near(pair, 1.0).until, 1.0);

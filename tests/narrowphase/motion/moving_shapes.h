@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include "narrowphase/motion/first_contact.h"
 #include "narrowphase/motion/motion.h"
 #include "tests/narrowphase/random_shapes.h"
 
@@ -55,6 +58,13 @@ inline MovingPairOfShapes random_motions(Random& random) {
   p.motion_b.position = p.motion_a.position + from.rotate({away, 0.0});
   p.motion_b.velocity = p.motion_a.velocity + from.rotate({-uniform(random, 4.0, 9.0), aside});
   return p;
+}
+
+/// Two brackets of one moment.
+inline void expect_same_contact(const FirstContact& found, const FirstContact& expected, double tolerance) {
+  EXPECT_EQ(found.verdict, expected.verdict);
+  EXPECT_LE(found.t_lo, expected.t_hi + tolerance);
+  EXPECT_GE(found.t_hi, expected.t_lo - tolerance);
 }
 
 }  // namespace throng::narrowphase

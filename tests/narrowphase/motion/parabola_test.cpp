@@ -3,18 +3,18 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace throng::narrowphase {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 TEST(Parabola, ComesDownWhereItsFormulaSays) {
   EXPECT_EQ((Parabola{4.0, 0.0, 2.0}.root()), 2.0);
   EXPECT_EQ((Parabola{6.0, -1.0, 4.0}.root()), 1.5);
   EXPECT_EQ((Parabola{6.0, 1.0, 4.0}.root()), 2.0);
   EXPECT_EQ((Parabola{6.0, -2.0, 0.0}.root()), 3.0);
-  EXPECT_EQ((Parabola{6.0, 0.0, 0.0}.root()), kInfinity);
-  EXPECT_EQ((Parabola{6.0, 2.0, 0.0}.root()), kInfinity);
+  EXPECT_EQ((Parabola{6.0, 0.0, 0.0}.root()), std::numeric_limits<double>::infinity());
+  EXPECT_EQ((Parabola{6.0, 2.0, 0.0}.root()), std::numeric_limits<double>::infinity());
 }
 
 /// No root depends on the unit of length: to the last bit, for powers of two.
@@ -32,7 +32,7 @@ TEST(Parabola, ComesDownNoLaterWhereSquaresOverflow) {
     const double root = Parabola{4.0, rate, bend}.root();
     EXPECT_NEAR(root / std::sqrt(8.0 / bend), 1.0, 1e-12) << rate;
   }
-  EXPECT_EQ((Parabola{4.0, 1.0, kInfinity}.root()), 0.0);
+  EXPECT_EQ((Parabola{4.0, 1.0, std::numeric_limits<double>::infinity()}.root()), 0.0);
   EXPECT_EQ((Parabola{4.0, std::numeric_limits<double>::quiet_NaN(), 1.0}.root()), 0.0);
 }
 

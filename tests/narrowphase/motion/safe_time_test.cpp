@@ -3,12 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "moving_solids.h"
 
 namespace throng::narrowphase {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 SafeTimeQuestion wanting(double before, double after) {
   SafeTimeQuestion question;
@@ -29,7 +29,8 @@ TEST(SafeTime, IsTheDistanceOverTheRate) {
 TEST(SafeTime, IsInfiniteWhereNothingMoves) {
   const std::vector<Convex> ball{disc(1.0)};
   const PartsBvh a = parts_bvh(ball);
-  EXPECT_EQ(safe_time(a, Pose{}, a, Pose{{3, 0}}, {0, 0, 0}, {}).after, kInfinity);
+  EXPECT_EQ(safe_time(a, Pose{}, a, Pose{{3, 0}}, {0, 0, 0}, {}).after,
+            std::numeric_limits<double>::infinity());
   EXPECT_GT(safe_time(a, Pose{}, a, Pose{{3, 0}}, {5e-324, 5e-324, 5e-324}, {}).after, 1e300);
 }
 
@@ -89,7 +90,7 @@ TEST(SafeTime, IsTheLeastOverAllPairsOfParts) {
     const Pose there = pose(random_vec(random, 6, 6), uniform(random, -4, 4));
     const GapRate rate{uniform(random, 0, 2), uniform(random, 0, 2),
                        trial % 3 == 0 ? 0.0 : uniform(random, 0, 9)};
-    double least = kInfinity, less_rounding = kInfinity, most = kInfinity;
+    double least = std::numeric_limits<double>::infinity(), less_rounding = least, most = least;
     for (const Convex& p : parts_a)
       for (const Convex& q : parts_b) {
         const double distance = separation(p, Pose{}, q, there).distance;

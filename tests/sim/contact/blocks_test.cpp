@@ -13,7 +13,7 @@
 namespace throng {
 namespace {
 
-constexpr std::uint32_t kBodies = 90;  // the last stands for all obstacles
+constexpr std::uint32_t kSolverBodies = 90;  // the last stands for all obstacles
 const Vec kPeriod(12.0, 11.0);
 /// By which some contacts learn, and others bear too much or pass each other.
 constexpr Learning kLearning{0.3, 5e-4, 2.0};
@@ -25,7 +25,7 @@ class Blocks : public ::testing::TestWithParam<std::int64_t> {
     SCOPED_TRACE(seed_);
     hwy::SetSupportedTargetsForTest(GetParam());
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    for (std::uint32_t i = 0; i < kBodies; ++i) bodies_.push_back(body(i));
+    for (std::uint32_t i = 0; i < kSolverBodies; ++i) bodies_.push_back(body(i));
   }
   ~Blocks() override {
     hwy::SetSupportedTargetsForTest(0);
@@ -39,7 +39,7 @@ class Blocks : public ::testing::TestWithParam<std::int64_t> {
 
   SolverBody body(std::uint32_t row) {
     SolverBody result{};
-    if (row + 1 == kBodies) return result;
+    if (row + 1 == kSolverBodies) return result;
     result.position = row == 4 ? bodies_[3].position : Vec(uniform(0.0, 12.0), uniform(0.0, 11.0));
     result.velocity = vec(2.0), result.spin = uniform(-3.0, 3.0), result.turn = uniform(-0.1, 0.1);
     const bool moves = row % 7 != 0;
@@ -51,8 +51,9 @@ class Blocks : public ::testing::TestWithParam<std::int64_t> {
   /// Two bodies of which one moves; now and then the second is an obstacle.
   void choose(ContactBase& contact) {
     do {
-      contact.a = static_cast<std::uint32_t>(random_() % (kBodies - 1));
-      contact.b = random_() % 9 == 0 ? kBodies - 1 : static_cast<std::uint32_t>(random_() % kBodies);
+      contact.a = static_cast<std::uint32_t>(random_() % (kSolverBodies - 1));
+      contact.b =
+          random_() % 9 == 0 ? kSolverBodies - 1 : static_cast<std::uint32_t>(random_() % kSolverBodies);
     } while (contact.a == contact.b ||
              (bodies_[contact.a].inverse_mass == 0.0 && bodies_[contact.b].inverse_mass == 0.0));
     const SolverBody &a = bodies_[contact.a], &b = bodies_[contact.b];

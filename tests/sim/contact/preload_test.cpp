@@ -13,7 +13,7 @@
 namespace throng {
 namespace {
 
-constexpr double kG = 9.81, kLoad = 1.0;
+constexpr double kLoad = 1.0;
 
 TEST(Preload, IsLearntFromBelowAndForgottenAtOnce) {
   const Learning learn{0.5, 0.01, 0.1};
@@ -41,7 +41,7 @@ TEST(Preload, LeavesAFifthOfTheSag) {
   EXPECT_NEAR(overlap(trial.scene, trial.state).max, 0.2 * sag, 0.002 * sag);
 }
 
-std::string box(double y, const std::string& more = "") {
+std::string box_at(double y, const std::string& more = "") {
   return "[[bodies]]\nshape = \"box\"\nat = [0, " + std::to_string(y) + "]\n" + more;
 }
 
@@ -54,7 +54,7 @@ const char* const kSite =
 TEST(FirstLoads, AreWhatATowerBears) {
   constexpr int kBoxes = 12;
   std::string text = kSite;
-  for (int i = 0; i < kBoxes; ++i) text += box(0.5 + i);
+  for (int i = 0; i < kBoxes; ++i) text += box_at(0.5 + i);
   Trial trial(text);
   trial.steps(1);
   ASSERT_EQ(trial.state.point_contacts.size(), 2u * kBoxes);
@@ -71,7 +71,7 @@ TEST(FirstLoads, AreWhatATowerBears) {
 /// As one: no load that nothing bears drives them apart.
 TEST(FirstLoads, AreNoneInATowerThatIsThrown) {
   std::string text = kSite;
-  for (int i = 0; i < 12; ++i) text += box(0.5 + i, "velocity = [0, 2]\n");
+  for (int i = 0; i < 12; ++i) text += box_at(0.5 + i, "velocity = [0, 2]\n");
   Trial trial(text);
   trial.steps(10);
   for (int i = 0; i < 12; ++i) EXPECT_NEAR(trial.state.velocity[i].y(), 2.0 - 0.1 * kG, 1e-12) << i;
@@ -79,15 +79,15 @@ TEST(FirstLoads, AreNoneInATowerThatIsThrown) {
 
 /// A floor that is taken away: they fall together.
 TEST(FirstLoads, AreNoneOnAFloorThatMoves) {
-  std::string text = kSite + box(4.5, "kind = \"kinematic\"\nvelocity = [0, -5]\n");
-  for (int i = 0; i < 6; ++i) text += box(5.5 + i);
+  std::string text = kSite + box_at(4.5, "kind = \"kinematic\"\nvelocity = [0, -5]\n");
+  for (int i = 0; i < 6; ++i) text += box_at(5.5 + i);
   Trial trial(text);
   trial.steps(5);
   for (int i = 1; i < 7; ++i) EXPECT_NEAR(trial.state.velocity[i].y(), -0.05 * kG, 1e-12) << i;
 }
 
 TEST(FirstLoads, LeaveWhoFliesAsHeFlies) {
-  Trial trial(kSite + box(0.5, "velocity = [0.5, 1]\nspin = 0.25\n") + box(5.0));
+  Trial trial(kSite + box_at(0.5, "velocity = [0.5, 1]\nspin = 0.25\n") + box_at(5.0));
   trial.steps(10);
   EXPECT_DOUBLE_EQ(trial.state.velocity[0].x(), 0.5);
   EXPECT_NEAR(trial.state.velocity[0].y(), 1.0 - 0.1 * kG, 1e-12);

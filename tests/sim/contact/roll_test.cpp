@@ -9,7 +9,7 @@
 namespace throng {
 namespace {
 
-constexpr double kG = 9.81, kRadius = 0.5;
+constexpr double kRadius = 0.5;
 
 /// A plane that is turned by `angle`, gravity straight down; the disc stands on it at the origin.
 std::string incline(double angle, double resistance, double speed, const std::string& more = "") {

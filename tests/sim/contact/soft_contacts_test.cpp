@@ -16,12 +16,7 @@
 namespace throng {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-const double kMass = kPi * 0.25;  // kg, of a disc of radius 0.5 m
-
-std::string spring(double stiffness, const std::string& more = "") {
-  return "contact = { model = \"spring\", stiffness = " + std::to_string(stiffness) + more + " }\n";
-}
+const double kMass = std::numbers::pi * 0.25;  // kg, of a disc of radius 0.5 m
 
 std::string steps_of(double dt, int substeps = 1) {
   char text[80];
@@ -95,7 +90,7 @@ struct Bounce {
 };
 
 Bounce bounce(const std::string& model, double friction, double vx, double spin = 0.0, double e = 1.0) {
-  const double dt = kPi * std::sqrt(kMass / 1e8) / 200.0;
+  const double dt = std::numbers::pi * std::sqrt(kMass / 1e8) / 200.0;
   Trial trial(model + steps_of(dt) + surface(e, friction) + kDisc + kFloor +
               ball(0, 0.5 + 20.3 * dt, vx, -1, spin));
   trial.steps(300);
@@ -116,7 +111,7 @@ TEST(SoftBounce, DiscsThatStickSwingAsTheTangentialSpringDoes) {
   for (const double ratio : {2.0 / 7.0, 1.0 / 3.0, 0.1}) {
     const std::string more = ", tangential_stiffness = " + std::to_string(ratio);
     const Bounce after = bounce(spring(1e8, more), 1000.0, 0.5);
-    const double slip = 0.5 * std::cos(kPi * std::sqrt(3.0 * ratio));
+    const double slip = 0.5 * std::cos(std::numbers::pi * std::sqrt(3.0 * ratio));
     EXPECT_NEAR(after.velocity.x(), 0.5 + (slip - 0.5) / 3.0, 5e-4) << ratio;
     EXPECT_NEAR(after.surface, 2.0 * (slip - 0.5) / 3.0, 5e-4) << ratio;
   }
@@ -156,7 +151,7 @@ double elastic_energy(const Trial& trial) {
 }
 
 TEST(SoftEnergy, OfAnElasticGasStaysWithinVerletsBound) {
-  const double dt = kPi * std::sqrt(0.5 * kMass / 1e5) / 50.0;
+  const double dt = std::numbers::pi * std::sqrt(0.5 * kMass / 1e5) / 50.0;
   Trial trial(spring(1e5) + steps_of(dt, 10) + surface(1.0, 0.0) + "[domain]\nbox = [[0, 0], [8, 8]]\n" +
               kDisc +
               "[[bodies]]\nshape = \"ball\"\ncount = 30\nvelocity = { maxwell = 3.0 }\n"
@@ -175,7 +170,7 @@ TEST(SoftEnergy, OfAnElasticGasStaysWithinVerletsBound) {
 
 TEST(SoftEnergy, IsKeptByFrictionThatNeverGives) {
   // Two discs that meet off centre and stick: their tangential spring gives all of it back in the end.
-  const double dt = kPi * std::sqrt(0.5 * kMass / 1e7) / 100.0;
+  const double dt = std::numbers::pi * std::sqrt(0.5 * kMass / 1e7) / 100.0;
   Trial trial(spring(1e7) + steps_of(dt) + surface(1.0, 1e6) + kDisc + ball(0, 0, 1, 0, 2) +
               ball(1.001, 0.1, -1, 0, -1));
   const double before = trial.energy();

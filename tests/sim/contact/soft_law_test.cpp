@@ -12,8 +12,6 @@
 namespace throng {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 /// The force at every moment of the way from `depth` - h closing / 2 to `depth` + h closing / 2, added up.
 template <class Force>
 SoftMean added_up(double depth, double closing, double h, Force force) {
@@ -66,16 +64,13 @@ TEST(SoftLaw, TangentialForceIsASpringAndADashpotUpToFriction) {
 TEST(SoftLaw, DampingRatioGivesTheRestitutionOfTheDampedOscillator) {
   for (const double e : {0.01, 0.1, 0.5, 0.9, 0.999}) {
     const double ratio = damping_ratio(e);
-    EXPECT_NEAR(std::exp(-kPi * ratio / std::sqrt(1.0 - ratio * ratio)), e, 1e-14);
+    EXPECT_NEAR(std::exp(-std::numbers::pi * ratio / std::sqrt(1.0 - ratio * ratio)), e, 1e-14);
   }
   EXPECT_EQ(damping_ratio(1.0), 0.0);
   EXPECT_EQ(damping_ratio(0.0), 1.0);
   EXPECT_LE(damping_ratio(1e-310), 1.0);
 }
 
-std::string spring(double stiffness) {
-  return "contact = { model = \"spring\", stiffness = " + std::to_string(stiffness) + " }\n";
-}
 std::string hertz(double modulus) {
   return "contact = { model = \"hertz\", youngs_modulus = " + std::to_string(modulus) + " }\n";
 }
@@ -83,11 +78,12 @@ std::string hertz(double modulus) {
 /// Two discs of 1 kg that meet head on at 2 m/s, `steps` substeps in the duration of an elastic impact.
 struct Impact {
   Impact(const std::string& model, double e, double steps, double phase) {
-    scene = scene_from(model +
-                       "time = { dt = 1e-9, until = 1, substeps = 1 }\n[materials.default]\nfriction = 0\n"
-                       "density = " +
-                       std::to_string(1.0 / (kPi * 0.25)) + "\nrestitution = " + std::to_string(e) + "\n" +
-                       kDisc + ball(0, 0, 1, 0) + ball(3, 0, -1, 0));
+    scene =
+        scene_from(model +
+                   "time = { dt = 1e-9, until = 1, substeps = 1 }\n[materials.default]\nfriction = 0\n"
+                   "density = " +
+                   std::to_string(1.0 / (std::numbers::pi * 0.25)) + "\nrestitution = " + std::to_string(e) +
+                   "\n" + kDisc + ball(0, 0, 1, 0) + ball(3, 0, -1, 0));
     const SoftPair pair = soft_pair(scene, 0.5, 0.25, damping_ratio(e));
     duration = contact_duration(scene, pair, 0.5, 2.0);
     scene.time.dt = duration / steps;
@@ -147,12 +143,13 @@ TEST(SoftImpact, LastsAndGetsAsDeepAsTheFormulasSay) {
   const double k = 1e6, m = 0.5;
   Impact elastic(spring(k), 1.0, 1000, 0.5);
   elastic.restitution();
-  EXPECT_NEAR(elastic.lasted, kPi * std::sqrt(m / k), 2.0 * elastic.scene.time.dt);
+  EXPECT_NEAR(elastic.lasted, std::numbers::pi * std::sqrt(m / k), 2.0 * elastic.scene.time.dt);
   EXPECT_NEAR(elastic.most_overlap / (2.0 * std::sqrt(m / k)), 1.0, 1e-5);
   Impact damped(spring(k), 0.5, 1000, 0.5);
   damped.restitution();
   const double ratio = damping_ratio(0.5);
-  EXPECT_NEAR(damped.lasted, kPi * std::sqrt(m / k / (1.0 - ratio * ratio)), 2.0 * damped.scene.time.dt);
+  EXPECT_NEAR(damped.lasted, std::numbers::pi * std::sqrt(m / k / (1.0 - ratio * ratio)),
+              2.0 * damped.scene.time.dt);
   Impact round(hertz(1e8), 1.0, 1000, 0.5);
   round.restitution();
   // LAMMPS' and the field's form: 2.868 (m*^2 / (R* E*^2 v))^(1/5), R* = R / 2, E* = E / (2 (1 - nu^2)).

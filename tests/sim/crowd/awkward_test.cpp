@@ -6,12 +6,11 @@
 #include "sim/crowd/walk.h"
 #include "sim/input_error.h"
 #include "sim/simulation.h"
+#include "tests/sim/crowd/models.h"
 #include "tests/sim/trial.h"
 
 namespace throng {
 namespace {
-
-const char* const kModels[] = {"social_force", "collision_free_speed", "orca", "constant_velocity"};
 
 std::string floor(const std::string& walkable, const std::string& agents) {
   return "time = { dt = 0.01, until = 100 }\nseed = 2\nwalkable = '" + walkable +
@@ -26,7 +25,7 @@ std::string agent(const std::string& model, const std::string& at, const std::st
 
 const std::string kCorridor = "POLYGON ((0 0, 20 0, 20 4, 0 4, 0 0))";
 
-std::string refusal(const std::string& text) {
+std::string scene_refusal(const std::string& text) {
   try {
     simulation(scene_from(text));
   } catch (const InputError& error) {
@@ -105,21 +104,21 @@ TEST(AwkwardCrowd, WhoWantsNoSpeedStands) {
 }
 
 TEST(AwkwardCrowd, AGoalOffTheFloorIsAnError) {
-  EXPECT_EQ(refusal(floor(kCorridor, agent("orca", "[5, 2]", "outside"))),
+  EXPECT_EQ(scene_refusal(floor(kCorridor, agent("orca", "[5, 2]", "outside"))),
             "agents[0]: no way wide enough leads from [5, 2], where agent 1 stands, to its goal \"outside\"");
 }
 
 TEST(AwkwardCrowd, FloorsInPiecesLeadOnlyWithinAPiece) {
   const std::string pieces = "MULTIPOLYGON (((0 0, 8 0, 8 4, 0 4, 0 0)), ((10 0, 20 0, 20 4, 10 4, 10 0)))";
-  EXPECT_NE(refusal(floor(pieces, agent("orca", "[5, 2]", "right"))).find("no way wide enough"),
+  EXPECT_NE(scene_refusal(floor(pieces, agent("orca", "[5, 2]", "right"))).find("no way wide enough"),
             std::string::npos);
-  EXPECT_EQ(refusal(floor(pieces, agent("orca", "[5, 2]", "left"))), "accepted");
-  EXPECT_EQ(refusal(floor(pieces, agent("orca", "[12, 2]", "right"))), "accepted");
+  EXPECT_EQ(scene_refusal(floor(pieces, agent("orca", "[5, 2]", "left"))), "accepted");
+  EXPECT_EQ(scene_refusal(floor(pieces, agent("orca", "[12, 2]", "right"))), "accepted");
 }
 
 TEST(AwkwardCrowd, NobodyGetsThroughAPoint) {
   const std::string touching = "MULTIPOLYGON (((0 0, 10 2, 0 4, 0 0)), ((10 2, 20 0, 20 4, 10 2)))";
-  EXPECT_NE(refusal(floor(touching, agent("orca", "[2, 2]", "right"))).find("no way wide enough"),
+  EXPECT_NE(scene_refusal(floor(touching, agent("orca", "[2, 2]", "right"))).find("no way wide enough"),
             std::string::npos);
   // holes that touch each other and the floor's edges in points: two floors, which must be said to be two
   const std::string holes =
@@ -136,12 +135,13 @@ TEST(AwkwardCrowd, NobodyGetsThroughACorridorNarrowerThanHimself) {
            high + ", 8 4, 0 4, 0 0))";
   };
   const std::string wide = floor(corridor("1.79", "2.21"), agent("orca", "[2, 2]", "right"));
-  EXPECT_EQ(refusal(wide), "accepted") << "0.42 m for 0.4 m";
+  EXPECT_EQ(scene_refusal(wide), "accepted") << "0.42 m for 0.4 m";
   Trial run(wide);
   run.steps(3000);
   EXPECT_EQ(run.state.crowd.arrived, 1);
-  EXPECT_NE(refusal(floor(corridor("1.81", "2.19"), agent("orca", "[2, 2]", "right"))).find("no way wide"),
-            std::string::npos);
+  EXPECT_NE(
+      scene_refusal(floor(corridor("1.81", "2.19"), agent("orca", "[2, 2]", "right"))).find("no way wide"),
+      std::string::npos);
 }
 
 TEST(AwkwardCrowd, EntrancesAndPlacesToWaitThatAreTooSmallAreAnError) {

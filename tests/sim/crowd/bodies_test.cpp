@@ -14,7 +14,7 @@ namespace throng {
 namespace {
 
 /// A hall 20 m by 6 m with an exit at its right end.
-std::string hall(const std::string& rest) {
+std::string hall_with_shapes(const std::string& rest) {
   return "time = { dt = 0.02, until = 1000 }\nseed = 5\nwalkable = 'POLYGON ((0 0, 20 0, 20 6, 0 6, 0 0))'\n"
          "[areas]\nexit = [[19, 0], [20, 0], [20, 6], [19, 6]]\nleft = [[0, 0], [8, 0], [8, 6], [0, 6]]\n"
          "[shapes]\npillar.disc.radius = 1\nwall.polygon = [[0, 0], [0.1, 0], [0.1, 5.9], [0, 5.9]]\n"
@@ -50,8 +50,8 @@ double nearest(const Trial& run) {
 TEST(CrowdBodies, StaticOnesAreWalls) {
   for (const char* model : {"constant_velocity", "social_force", "collision_free_speed", "orca"}) {
     SCOPED_TRACE(model);
-    Trial run(hall(body("pillar", "static", "at = [10, 3]\n") +
-                   agents("count = 10\nplace.random.within = 'left'\n", model)));
+    Trial run(hall_with_shapes(body("pillar", "static", "at = [10, 3]\n") +
+                               agents("count = 10\nplace.random.within = 'left'\n", model)));
     EXPECT_EQ(run.scene.crowd.first, 1u);
     EXPECT_FALSE(contains(run.scene.crowd.walkable, Vec(10, 3)));
     for (int i = 0; i < 2000 && run.state.crowd.arrived < 10; ++i) {
@@ -65,18 +65,18 @@ TEST(CrowdBodies, StaticOnesAreWalls) {
 }
 
 TEST(CrowdBodies, AgentsStandNeitherInThemNorInTheirHoles) {
-  const Scene scene =
-      scene_from(hall(body("frame", "static", "at = [4, 3]\n") + body("pair", "kinematic", "at = [7, 1]\n") +
-                      "[[measure]]\nname = 'left'\narea = 'left'\n" +
-                      agents("count = 40\nplace.random.within = [[0, 0], [8, 1]]\nradius = 0.1\n")));
+  const Scene scene = scene_from(
+      hall_with_shapes(body("frame", "static", "at = [4, 3]\n") + body("pair", "kinematic", "at = [7, 1]\n") +
+                       "[[measure]]\nname = 'left'\narea = 'left'\n" +
+                       agents("count = 40\nplace.random.within = [[0, 0], [8, 1]]\nradius = 0.1\n")));
   EXPECT_DOUBLE_EQ(scene.crowd.measures[0].size, 48 - 12) << "less the frame, whose hole is floor";
   Trial run(scene);
   EXPECT_GE(nearest(run), 0.1);
 }
 
 TEST(CrowdBodies, OneThatMovesPushesWhoStands) {
-  Trial run(hall(body("wall", "kinematic", "at = [1, 3]\nvelocity = [1, 0]\n") +
-                 agents("at = [3, 3]\ndesired_speed = 0\n")));
+  Trial run(hall_with_shapes(body("wall", "kinematic", "at = [1, 3]\nvelocity = [1, 0]\n") +
+                             agents("at = [3, 3]\ndesired_speed = 0\n")));
   run.steps(85);
   EXPECT_EQ(run.state.position[1], Vec(3, 3)) << "the wall's face is at 2.75 m";
   run.steps(200);
@@ -90,9 +90,9 @@ TEST(CrowdBodies, OneThatMovesPushesWhoStands) {
 TEST(CrowdBodies, NobodyPassesOneHoweverFastItIs) {
   for (const char* model : {"constant_velocity", "social_force", "orca"}) {
     SCOPED_TRACE(model);
-    Trial run(
-        hall(body("wall", "kinematic", "at = [8.5, 3]\nvelocity = [40, 0]\n") +
-             agents("count = 12\nplace.random.within = [[10, 0], [14, 6]]\ndesired_speed = 0.1\n", model)));
+    Trial run(hall_with_shapes(
+        body("wall", "kinematic", "at = [8.5, 3]\nvelocity = [40, 0]\n") +
+        agents("count = 12\nplace.random.within = [[10, 0], [14, 6]]\ndesired_speed = 0.1\n", model)));
     for (int i = 0; i < 10; ++i) {  // 0.8 m a step, through a wall of 0.1 m
       run.steps(1);
       for (std::size_t row = 1; row < run.state.id.size(); ++row)
@@ -123,8 +123,8 @@ TEST(CrowdBodies, OneThatTurnsSweepsWhoStandsAlong) {
 
 // The wall's slide led under the disc, which wasn't asked again: he got into it, uncounted, and out behind.
 TEST(CrowdBodies, NobodyPassesBetweenOneAndAWallThatLeaveNoRoom) {
-  Trial run(
-      hall(body("pillar", "kinematic", "at = [10, 1.1]\n") + agents("at = [7, 0.25]\ndesired_speed = 1\n")));
+  Trial run(hall_with_shapes(body("pillar", "kinematic", "at = [10, 1.1]\n") +
+                             agents("at = [7, 0.25]\ndesired_speed = 1\n")));
   for (int i = 0; i < 400; ++i) {
     run.steps(1);
     ASSERT_GE(nearest(run), 0.2 * (1 - 1e-9)) << i;
@@ -134,9 +134,9 @@ TEST(CrowdBodies, NobodyPassesBetweenOneAndAWallThatLeaveNoRoom) {
 }
 
 TEST(CrowdBodies, TwoThatCloseOnOneInTheOpenAreCounted) {
-  Trial run(hall(body("wall", "kinematic", "at = [5, 3]\nvelocity = [1, 0]\n") +
-                 body("wall", "kinematic", "at = [7, 3]\nvelocity = [-1, 0]\n") +
-                 agents("at = [6, 3]\ndesired_speed = 0\n")));
+  Trial run(hall_with_shapes(body("wall", "kinematic", "at = [5, 3]\nvelocity = [1, 0]\n") +
+                             body("wall", "kinematic", "at = [7, 3]\nvelocity = [-1, 0]\n") +
+                             agents("at = [6, 3]\ndesired_speed = 0\n")));
   double deepest = 0.0;
   for (int i = 0; i < 50; ++i) {
     run.steps(1);
@@ -148,9 +148,9 @@ TEST(CrowdBodies, TwoThatCloseOnOneInTheOpenAreCounted) {
 }
 
 TEST(CrowdBodies, WallsHoldWhomTheySqueezeAndThisIsCounted) {
-  Trial run(hall(body("wall", "kinematic", "at = [14, 3]\nvelocity = [1, 0]\n") +
-                 "[[agents]]\ngoal = 'left'\nmodel = 'constant_velocity'\ncount = 20\n"
-                 "place.random.within = [[15, 0], [18.5, 6]]\ndesired_speed = 0.2\n"));
+  Trial run(hall_with_shapes(body("wall", "kinematic", "at = [14, 3]\nvelocity = [1, 0]\n") +
+                             "[[agents]]\ngoal = 'left'\nmodel = 'constant_velocity'\ncount = 20\n"
+                             "place.random.within = [[15, 0], [18.5, 6]]\ndesired_speed = 0.2\n"));
   const Barriers walls(barrier_lines(run.scene), 1.0);
   for (int i = 0; i < 400; ++i) {
     run.steps(1);
@@ -168,8 +168,8 @@ TEST(CrowdBodies, WallsHoldWhomTheySqueezeAndThisIsCounted) {
 }
 
 TEST(CrowdBodies, AreSeenWhereTheyAre) {
-  const Scene scene = scene_from(
-      hall(body("pillar", "kinematic", "at = [6, 3]\nvelocity = [1, 0]\n") + agents("at = [1, 1]\n")));
+  const Scene scene = scene_from(hall_with_shapes(
+      body("pillar", "kinematic", "at = [6, 3]\nvelocity = [1, 0]\n") + agents("at = [1, 1]\n")));
   State state = initial_state(scene);
   state.position[0] = {10, 3};
   Movers movers(scene);
@@ -189,11 +189,11 @@ TEST(CrowdBodies, AreSeenWhereTheyAre) {
 }
 
 TEST(CrowdBodies, AreResumedAndGiveTheSameBitsForAnyNumberOfThreads) {
-  const Scene scene = scene_from(
-      hall(body("bar", "kinematic", "at = [12, 3]\nspin = 0.7\nvelocity = [0.1, 0]\n") +
-           body("pair", "static", "at = [16, 3]\n") +
-           agents("count = 30\nplace.random.within = 'left'\n", "social_force") +
-           agents("count = 10\nplace.random.within = 'left'\nappear.rate = 2\n", "collision_free_speed")));
+  const Scene scene = scene_from(hall_with_shapes(
+      body("bar", "kinematic", "at = [12, 3]\nspin = 0.7\nvelocity = [0.1, 0]\n") +
+      body("pair", "static", "at = [16, 3]\n") +
+      agents("count = 30\nplace.random.within = 'left'\n", "social_force") +
+      agents("count = 10\nplace.random.within = 'left'\nappear.rate = 2\n", "collision_free_speed")));
   Trial whole(scene), three(scene, 3), first(scene), second(scene);
   whole.steps(700), three.steps(700), first.steps(400);
   EXPECT_EQ(hash(three.state), hash(whole.state));

@@ -8,15 +8,14 @@
 
 #include "sim/random.h"
 #include "tests/less_when_watched.h"
+#include "tools/bench/geodesic.h"
 
 namespace throng {
 namespace {
 
-const std::vector<Vec> kSquare{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+using bench::rectangle;
 
-std::vector<Vec> rectangle(double x0, double y0, double x1, double y1) {
-  return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-}
+const std::vector<Vec> kSquare{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
 
 void expect_sizes(const Region& floor, const Region& area, const Vec& agent, double whole, double in_area) {
   CellPiece piece(floor, area);

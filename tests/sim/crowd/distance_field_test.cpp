@@ -8,6 +8,7 @@
 
 #include "sim/crowd/slide.h"
 #include "tests/less_when_watched.h"
+#include "tests/sim/crowd/box.h"
 #include "tools/bench/geodesic.h"
 
 namespace throng {
@@ -36,10 +37,6 @@ struct Field {
   FloorPlan plan;
   DistanceField field;
 };
-
-Region box(double x0, double y0, double x1, double y1) {
-  return {{rectangle(x0, y0, x1, y1)}};
-}
 
 TEST(DistanceField, IsTheStraightDistanceInAnEmptyCorridor) {
   const Field f(box(0, 0, 40, 2), box(39, 0, 40, 2), 0.125, 0.2);

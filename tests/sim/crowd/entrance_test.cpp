@@ -18,7 +18,7 @@ namespace throng {
 namespace {
 
 /// A hall 20 m long with an entrance at its left end and exits in its two right corners.
-std::string hall(const std::string& agents) {
+std::string entrance_hall(const std::string& agents) {
   return "time = { dt = 0.02, until = 100 }\nseed = 5\nwalkable = 'POLYGON ((0 0, 20 0, 20 6, 0 6, 0 0))'\n"
          "[areas]\nstart = [[0, 2], [2, 2], [2, 4], [0, 4]]\nmiddle = [[9, 5], [11, 5], [11, 6], [9, 6]]\n"
          "low = [[19, 0], [20, 0], [20, 1], [19, 1]]\nhigh = [[19, 5], [20, 5], [20, 6], [19, 6]]\n"
@@ -27,7 +27,7 @@ std::string hall(const std::string& agents) {
 }
 
 TEST(Entrance, BringsAgentsInAtTheirRate) {
-  Trial run(hall("goal = 'low'\ncount = 10\nappear = { rate = 2, from = 1 }\n"));
+  Trial run(entrance_hall("goal = 'low'\ncount = 10\nappear = { rate = 2, from = 1 }\n"));
   EXPECT_EQ(run.state.id.size(), 0u);
   run.steps(49);
   EXPECT_EQ(run.state.id.size(), 0u) << "0.98 s";
@@ -43,7 +43,7 @@ TEST(Entrance, BringsAgentsInAtTheirRate) {
 }
 
 TEST(Entrance, BringsGroupsInAtTheirTimes) {
-  Trial run(hall("goal = 'low'\nappear = { times = [0, 0.5, 3], together = 3 }\n"));
+  Trial run(entrance_hall("goal = 'low'\nappear = { times = [0, 0.5, 3], together = 3 }\n"));
   EXPECT_EQ(run.scene.crowd.size(), 9u);
   run.steps(1);
   EXPECT_EQ(run.state.id.size(), 3u);
@@ -56,14 +56,15 @@ TEST(Entrance, BringsGroupsInAtTheirTimes) {
 }
 
 TEST(Entrance, BringsNobodyInWhereNoWayLeads) {
-  Trial run(
-      hall("goal = 'low'\ncount = 20\nappear = { rate = 10 }\n[[walls]]\nsegment = [[0, 3.2], [20, 3.2]]\n"));
+  Trial run(entrance_hall(
+      "goal = 'low'\ncount = 20\nappear = { rate = 10 }\n[[walls]]\nsegment = [[0, 3.2], [20, 3.2]]\n"));
   run.steps(1500);
   EXPECT_EQ(run.state.crowd.arrived, 20);
 }
 
 TEST(Entrance, LetsAgentsWaitUntilThereIsRoom) {
-  Trial run(hall("goal = 'low'\ncount = 60\nradius = 0.25\nappear = { times = [0], together = 60 }\n"));
+  Trial run(
+      entrance_hall("goal = 'low'\ncount = 60\nradius = 0.25\nappear = { times = [0], together = 60 }\n"));
   run.steps(1);
   const std::size_t first = run.state.id.size();
   EXPECT_GT(first, 3u);
@@ -83,8 +84,8 @@ TEST(Entrance, LetsAgentsWaitUntilThereIsRoom) {
 }
 
 TEST(Entrance, PlacesAgentsWhollyWithinAndApart) {
-  const Scene scene = scene_from(
-      hall("goal = 'low'\ncount = 400\nradius = 0.2\nplace.random.gap = 0.1\nappear = { rate = 1 }\n"));
+  const Scene scene = scene_from(entrance_hall(
+      "goal = 'low'\ncount = 400\nradius = 0.2\nplace.random.gap = 0.1\nappear = { rate = 1 }\n"));
   State state = initial_state(scene);
   const Barriers barriers(barrier_lines(scene), 1.0);
   const Sampler entrance(scene.crowd.groups[0].entrance->within, 0.2);
@@ -103,7 +104,8 @@ TEST(Entrance, PlacesAgentsWhollyWithinAndApart) {
 }
 
 TEST(Entrance, IsResumedToTheSameBitsWhileAgentsAppear) {
-  const Scene scene = scene_from(hall("goal = ['middle', 'low']\ncount = 40\nappear = { rate = 4 }\n"));
+  const Scene scene =
+      scene_from(entrance_hall("goal = ['middle', 'low']\ncount = 40\nappear = { rate = 4 }\n"));
   Trial whole(scene), first(scene), three(scene, 3);
   whole.steps(600), three.steps(600), first.steps(330);
   const std::string file = ::testing::TempDir() + "entrance.ckpt";
@@ -123,7 +125,8 @@ TEST(Entrance, IsResumedToTheSameBitsWhileAgentsAppear) {
 }
 
 TEST(Entrance, FitsOnlyTheCrowdThatItIsOf) {
-  const Scene scene = scene_from(hall("goal = ['middle', 'low']\ncount = 40\nappear = { rate = 4 }\n"));
+  const Scene scene =
+      scene_from(entrance_hall("goal = ['middle', 'low']\ncount = 40\nappear = { rate = 4 }\n"));
   Trial run(scene);
   run.steps(100);
   const auto refused = [&](auto change) {
@@ -146,7 +149,7 @@ TEST(Entrance, FitsOnlyTheCrowdThatItIsOf) {
 }
 
 TEST(Journey, GoesFromGoalToGoalAndLeavesAtTheLast) {
-  Trial run(hall("goal = ['middle', 'low']\ncount = 1\n"));
+  Trial run(entrance_hall("goal = ['middle', 'low']\ncount = 1\n"));
   bool was_in_the_middle = false;
   for (int i = 0; i < 2000 && run.state.crowd.arrived == 0; ++i) {
     run.steps(1);
@@ -161,10 +164,10 @@ TEST(Journey, GoesFromGoalToGoalAndLeavesAtTheLast) {
 }
 
 TEST(Journey, LeadsToTheNearestOfSeveralAreas) {
-  Trial run(hall("goal = { nearest = ['low', 'high', 'middle'] }\ncount = 4\n"));
+  Trial run(entrance_hall("goal = { nearest = ['low', 'high', 'middle'] }\ncount = 4\n"));
   run.steps(700);
   EXPECT_EQ(run.state.crowd.arrived, 4) << "all of them in the middle, within 14 s";
-  Trial far(hall("goal = { nearest = ['low', 'high'] }\ncount = 4\n"));
+  Trial far(entrance_hall("goal = { nearest = ['low', 'high'] }\ncount = 4\n"));
   far.steps(700);
   EXPECT_EQ(far.state.crowd.arrived, 0);
   far.steps(800);
@@ -175,9 +178,9 @@ TEST(Journey, IsDrawnByWeight) {
   for (const char* goal : {"goal.weights = { low = 3, high = 1, middle = 0 }\n",
                            "goal = [{ weights = { low = 3, high = 1, middle = 0 } }, 'middle']\n"}) {
     Trial run(
-        hall("goal = 'low'\ncount = 0\n[[agents]]\nmodel = 'constant_velocity'\ncount = 2000\n"
-             "radius = 0.02\nplace.random.within = [[0, 0], [8, 6]]\n" +
-             std::string(goal)));
+        entrance_hall("goal = 'low'\ncount = 0\n[[agents]]\nmodel = 'constant_velocity'\ncount = 2000\n"
+                      "radius = 0.02\nplace.random.within = [[0, 0], [8, 6]]\n" +
+                      std::string(goal)));
     const Leg& leg = run.scene.crowd.groups[1].journey[0];
     ASSERT_EQ(leg.options.size(), 2u) << "nobody goes to the middle";
     run.steps(1);
@@ -189,7 +192,7 @@ TEST(Journey, IsDrawnByWeight) {
 }
 
 TEST(Premovement, LetsAgentsStandUntilTheirTime) {  // IMO MSC.1/Circ.1533, test 5
-  Trial run(hall("goal = 'low'\ncount = 10\npremovement = { uniform = [1, 10] }\n"));
+  Trial run(entrance_hall("goal = 'low'\ncount = 10\npremovement = { uniform = [1, 10] }\n"));
   std::vector<Vec> begin = run.state.position;
   std::vector<double> set_out(10, -1.0);
   for (int i = 1; i <= 520; ++i) {
@@ -208,18 +211,19 @@ TEST(Premovement, LetsAgentsStandUntilTheirTime) {  // IMO MSC.1/Circ.1533, test
 }
 
 TEST(Premovement, IsNoReasonToCallAnAgentStuck) {
-  Trial run(hall("goal = 'low'\ncount = 1\npremovement = 30\n"));
+  Trial run(entrance_hall("goal = 'low'\ncount = 1\npremovement = 30\n"));
   run.steps(1400);
   EXPECT_TRUE(stuck_agents(run.scene, run.state).empty());
 }
 
 TEST(Journey, ExpectsAWayToEachOfItsGoals) {
   const std::string cut = "[[walls]]\nsegment = [[15, 0], [15, 6]]\n";
-  EXPECT_NO_THROW(simulation(scene_from(hall("goal = 'middle'\n" + cut))));
-  EXPECT_THROW(simulation(scene_from(hall("goal = ['middle', 'low']\n" + cut))), InputError);
-  EXPECT_THROW(simulation(scene_from(hall("goal = 'low'\ncount = 3\nappear = { rate = 1 }\n" + cut))),
-               InputError);
-  EXPECT_NO_THROW(simulation(scene_from(hall("goal = { nearest = ['middle', 'low'] }\n" + cut))));
+  EXPECT_NO_THROW(simulation(scene_from(entrance_hall("goal = 'middle'\n" + cut))));
+  EXPECT_THROW(simulation(scene_from(entrance_hall("goal = ['middle', 'low']\n" + cut))), InputError);
+  EXPECT_THROW(
+      simulation(scene_from(entrance_hall("goal = 'low'\ncount = 3\nappear = { rate = 1 }\n" + cut))),
+      InputError);
+  EXPECT_NO_THROW(simulation(scene_from(entrance_hall("goal = { nearest = ['middle', 'low'] }\n" + cut))));
 }
 
 }  // namespace

@@ -81,14 +81,14 @@ void for_each_corner(const Problem& problem, bool with_ties, F f) {
   }
 }
 
-struct Reference {
+struct Solution {
   Vec nearest{0.0, 0.0};  ///< where all is kept
   double distance = std::numeric_limits<double>::infinity();
   double depth = std::numeric_limits<double>::infinity();  ///< else
 };
 
-Reference solve(const Problem& problem) {
-  Reference result;
+Solution solve(const Problem& problem) {
+  Solution result;
   for_each_corner(problem, false, [&](const Vec& v) {
     const double distance = (v - problem.preferred).norm();
     if (problem.keeps(v) && problem.deepest(v) <= kSlack && distance < result.distance)
@@ -100,7 +100,7 @@ Reference solve(const Problem& problem) {
   return result;
 }
 
-class Draw {
+class RandomProblems {
  public:
   double uniform(double low, double high) {
     return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
@@ -154,12 +154,12 @@ TEST(PermittedVelocity, IsAsLittleOutsideAsCanBe) {
 }
 
 TEST(PermittedVelocity, AgreesWithTheBestOfAllCorners) {
-  Draw draw;
+  RandomProblems draw;
   int kept = 0, trials = 4000;
   double worst = 0.0, worst_depth = 0.0;
   for (int trial = 0; trial < trials; ++trial) {
     const Problem problem = draw.problem(1 + static_cast<std::size_t>(trial) % 12);
-    const Reference truth = solve(problem);
+    const Solution truth = solve(problem);
     const Vec v = problem.answer();
     ASSERT_TRUE(problem.keeps(v)) << "seed 7, trial " << trial;
     if (truth.distance < 1e9) {

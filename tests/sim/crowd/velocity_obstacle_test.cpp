@@ -27,7 +27,7 @@ struct Line {
   }
 };
 
-class Draw {
+class RandomLines {
  public:
   double uniform(double low, double high) {
     return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
@@ -67,7 +67,7 @@ TEST(VelocityObstacle, OfAWallAheadStopsBeforeIt) {
 }
 
 TEST(VelocityObstacle, LiesBehindTheLineOfItsEscape) {
-  Draw draw;
+  RandomLines draw;
   int met = 0, trials = 300;
   for (int trial = 0; trial < trials; ++trial) {
     const Line line = draw.line();
@@ -84,7 +84,7 @@ TEST(VelocityObstacle, LiesBehindTheLineOfItsEscape) {
 }
 
 TEST(VelocityObstacle, HasNoNearerBorder) {
-  Draw draw;
+  RandomLines draw;
   int inside = 0, trials = 600;
   for (int trial = 0; trial < trials; ++trial) {
     const Line line = draw.line();

@@ -6,14 +6,11 @@
 #include <cmath>
 
 #include "sim/random.h"
+#include "tests/sim/crowd/box.h"
 #include "tests/sim/trial.h"
 
 namespace throng {
 namespace {
-
-Region box(double x0, double y0, double x1, double y1) {
-  return {{{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}}};
-}
 
 TEST(VoronoiDensity, OfOneAgentIsThatOfItsArea) {
   VoronoiDensity one(box(0, 0, 10, 10), box(3, 3, 7, 7), 16.0, 1.0);

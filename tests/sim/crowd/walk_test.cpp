@@ -11,6 +11,7 @@
 #include "sim/input_error.h"
 #include "sim/recording/checkpoint.h"
 #include "sim/simulation.h"
+#include "tests/sim/crowd/models.h"
 #include "tests/sim/trial.h"
 
 namespace throng {
@@ -36,8 +37,6 @@ std::string rooms(const std::string& model) {
          "desired_speed = { normal = [2, 0.5] }\nradius = { uniform = [0.15, 0.25] }\nmodel = '" +
          model + "'\n";
 }
-
-const char* const kModels[] = {"constant_velocity", "social_force", "collision_free_speed", "orca"};
 
 TEST(Walk, TakesFortySecondsForFortyMetresAtOneMetreASecond) {  // IMO MSC.1/Circ.1533, test 1
   for (const char* model : kModels) {

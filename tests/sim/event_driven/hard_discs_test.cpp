@@ -193,31 +193,27 @@ TEST(HardDiscs, FlyAnyDistanceInTheOpenPlane) {
   EXPECT_NEAR(run.velocity(2).x(), -1.0, 1e-12);
 }
 
-std::string refusal(const std::string& text) {
-  Scene scene = scene_from(text);  // the loader would refuse it first
-  scene.engine = Engine::event_driven;
-  try {
-    simulation(scene);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
-
 TEST(HardDiscs, RefuseWhatIsNoHardDiscAndSayWhy) {
   const std::string one = std::string(kDisc) + ball(0, 2, 0, 0);
-  EXPECT_EQ(refusal(one), "");
-  EXPECT_THAT(refusal("contact = { model = \"none\" }\n" + one), HasSubstr("contact.model"));
-  EXPECT_THAT(refusal(one + "kind = \"kinematic\"\n"), HasSubstr("body 1 is kinematic"));
-  EXPECT_THAT(refusal("[materials.default]\nrolling_resistance = 0.1\n" + one),
+  EXPECT_EQ(engine_refusal(Engine::event_driven, one), "");
+  EXPECT_THAT(engine_refusal(Engine::event_driven, "contact = { model = \"none\" }\n" + one),
+              HasSubstr("contact.model"));
+  EXPECT_THAT(engine_refusal(Engine::event_driven, one + "kind = \"kinematic\"\n"),
+              HasSubstr("body 1 is kinematic"));
+  EXPECT_THAT(engine_refusal(Engine::event_driven, "[materials.default]\nrolling_resistance = 0.1\n" + one),
               HasSubstr("rolling_resistance"));
-  EXPECT_THAT(refusal("domain = { periodic = [[0, 0], [3.9, 9]] }\n" + one), HasSubstr("domain.periodic"));
-  EXPECT_THAT(refusal("[shapes]\nbox = { polygon = [[0, 0], [1, 0], [1, 1]] }\n[[bodies]]\nshape = "
-                      "\"box\"\nat = [0, 0]\n"),
+  EXPECT_THAT(engine_refusal(Engine::event_driven, "domain = { periodic = [[0, 0], [3.9, 9]] }\n" + one),
+              HasSubstr("domain.periodic"));
+  EXPECT_THAT(engine_refusal(Engine::event_driven,
+                             "[shapes]\nbox = { polygon = [[0, 0], [1, 0], [1, 1]] }\n[[bodies]]\nshape = "
+                             "\"box\"\nat = [0, 0]\n"),
               HasSubstr("shapes.box"));
-  EXPECT_THAT(refusal(one + ball(0.9, 2, 0, 0)), HasSubstr("body 1 and body 2 overlap by 0.1"));
-  EXPECT_THAT(refusal(one + ball(0.99999, 2, 0, 0)), HasSubstr("overlap by 1e-05 m"));
-  EXPECT_THAT(refusal(one + "[[walls]]\nsegment = [[-1, 1.8], [1, 1.8]]\n"), HasSubstr("overlap by 0.3"));
+  EXPECT_THAT(engine_refusal(Engine::event_driven, one + ball(0.9, 2, 0, 0)),
+              HasSubstr("body 1 and body 2 overlap by 0.1"));
+  EXPECT_THAT(engine_refusal(Engine::event_driven, one + ball(0.99999, 2, 0, 0)),
+              HasSubstr("overlap by 1e-05 m"));
+  EXPECT_THAT(engine_refusal(Engine::event_driven, one + "[[walls]]\nsegment = [[-1, 1.8], [1, 1.8]]\n"),
+              HasSubstr("overlap by 0.3"));
 }
 
 TEST(HardDiscs, BounceAsTheirTwoMaterialsSay) {

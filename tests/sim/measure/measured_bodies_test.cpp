@@ -2,7 +2,7 @@
 // What scenes ask for of their bodies as a whole, by hand and against the theory of hard discs.
 #include "sim/measure/measured_bodies.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <cmath>
 #include <numbers>

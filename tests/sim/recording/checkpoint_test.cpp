@@ -28,12 +28,7 @@ CheckpointOrigin origin(std::uint64_t frames = 3) {
   return {"0.1.0", "throng = 1\n[time]\nuntil = 2.0\n", frames, 0x1234567890abcdef};
 }
 
-std::string bytes_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-std::string refusal(const std::string& path) {
+std::string checkpoint_refusal(const std::string& path) {
   try {
     read_checkpoint(path);
   } catch (const InputError& error) {
@@ -115,14 +110,14 @@ TEST(Checkpoint, IsRemovedWithAllOfItsNames) {
 TEST(Checkpoint, EveryFlippedByteIsSeen) {
   const Folder folder;
   write_checkpoint(folder / "a.ckpt", origin(), touching_state(5));
-  const std::string good = bytes_of(folder / "a.ckpt");
+  const std::string good = content(folder / "a.ckpt");
   ASSERT_GT(good.size(), 500u);
   for (std::size_t at = 0; at < good.size(); ++at)
     for (char flip : {1, -128}) {
       std::string bytes = good;
       bytes[at] ^= flip;
       std::ofstream(folder / "bad.ckpt", std::ios::binary) << bytes;
-      ASSERT_THAT(refusal(folder / "bad.ckpt"),
+      ASSERT_THAT(checkpoint_refusal(folder / "bad.ckpt"),
                   testing::AnyOf(HasSubstr("is damaged"), HasSubstr("no checkpoint")))
           << "byte " << at;
     }
@@ -131,22 +126,22 @@ TEST(Checkpoint, EveryFlippedByteIsSeen) {
 TEST(Checkpoint, EveryTruncationAndEveryAdditionIsSeen) {
   const Folder folder;
   write_checkpoint(folder / "a.ckpt", origin(), touching_state(5));
-  const std::string good = bytes_of(folder / "a.ckpt");
+  const std::string good = content(folder / "a.ckpt");
   for (std::size_t size = 0; size < good.size(); ++size) {
     std::ofstream(folder / "bad.ckpt", std::ios::binary) << good.substr(0, size);
-    ASSERT_NE(refusal(folder / "bad.ckpt"), "accepted") << size << " bytes";
+    ASSERT_NE(checkpoint_refusal(folder / "bad.ckpt"), "accepted") << size << " bytes";
   }
   std::ofstream(folder / "bad.ckpt", std::ios::binary) << good << '\0';
-  EXPECT_THAT(refusal(folder / "bad.ckpt"), HasSubstr("its size is not what its header says"));
+  EXPECT_THAT(checkpoint_refusal(folder / "bad.ckpt"), HasSubstr("its size is not what its header says"));
 }
 
 TEST(Checkpoint, SaysWhatIsWrongWithAFileThatIsNone) {
   const Folder folder;
-  EXPECT_THAT(refusal(folder / "none"), HasSubstr("does not exist"));
+  EXPECT_THAT(checkpoint_refusal(folder / "none"), HasSubstr("does not exist"));
   std::filesystem::create_directory(folder / "folder");
-  EXPECT_THAT(refusal(folder / "folder"), HasSubstr("is no regular file"));
+  EXPECT_THAT(checkpoint_refusal(folder / "folder"), HasSubstr("is no regular file"));
   std::ofstream(folder / "text") << std::string(1000, 'x');
-  EXPECT_THAT(refusal(folder / "text"), HasSubstr("is no checkpoint"));
+  EXPECT_THAT(checkpoint_refusal(folder / "text"), HasSubstr("is no checkpoint"));
 }
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -156,7 +151,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 bool is_refused(const State& state) {
   const Folder folder;
   write_checkpoint(folder / "a.ckpt", origin(), state);
-  return refusal(folder / "a.ckpt").find("its state cannot be that of a run") != std::string::npos;
+  return checkpoint_refusal(folder / "a.ckpt").find("its state cannot be that of a run") != std::string::npos;
 }
 
 bool is_refused(void change(State&)) {

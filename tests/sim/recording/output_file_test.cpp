@@ -15,7 +15,7 @@ namespace {
 using namespace testing_recordings;
 using testing::HasSubstr;
 
-std::string refusal(const std::string& path, bool force = false) {
+std::string output_refusal(const std::string& path, bool force = false) {
   try {
     OutputFile output(path, force);
   } catch (const InputError& error) {
@@ -26,11 +26,6 @@ std::string refusal(const std::string& path, bool force = false) {
 
 std::size_t entries(const Folder& folder) {
   return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder.path), {}));
-}
-
-std::string content(const std::string& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 /// The refusal of a question that makes nothing, which must be that of the attempt.
@@ -62,7 +57,7 @@ TEST(OutputFile, ForetellsItsRefusalsAndMakesNothing) {
       const std::string expected = foretold(folder / name, force);
       refusals += expected != "accepted";
       EXPECT_EQ(entries(folder), before) << name;
-      EXPECT_EQ(refusal(folder / name, force) == "accepted", expected == "accepted") << name;
+      EXPECT_EQ(output_refusal(folder / name, force) == "accepted", expected == "accepted") << name;
     }
     EXPECT_EQ(refusals, refused[force]);
   }
@@ -71,23 +66,23 @@ TEST(OutputFile, ForetellsItsRefusalsAndMakesNothing) {
 
 TEST(OutputFile, RefusesAFolderThatDoesNotExist) {
   const Folder folder;
-  EXPECT_THAT(refusal(folder / "no/such/a.h5"), HasSubstr("no/such does not exist"));
+  EXPECT_THAT(output_refusal(folder / "no/such/a.h5"), HasSubstr("no/such does not exist"));
 }
 
 TEST(OutputFile, RefusesAPlaceBelowAFile) {
   const Folder folder;
   std::ofstream(folder / "file") << "x";
-  EXPECT_THAT(refusal(folder / "file/a.h5"), HasSubstr("is no folder"));
+  EXPECT_THAT(output_refusal(folder / "file/a.h5"), HasSubstr("is no folder"));
 }
 
 TEST(OutputFile, RefusesAFolderThatCannotBeWritten) {
-  EXPECT_THAT(refusal("/proc/a.h5"), HasSubstr("cannot write /proc/a.h5"));
+  EXPECT_THAT(output_refusal("/proc/a.h5"), HasSubstr("cannot write /proc/a.h5"));
 }
 
 TEST(OutputFile, RefusesAFileThatExistsWithoutForce) {
   const Folder folder;
   std::ofstream(folder / "a.h5") << "precious";
-  EXPECT_THAT(refusal(folder / "a.h5"), HasSubstr("--force"));
+  EXPECT_THAT(output_refusal(folder / "a.h5"), HasSubstr("--force"));
   EXPECT_EQ(content(folder / "a.h5"), "precious");
   EXPECT_EQ(entries(folder), 1u);
 }
@@ -95,24 +90,24 @@ TEST(OutputFile, RefusesAFileThatExistsWithoutForce) {
 TEST(OutputFile, RefusesAFolderAsTarget) {
   const Folder folder;
   std::filesystem::create_directory(folder / "a.h5");
-  EXPECT_THAT(refusal(folder / "a.h5", true), HasSubstr("no regular file"));
+  EXPECT_THAT(output_refusal(folder / "a.h5", true), HasSubstr("no regular file"));
 }
 
 TEST(OutputFile, RefusesThePartOfARunThatDidNotEndWithoutForce) {
   const Folder folder;
   std::ofstream(folder / "a.h5.part") << "frames";
-  EXPECT_THAT(refusal(folder / "a.h5"),
+  EXPECT_THAT(output_refusal(folder / "a.h5"),
               testing::AllOf(HasSubstr("did not end"),
                              HasSubstr("'throng resume " + (folder / "a.h5") + "' goes on with it")));
   EXPECT_EQ(content(folder / "a.h5.part"), "frames");
-  EXPECT_EQ(refusal(folder / "a.h5", true), "accepted");
+  EXPECT_EQ(output_refusal(folder / "a.h5", true), "accepted");
 }
 
 TEST(OutputFile, NeverFollowsALinkOfThePartsName) {
   const Folder folder;
   std::ofstream(folder / "elsewhere") << "precious";
   std::filesystem::create_symlink("elsewhere", folder / "a.h5.part");
-  EXPECT_THAT(refusal(folder / "a.h5", true), HasSubstr("cannot write"));
+  EXPECT_THAT(output_refusal(folder / "a.h5", true), HasSubstr("cannot write"));
   EXPECT_EQ(content(folder / "elsewhere"), "precious");
 }
 
@@ -120,7 +115,7 @@ TEST(OutputFile, RefusesTwoRunsOfTheSameNameAndLeavesTheFirstInPeace) {
   const Folder folder;
   OutputFile first(folder / "a.h5", false);
   EXPECT_TRUE(is_being_written(first.part()));
-  EXPECT_THAT(refusal(folder / "a.h5", true), HasSubstr("another run"));
+  EXPECT_THAT(output_refusal(folder / "a.h5", true), HasSubstr("another run"));
   EXPECT_TRUE(std::filesystem::exists(first.part()));
 }
 

@@ -25,7 +25,7 @@ void expect_equal(const State& state, const Frame& frame, const Record& record) 
   EXPECT_EQ(frame.spin, record.spin ? state.spin : std::vector<double>{});
 }
 
-std::string refusal(const std::string& path) {
+std::string recording_refusal(const std::string& path) {
   try {
     Recording recording(path);
   } catch (const InputError& error) {
@@ -144,11 +144,11 @@ TEST(Recording, RefusesWhatIsNoHdf5) {
   const Folder folder;
   std::ofstream(folder / "text.h5") << "throng = 1\n";
   std::ofstream(folder / "empty.h5");
-  EXPECT_THAT(refusal(folder / "text.h5"), HasSubstr("is no HDF5 file"));
-  EXPECT_THAT(refusal(folder / "empty.h5"), HasSubstr("is no HDF5 file"));
-  EXPECT_THAT(refusal(folder / "missing.h5"), HasSubstr("does not exist"));
-  EXPECT_THAT(refusal(folder.path), HasSubstr("is no regular file"));
-  EXPECT_THAT(refusal("/dev/zero"), HasSubstr("is no regular file"));
+  EXPECT_THAT(recording_refusal(folder / "text.h5"), HasSubstr("is no HDF5 file"));
+  EXPECT_THAT(recording_refusal(folder / "empty.h5"), HasSubstr("is no HDF5 file"));
+  EXPECT_THAT(recording_refusal(folder / "missing.h5"), HasSubstr("does not exist"));
+  EXPECT_THAT(recording_refusal(folder.path), HasSubstr("is no regular file"));
+  EXPECT_THAT(recording_refusal("/dev/zero"), HasSubstr("is no regular file"));
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
 
 #include "sim/recording/recorder.h"
@@ -20,6 +22,11 @@ struct Folder {
   std::string operator/(const std::string& name) const { return path / name; }
   std::filesystem::path path;
 };
+
+inline std::string content(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
 
 inline narrowphase::Convex square(double half) {
   narrowphase::Convex result;

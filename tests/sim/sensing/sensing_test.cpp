@@ -20,7 +20,7 @@ namespace {
 
 using testing::ElementsAre;
 
-const std::string kBall = "[shapes]\nball = { disc = { radius = 0.1 } }\n";
+const std::string kSmallBall = "[shapes]\nball = { disc = { radius = 0.1 } }\n";
 
 /// Bodies at these places.
 std::string balls(const std::vector<Vec>& places, const std::string& more = "") {
@@ -46,7 +46,7 @@ Sensed sensed_at_start(const Scene& scene, int threads = 1) {
 const std::vector<Vec> kFour{{0, 0}, {1, 0}, {2, 0}, {2, 2}};
 
 TEST(Sensing, FindsWhoIsWithinTheRadiusItsEndIncluded) {
-  const Sensed found = sensed_at_start(scene_from(kBall + balls(kFour) + sensor("radius = 2")));
+  const Sensed found = sensed_at_start(scene_from(kSmallBall + balls(kFour) + sensor("radius = 2")));
   EXPECT_THAT(found.who, ElementsAre(1, 2, 3, 4));
   EXPECT_THAT(found.count, ElementsAre(2, 2, 3, 1));
   EXPECT_THAT(found.whom, ElementsAre(2, 3, 1, 3, 1, 2, 4, 3));
@@ -54,17 +54,17 @@ TEST(Sensing, FindsWhoIsWithinTheRadiusItsEndIncluded) {
 
 TEST(Sensing, IsOfThoseWhoHaveIt) {
   const Sensed found =
-      sensed_at_start(scene_from(kBall + balls(kFour) + sensor("radius = 1\nof = { ids = [4, 2] }")));
+      sensed_at_start(scene_from(kSmallBall + balls(kFour) + sensor("radius = 1\nof = { ids = [4, 2] }")));
   EXPECT_THAT(found.who, ElementsAre(2, 4));
   EXPECT_THAT(found.count, ElementsAre(2, 0));
   EXPECT_THAT(found.whom, ElementsAre(1, 3));
 }
 
 TEST(Sensing, LooksAlongABodysAngle) {
-  const std::string turned = kBall + balls(kFour, "angle = 1.5707963267948966\n");
+  const std::string turned = kSmallBall + balls(kFour, "angle = 1.5707963267948966\n");
   EXPECT_THAT(sensed_at_start(scene_from(turned + sensor("radius = 9\nfov_degrees = 50"))).whom,
               ElementsAre(4));
-  const std::string ahead = kBall + balls(kFour, "angle = 0\n");
+  const std::string ahead = kSmallBall + balls(kFour, "angle = 0\n");
   EXPECT_THAT(sensed_at_start(scene_from(ahead + sensor("radius = 9\nfov_degrees = 60"))).count,
               ElementsAre(2, 1, 0, 0));
   EXPECT_THAT(sensed_at_start(scene_from(ahead + sensor("radius = 9\nfov_degrees = 120"))).count,
@@ -95,14 +95,14 @@ TEST(Sensing, LooksWhereAnAgentWalksAndAllAroundWhereOneStands) {
 TEST(Sensing, FindsNobodyBehindAWall) {
   const std::string wall = "[[walls]]\nsegment = [[1.5, -1], [1.5, 0.5]]\n";
   const Sensed found =
-      sensed_at_start(scene_from(kBall + balls(kFour) + wall + sensor("radius = 9\nsight = true")));
+      sensed_at_start(scene_from(kSmallBall + balls(kFour) + wall + sensor("radius = 9\nsight = true")));
   EXPECT_THAT(found.count, ElementsAre(2, 2, 1, 3));
   EXPECT_THAT(found.whom, ElementsAre(2, 4, 1, 4, 4, 1, 2, 3));
 }
 
 /// Those in the same place alone, whom a wall through it hides.
 TEST(Sensing, SeesWithARadiusOfZero) {
-  const std::string bodies = kBall + balls({{0, 0}, {0, 0}, {1, 0}});
+  const std::string bodies = kSmallBall + balls({{0, 0}, {0, 0}, {1, 0}});
   const std::string wall = "[[walls]]\nsegment = [[0, -1], [0, 1]]\n";
   for (const std::string sight : {"true", "\"bodies\""}) {
     const std::string sees = sensor("radius = 0\nsight = " + sight);
@@ -113,7 +113,7 @@ TEST(Sensing, SeesWithARadiusOfZero) {
 
 TEST(Sensing, FindsNobodyBehindABodyThatTheLineTouches) {
   const std::string sight = sensor("radius = 9\nsight = \"bodies\"");
-  const Sensed found = sensed_at_start(scene_from(kBall + balls(kFour) + sight));
+  const Sensed found = sensed_at_start(scene_from(kSmallBall + balls(kFour) + sight));
   EXPECT_THAT(found.count, ElementsAre(2, 3, 2, 3)) << "2 stands between 1 and 3";
   EXPECT_THAT(found.whom, ElementsAre(2, 4, 1, 3, 4, 2, 4, 1, 2, 3));
   const std::string touching = "[shapes]\nball = { disc = { radius = 0.25 } }\n";
@@ -137,7 +137,7 @@ TEST(Sensing, ShapesHideWhatTheyCoverAlone) {
 }
 
 TEST(Sensing, LooksAtTheStepsThatAreDue) {
-  const Scene scene = scene_from(kBall + balls(kFour) + sensor("radius = 2\nevery = 3"));
+  const Scene scene = scene_from(kSmallBall + balls(kFour) + sensor("radius = 2\nevery = 3"));
   const auto run = simulation(scene);
   for (int step = 0; step < 7; ++step) {
     EXPECT_EQ(run->sensed()[0].who.size(), step % 3 == 0 ? 4u : 0u) << step;
@@ -150,7 +150,7 @@ TEST(Sensing, CountsWithoutListsWhatIsNotRecorded) {
   const std::string walls = "[[walls]]\nsegment = [[1.5, -1], [1.5, 0.5]]\n";
   for (const std::string more : {"", "sight = true\n", "sight = \"bodies\"\n", "of = { ids = [4, 2] }\n",
                                  "of = { ids = [4, 2] }\nsight = true\n"}) {
-    std::string text = kBall + balls(kFour) + walls + sensor("radius = 2\n" + more);
+    std::string text = kSmallBall + balls(kFour) + walls + sensor("radius = 2\n" + more);
     const Scene recorded = scene_from(text);
     const Scene counted = scene_from(text.replace(text.find("record = true"), 13, "record = false"));
     State one = initial_state(recorded), other = initial_state(counted);
@@ -196,7 +196,7 @@ TEST(Sensing, IsWhatTheDefinitionSays) {
     const Scene scene = scene_from(
         "seed = " + std::to_string(seed % 1000) + "\n" +
         (periodic ? "domain = { periodic = [[0, 0], [10, 10]] }\n" : "") +
-        "walls = [ { segment = [[2, 1], [3, 7]] }, { segment = [[6, 5], [9, 6]] } ]\n" + kBall +
+        "walls = [ { segment = [[2, 1], [3, 7]] }, { segment = [[6, 5], [9, 6]] } ]\n" + kSmallBall +
         "[[bodies]]\nshape = \"ball\"\ncount = 400\nplace = { random = { within = [[0, 0], [10, 10]] } }\n"
         "angle = { uniform = [-3, 3] }\nvelocity = { maxwell = 1.0 }\n" +
         sensor("radius = 2\nfov_degrees = 150\nsight = true\nof = { ids = [" + ids + "] }"));
@@ -304,7 +304,7 @@ TEST(Sensing, FindsNobodyBehindBodiesAsTheDefinitionSays) {
 /// Enough for parts of the work on each thread, of lists and of those who ask.
 TEST(Sensing, FindsTheSameWithAnyNumberOfThreads) {
   const std::string bodies =
-      "walls = [ { segment = [[10, 1], [12, 40]] } ]\n" + kBall +
+      "walls = [ { segment = [[10, 1], [12, 40]] } ]\n" + kSmallBall +
       "[[bodies]]\nshape = \"ball\"\ncount = 6000\nplace = { random = { within = [[0, 0], [50, 50]] } }\n"
       "angle = { uniform = [-3, 3] }\n";
   for (const std::string fields : {"radius = 1.5", "radius = 1.5\nfov_degrees = 150\nsight = \"bodies\""}) {

@@ -17,7 +17,7 @@ namespace throng::bench {
 
 namespace {
 
-std::vector<AccuracyCase> all_cases() {
+std::vector<AccuracyCase> accuracy_cases() {
   std::vector<AccuracyCase> all;
   for (const auto& part :
        {flight_cases(), contact_cases(), collision_cases(), spring_cases(), still_cases(), gas_cases()})
@@ -87,7 +87,7 @@ void refuse_unknown_engines(const Options& options) {
 std::vector<Row> bench_accuracy(const Options& options) {
   refuse_unknown_engines(options);
   std::vector<Row> rows;
-  for (const AccuracyCase& one : all_cases()) {
+  for (const AccuracyCase& one : accuracy_cases()) {
     if (!chosen(one.name, options)) continue;
     std::vector<Row> of_case = race(one, options);
     if (one.smooth) add_orders(of_case);

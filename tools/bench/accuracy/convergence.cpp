@@ -11,7 +11,7 @@ namespace throng::bench {
 
 namespace {
 
-constexpr double kRounding = 1e-5, kTooLarge = 10.0;  // of single precision's runs; of a body's size
+constexpr double kSingleRounding = 1e-5, kTooLarge = 10.0;  // of single precision's runs; of a body's size
 constexpr double kExact = 1e-9;
 constexpr std::size_t kFewest = 3;
 
@@ -33,7 +33,7 @@ std::string order_text(const Row& row) {
 std::optional<double> observed_order(std::span<const std::pair<double, double>> points) {
   double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
   for (const auto& [h, error] : points) {
-    if (error < kRounding || error > kTooLarge) continue;
+    if (error < kSingleRounding || error > kTooLarge) continue;
     const double log_h = std::log(h), log_error = std::log(error);
     n += 1.0, x += log_h, y += log_error, xx += log_h * log_h, xy += log_h * log_error;
   }

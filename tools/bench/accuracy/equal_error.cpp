@@ -12,8 +12,8 @@ bool is_peer(const Row& row) {
   return row.error.contains("peer");
 }
 
-constexpr double kUseless = 1.0;    // a body's size, or all of a quantity
-constexpr double kRounding = 1e-9;  // smaller errors aren't told apart
+constexpr double kUseless = 1.0;      // a body's size, or all of a quantity
+constexpr double kLeastError = 1e-9;  // smaller errors aren't told apart
 
 bool plays(const Row& row) {
   return !row.error["error"].is_null();
@@ -21,7 +21,7 @@ bool plays(const Row& row) {
 
 /// The error, no better than rounding.
 double off(const Row& row) {
-  return std::max(row.error["error"].get<double>(), kRounding);
+  return std::max(row.error["error"].get<double>(), kLeastError);
 }
 
 /// ms, of the fastest peer whose error is at most that.
@@ -37,7 +37,7 @@ double best_peer_ms(const std::vector<Row>& rows, double error) {
 std::optional<double> least_ms(const std::vector<Row>& rows, const std::string& engine, double error) {
   std::optional<double> least;
   for (const Row& row : rows)
-    if (row.engine == engine && plays(row) && off(row) <= std::max(error, kRounding))
+    if (row.engine == engine && plays(row) && off(row) <= std::max(error, kLeastError))
       least = std::min(least.value_or(minimum(row.ms)), minimum(row.ms));
   return least;
 }

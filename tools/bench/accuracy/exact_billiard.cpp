@@ -10,7 +10,7 @@ namespace {
 
 using Long = long double;
 using LongVec = Eigen::Matrix<Long, 2, 1>;
-constexpr Long kNever = std::numeric_limits<Long>::infinity();
+constexpr Long kNeverMeets = std::numeric_limits<Long>::infinity();
 
 /// One coordinate of the unfolded way.
 void fold(double low, double high, double t, double& place, double& speed) {
@@ -26,7 +26,7 @@ struct Flight {
   LongVec at, speed;
 
   Long wall(const Table& table, int axis) const {
-    if (speed[axis] == 0) return kNever;
+    if (speed[axis] == 0) return kNeverMeets;
     return ((speed[axis] > 0 ? Long(table.max[axis]) : Long(table.min[axis])) - at[axis]) / speed[axis];
   }
 
@@ -35,7 +35,7 @@ struct Flight {
     const Long nearing = -away.dot(speed), reach = table.post_reach;
     const Long excess = away.squaredNorm() - reach * reach;
     const Long root = nearing * nearing - speed.squaredNorm() * excess;
-    return nearing <= 0 || root < 0 ? kNever : excess / (nearing + std::sqrt(root));
+    return nearing <= 0 || root < 0 ? kNeverMeets : excess / (nearing + std::sqrt(root));
   }
 
   void reflect(const LongVec& normal) { speed -= 2 * speed.dot(normal) * normal; }

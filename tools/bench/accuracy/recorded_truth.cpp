@@ -7,7 +7,7 @@ namespace throng::bench {
 
 namespace {
 
-std::vector<BodyState> states_of(const State& state) {
+std::vector<BodyState> body_states(const State& state) {
   std::vector<BodyState> all(state.id.size());
   for (std::size_t row = 0; row < state.id.size(); ++row)
     all[state.id[row] - 1] = {state.position[row], state.angle[row], state.velocity[row], state.spin[row]};
@@ -19,10 +19,10 @@ std::vector<BodyState> states_of(const State& state) {
 Truth recorded_truth(Scene scene, double every) {
   const auto run = simulation(scene);
   const std::int64_t stride = std::llround(every / scene.time.dt);
-  std::vector<std::vector<BodyState>> frames{states_of(run->state())};
+  std::vector<std::vector<BodyState>> frames{body_states(run->state())};
   for (std::int64_t i = 1; i <= scene.time.steps(); ++i) {
     run->step();
-    if (i % stride == 0) frames.push_back(states_of(run->state()));
+    if (i % stride == 0) frames.push_back(body_states(run->state()));
   }
   return [frames = std::make_shared<const decltype(frames)>(std::move(frames)), every](double time) {
     return frames->at(static_cast<std::size_t>(std::llround(time / every)));

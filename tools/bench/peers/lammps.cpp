@@ -11,14 +11,15 @@
 #include <optional>
 
 #include "sim/contact/soft_law.h"
+#include "tools/bench/rows.h"
 
 namespace throng::bench {
 
 namespace {
 
 constexpr const char* kSilent = "tells no time";
-constexpr int kLimit = 600;    // s of a run
-constexpr double kSkin = 0.2;  // of the mean radius, beyond touching: who is listed as a neighbour
+constexpr int kTimeLimit = 600;  // s of a run
+constexpr double kSkin = 0.2;    // of the mean radius, beyond touching: who is listed as a neighbour
 
 [[gnu::format(printf, 1, 2)]] std::string line(const char* format, ...) {
   char text[512];
@@ -27,12 +28,6 @@ constexpr double kSkin = 0.2;  // of the mean radius, beyond touching: who is li
   std::vsnprintf(text, sizeof text, format, values);
   va_end(values);
   return std::string(text) + '\n';
-}
-
-double mean(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double value : values) sum += value;
-  return sum / static_cast<double>(values.size());
 }
 
 /// Its atoms are balls: a density makes each as heavy as the disc.
@@ -135,10 +130,11 @@ LammpsRun LammpsBed::run() const {
   constexpr int kTimedOut = 124;  // of timeout
   if (std::system("command -v lmp >/dev/null 2>&1") != 0) return {.fault = "not installed"};
   const std::string command = "cd " + quoted(folder_.path) + " && timeout --foreground " +
-                              std::to_string(kLimit) + " lmp -in bed.lmp -log none >output 2>&1 </dev/null";
+                              std::to_string(kTimeLimit) +
+                              " lmp -in bed.lmp -log none >output 2>&1 </dev/null";
   const int status = std::system(command.c_str());
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  if (code == kTimedOut) return {.fault = "takes longer than " + std::to_string(kLimit) + " s"};
+  if (code == kTimedOut) return {.fault = "takes longer than " + std::to_string(kTimeLimit) + " s"};
   std::ifstream in(folder_.path + "/output");
   LammpsRun run = read_lammps({std::istreambuf_iterator<char>(in), {}});
   if (run.fault == kSilent && code != 0) run.fault = "fails with exit code " + std::to_string(code);

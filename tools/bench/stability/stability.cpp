@@ -16,10 +16,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Those that make each other worse.
-constexpr std::pair<Factor, Factor> kPairs[] = {{Factor::dt, Factor::substeps},
-                                                {Factor::dt, Factor::mass_ratio},
-                                                {Factor::scale, Factor::dt},
-                                                {Factor::scale, Factor::offset}};
+constexpr std::pair<Factor, Factor> kFactorPairs[] = {{Factor::dt, Factor::substeps},
+                                                      {Factor::dt, Factor::mass_ratio},
+                                                      {Factor::scale, Factor::dt},
+                                                      {Factor::scale, Factor::offset}};
 
 Json or_null(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
@@ -64,7 +64,7 @@ void add_lines(Stressed scene, const Options& options, std::vector<Row>& rows) {
 }
 
 void add_maps(Stressed scene, const Options& options, std::vector<Row>& rows) {
-  for (const auto& [x, y] : kPairs) {
+  for (const auto& [x, y] : kFactorPairs) {
     const std::string name =
         stressed_name(scene) + std::string(": ") + factor_name(x) + ", " + factor_name(y);
     if (options.quick || !chosen(name, options)) continue;

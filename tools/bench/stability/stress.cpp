@@ -11,10 +11,10 @@ namespace throng::bench {
 
 namespace {
 
-constexpr double kDt = 1.0 / 60.0, kSubsteps = 8.0;
+constexpr double kOrdinaryDt = 1.0 / 60.0, kOrdinarySubsteps = 8.0;
 constexpr double kSeconds = 6.0;  // of a run in which lengths are metres
 
-std::string number(double x) {
+std::string toml_number(double x) {
   char text[32];
   std::snprintf(text, sizeof text, "%.17g", x);
   const std::string plain = text;
@@ -28,12 +28,12 @@ class Places {
       : scale_(stress[std::size_t(Factor::scale)]), offset_(stress[std::size_t(Factor::offset)]) {}
 
   std::string at(double x, double y) const {
-    return "[" + number(offset_ + scale_ * x) + ", " + number(offset_ + scale_ * y) + "]";
+    return "[" + toml_number(offset_ + scale_ * x) + ", " + toml_number(offset_ + scale_ * y) + "]";
   }
   std::string box(double x, double y, double x2, double y2) const {
     return "[" + at(x, y) + ", " + at(x2, y2) + "]";
   }
-  std::string size(double length) const { return number(scale_ * length); }
+  std::string size(double length) const { return toml_number(scale_ * length); }
 
  private:
   double scale_, offset_;
@@ -91,22 +91,22 @@ const char* stressed_name(Stressed scene) {
 
 Stress ordinary(Stressed scene) {
   const bool gas = scene == Stressed::gas;
-  return {1.0, 0.0, 1.0, kDt, gas ? 1.0 : 0.0, gas ? 0.0 : 0.5, kSubsteps};
+  return {1.0, 0.0, 1.0, kOrdinaryDt, gas ? 1.0 : 0.0, gas ? 0.0 : 0.5, kOrdinarySubsteps};
 }
 
 Scene stressed_scene(Stressed scene, const Stress& stress) {
   const auto value = [&](Factor factor) { return stress[static_cast<std::size_t>(factor)]; };
   const Places places(stress);
-  const std::string surface = "restitution = " + number(value(Factor::restitution)) +
-                              ", friction = " + number(value(Factor::friction)) + " }\n";
+  const std::string surface = "restitution = " + toml_number(value(Factor::restitution)) +
+                              ", friction = " + toml_number(value(Factor::friction)) + " }\n";
   const bool falls = scene != Stressed::gas;
   const double until = kSeconds * std::max(1.0, falls ? std::sqrt(value(Factor::scale)) : 1.0);
   const std::string text =
       "throng = 1\nseed = 2\nsleep = false\n" + std::string(falls ? "gravity = [0, -9.81]\n" : "") +
-      "time = { dt = " + number(value(Factor::dt)) + ", until = " + number(until) +
+      "time = { dt = " + toml_number(value(Factor::dt)) + ", until = " + toml_number(until) +
       ", substeps = " + std::to_string(static_cast<int>(value(Factor::substeps))) + " }\n" +
       "materials.light = { density = 1.0, " + surface +
-      "materials.heavy = { density = " + number(value(Factor::mass_ratio)) + ", " + surface +
+      "materials.heavy = { density = " + toml_number(value(Factor::mass_ratio)) + ", " + surface +
       "materials.default = { " + surface + "shapes.disc.disc.radius = " + places.size(0.45) +
       "\nshapes.box.polygon = [[0, 0], [" + places.size(1) + ", 0], [" + places.size(1) + ", " +
       places.size(1) + "], [0, " + places.size(1) + "]]\n" + bodies(scene, places);

@@ -13,7 +13,7 @@ namespace throng::bench {
 
 namespace {
 
-constexpr double kGravity = 9.81;  // m/s²
+constexpr double kEarthGravity = 9.81;  // m/s²
 
 double energy(const Scene& scene, const State& state) {
   return kinetic_energy(scene, state) + potential_energy(scene, state);
@@ -47,17 +47,17 @@ bool all_inside(const Scene& scene, const State& state) {
   });
 }
 
-Verdict judged(Stressed which, const Stress& stress, const Endured& seen, bool inside) {
-  if (!seen.end.empty() || !inside || !(seen.energy <= 0.1)) return Verdict::exploded;
+Stability judged(Stressed which, const Stress& stress, const Endured& seen, bool inside) {
+  if (!seen.end.empty() || !inside || !(seen.energy <= 0.1)) return Stability::exploded;
   const bool rests = which != Stressed::gas && stress[std::size_t(Factor::restitution)] < 1.0;
   const bool moved = which == Stressed::stack && seen.moved > 0.1;
   const bool drifts = seen.energy > 0.01 || seen.overlap > 0.1 || (rests && (moved || seen.speed > 0.1));
-  return drifts ? Verdict::drifting : Verdict::stable;
+  return drifts ? Stability::drifting : Stability::stable;
 }
 
 }  // namespace
 
-const char* verdict_name(Verdict verdict) {
+const char* verdict_name(Stability verdict) {
   constexpr std::array names{"stable", "drifting", "exploded"};
   return names[static_cast<std::size_t>(verdict)];
 }
@@ -69,7 +69,7 @@ Endured endure(Stressed which, const Stress& stress) {
       stress[std::size_t(Factor::restitution)] >= 1.0 && stress[std::size_t(Factor::friction)] == 0.0;
   const auto run = simulation(scene);
   const double at_first = energy(scene, run->state()), at_hand = energy_at_hand(scene, run->state(), offset);
-  const double pace = which == Stressed::gas ? scale : std::sqrt(kGravity * scale);  // m/s
+  const double pace = which == Stressed::gas ? scale : std::sqrt(kEarthGravity * scale);  // m/s
   Endured seen;
   const auto begin = std::chrono::steady_clock::now();
   try {

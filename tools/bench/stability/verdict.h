@@ -8,8 +8,8 @@
 
 namespace throng::bench {
 
-enum class Verdict { stable, drifting, exploded };
-const char* verdict_name(Verdict verdict);
+enum class Stability { stable, drifting, exploded };
+const char* verdict_name(Stability verdict);
 
 /// What became of a scene under stress.
 struct Endured {
@@ -22,7 +22,7 @@ struct Endured {
   std::int64_t steps = 0;  ///< that it went
   double ms = 0.0;         ///< of all of them
   std::string end = "";    ///< why the run ended before its time; "" where it didn't
-  Verdict verdict = Verdict::stable;
+  Stability verdict = Stability::stable;
 };
 
 /// Plays it to its end. exploded: the run broke off, energy grew by more than a tenth, or somebody left the
