@@ -6,7 +6,8 @@
 #include "sim/contact/contact.h"
 #include "sim/contact/soft_law.h"
 
-/// What soft contacts read of bodies and add to them, a row per body and one for all obstacles.
+/// What soft contacts read of bodies and add to them, by their places (SoftPlaces): one for each body and one
+/// for all obstacles.
 namespace throng {
 
 /// What pushes a body in a substep.
@@ -21,6 +22,12 @@ struct alignas(32) SoftSpeed {
   double spin = 0.0;       ///< rad/s
 };
 
+/// How far a body got from where the step began.
+struct SoftWay {
+  Vec from{0.0, 0.0};      ///< m
+  double farthest2 = 0.0;  ///< m²
+};
+
 /// One substep, as contacts see it.
 struct SoftSubstep {
   bool first;                          ///< of its step
@@ -32,15 +39,15 @@ struct SoftSubstep {
   std::span<SoftPush> pushes;          ///< added to
 };
 
-/// Two rows of bodies that are deeper in each other than springs can tell of; none: both 0.
+/// Two places of bodies that are deeper in each other than springs can tell of; none: both 0.
 struct SoftSqueeze {
   std::uint32_t a = 0, b = 0;
   double depth = 0.0;  ///< m
 
   static constexpr double kMost = 0.5;  ///< of the smaller radius
 
-  void note(std::uint32_t row_a, std::uint32_t row_b, double how_deep) {
-    if (how_deep > depth) a = row_a, b = row_b, depth = how_deep;
+  void note(std::uint32_t place_a, std::uint32_t place_b, double how_deep) {
+    if (how_deep > depth) a = place_a, b = place_b, depth = how_deep;
   }
 };
 

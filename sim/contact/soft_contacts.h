@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/contact/soft_discs.h"
+#include "sim/contact/soft_places.h"
 #include "sim/contact/soft_solids.h"
 #include "sim/rows.h"
 
@@ -36,19 +37,24 @@ class SoftContacts {
   void list(const State& state, std::span<const SolverBody> bodies, std::vector<ContactRow>& rows) const;
 
  private:
-  void start(std::span<SolverBody> bodies);
-  void foretell(std::span<const SolverBody> bodies);
-  void kick_and_drift(const State& state, double time, std::span<SolverBody> bodies);
+  void take(const State& state, std::span<const SolverBody> bodies);
+  void give_back(std::span<SolverBody> bodies);
+  void start();
+  void foretell();
+  void kick_and_drift(double time);
 
   const Scene& scene_;
   const double h_;  // s
   const bool gravity_;
   SoftDiscs discs_;
   SoftSolids solids_;
+  SoftPlaces places_;
+  std::vector<SolverBody> bodies_;  // these four by place
   std::vector<SoftPush> pushes_;
   std::vector<SoftSpeed> speeds_;
-  std::vector<double> farthest_;
-  double fastest_ = 0.0;  // m/s
+  std::vector<SoftWay> ways_;
+  std::vector<double> farthest_;  // by row
+  double fastest_ = 0.0;          // m/s
 };
 
 }  // namespace throng

@@ -16,10 +16,11 @@ using narrowphase::Pose;
 SoftSolids::SoftSolids(const Scene& scene, const Plan& plan)
     : scene_(scene), plan_(plan), ratios_(damping_ratios(plan)) {}
 
-void SoftSolids::find(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies) {
+void SoftSolids::find(const Candidates& candidates, const State& state, const SoftPlaces& places,
+                      std::span<const SolverBody> bodies) {
   pairs_.clear(), turning_.clear();
-  find_kinematic(candidates, state, bodies);
-  find_obstacles(candidates, bodies);
+  find_kinematic(candidates, state, places, bodies);
+  find_obstacles(candidates, places, bodies);
   by_disc_.resize(pairs_.size());
   std::iota(by_disc_.begin(), by_disc_.end(), 0u);
   std::ranges::sort(by_disc_, [&](std::uint32_t i, std::uint32_t j) {
@@ -29,7 +30,7 @@ void SoftSolids::find(const Candidates& candidates, const State& state, std::spa
   squeeze_ = {};
 }
 
-void SoftSolids::find_kinematic(const Candidates& candidates, const State& state,
+void SoftSolids::find_kinematic(const Candidates& candidates, const State& state, const SoftPlaces& places,
                                 std::span<const SolverBody> bodies) {
   if (!plan_.polygons) return;
   const Colliders& colliders = candidates.colliders();
@@ -39,9 +40,16 @@ void SoftSolids::find_kinematic(const Candidates& candidates, const State& state
     const std::uint32_t disc = colliders.body[first ? pair.a : pair.b], row = first ? pair.b : pair.a;
     const std::uint32_t solid = colliders.body[row];
     const Vec shift = first ? candidates.shift(pair) : Vec(-candidates.shift(pair));
-    add({key_of(pair, false), disc, solid, nullptr, colliders.shape[row], shift, {}},
-        scene_.bodies.material[solid], bodies);
-    turning_.push_back({solid, state.angle[solid]});
+    add({key_of(pair, false),
+         places.place(disc),
+         places.place(solid),
+         0.0,
+         nullptr,
+         colliders.shape[row],
+         shift,
+         {}},
+        disc, scene_.bodies.material[solid], bodies[places.place(disc)]);
+    turning_.push_back({places.place(solid), state.angle[solid]});
   }
   std::ranges::sort(turning_, {}, &Turning::body);
   const auto same = [](const Turning& one, const Turning& other) { return one.body == other.body; };
@@ -49,29 +57,26 @@ void SoftSolids::find_kinematic(const Candidates& candidates, const State& state
   poses_.resize(bodies.size());
 }
 
-void SoftSolids::find_obstacles(const Candidates& candidates, std::span<const SolverBody> bodies) {
+void SoftSolids::find_obstacles(const Candidates& candidates, const SoftPlaces& places,
+                                std::span<const SolverBody> bodies) {
   const Obstacles& obstacles = candidates.obstacles();
   const std::size_t sides = obstacles.side.size();
   const auto row = static_cast<std::uint32_t>(bodies.size() - 1);
   for (const broadphase::Pair& pair : candidates.obstacle_pairs()) {
     const auto* side = pair.b < sides ? &obstacles.side[pair.b] : nullptr;
     const auto* part = side ? nullptr : &obstacles.part[pair.b - sides];
-    add({key_of(pair, true),
-         candidates.colliders().body[pair.a],
-         row,
-         side,
-         part,
-         candidates.obstacle_shift(pair.a),
-         {}},
-        obstacles.material[pair.b], bodies);
+    const std::uint32_t disc = candidates.colliders().body[pair.a], place = places.place(disc);
+    add({key_of(pair, true), place, row, 0.0, side, part, candidates.obstacle_shift(pair.a), {}}, disc,
+        obstacles.material[pair.b], bodies[place]);
   }
 }
 
-void SoftSolids::add(Pair pair, std::uint32_t material, std::span<const SolverBody> bodies) {
-  const std::size_t row = scene_.bodies.material[pair.disc] * scene_.materials.size() + material;
-  const double radius =
-      effective_radius(scene_.bodies.radius[pair.disc], pair.part ? rolling_radius(*pair.part) : 0.0);
-  pair.law = soft_pair(scene_, 1.0 / bodies[pair.disc].inverse_mass, radius, ratios_[row]);
+/// `disc`: its row.
+void SoftSolids::add(Pair pair, std::uint32_t disc, std::uint32_t material, const SolverBody& body) {
+  const std::size_t row = scene_.bodies.material[disc] * scene_.materials.size() + material;
+  pair.radius = scene_.bodies.radius[disc];
+  const double radius = effective_radius(pair.radius, pair.part ? rolling_radius(*pair.part) : 0.0);
+  pair.law = soft_pair(scene_, 1.0 / body.inverse_mass, radius, ratios_[row]);
   pair.law.friction = plan_.surfaces[row].friction;
   pair.law.rolling = plan_.surfaces[row].rolling, pair.law.roll_radius = radius;
   pairs_.push_back(pair);
@@ -114,8 +119,7 @@ void SoftSolids::press_disc(const Law& law, std::span<const std::uint32_t> pairs
     const SolverBody& disc = now.bodies[pair.disc];
     const SoftMotion moves = motion(touch, now, disc.velocity, disc.spin);
     if (!(touch.depth + std::abs(0.5 * now.h * moves.closing) > 0.0)) continue;
-    if (touch.depth > SoftSqueeze::kMost * scene_.bodies.radius[pair.disc])
-      squeeze_.note(pair.disc, pair.solid, touch.depth);
+    if (touch.depth > SoftSqueeze::kMost * pair.radius) squeeze_.note(pair.disc, pair.solid, touch.depth);
     touch.springs = springs_of(touch, moves, now);
     SoftSprings trial = touch.springs;
     push(touch, soft_force(law, pair.law, moves, now.h, plan_.rolling, trial), now.pushes);
@@ -129,9 +133,9 @@ void SoftSolids::find_near(std::span<const std::uint32_t> pairs, const SoftSubst
   for (const std::uint32_t i : pairs) {
     const Pair& pair = pairs_[i];
     const NearestSurface surface = nearest(pair, now.bodies[pair.disc].position);
-    const double depth = scene_.bodies.radius[pair.disc] - surface.distance;
+    const double depth = pair.radius - surface.distance;
     if (!(depth + now.fringe > 0.0)) continue;
-    const double arm = scene_.bodies.radius[pair.disc] - std::max(depth, 0.0);
+    const double arm = pair.radius - std::max(depth, 0.0);
     const Vec place = now.bodies[pair.disc].position + arm * surface.normal;
     const Vec lever = place - (now.bodies[pair.solid].position + pair.shift);
     near_.push_back({i, i, depth, surface.normal, lever, {}, 0.0});
@@ -147,7 +151,7 @@ void SoftSolids::drop_shared(const SoftSubstep& now) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < near_.size(); ++i) {
     const Pair& pair = pairs_[near_[i].pair];
-    const double radius = scene_.bodies.radius[pair.disc];
+    const double radius = pair.radius;
     const Vec place = now.bodies[pair.disc].position + (radius - near_[i].depth) * near_[i].normal;
     const auto end = near_.begin() + static_cast<std::ptrdiff_t>(kept);
     const auto owner = std::find_if(near_.begin(), end, [&](const Touch& touch) {
@@ -171,7 +175,7 @@ NearestSurface SoftSolids::nearest(const Pair& pair, const Vec& point) const {
 
 /// From the disc's centre to the solid, m.
 double SoftSolids::arm(const Touch& touch) const {
-  return scene_.bodies.radius[pairs_[touch.pair].disc] - std::max(touch.depth, 0.0);
+  return pairs_[touch.pair].radius - std::max(touch.depth, 0.0);
 }
 
 /// The solid keeps its velocity; `velocity` and `spin` are the disc's.
@@ -237,14 +241,15 @@ void SoftSolids::save(double h, State& state) const {
         {pairs_[touch.pair].key, 0, h * touch.force, touch.springs.slip, touch.springs.roll});
 }
 
-void SoftSolids::list(const State& state, double h, std::span<const SolverBody> bodies,
-                      std::vector<ContactRow>& rows) const {
+void SoftSolids::list(const State& state, double h, const SoftPlaces& places,
+                      std::span<const SolverBody> bodies, std::vector<ContactRow>& rows) const {
   for (const Touch& touch : touches_) {
     if (!(touch.force > 0.0)) continue;
     const Pair& pair = pairs_[touch.pair];
-    const Vec point = bodies[pair.disc].position + arm(touch) * touch.normal;
-    rows.push_back({state.id[pair.disc], pair.solid < state.id.size() ? state.id[pair.solid] : 0,
-                    h * touch.force, plan_.periodic ? wrapped(point, scene_.domain) : point});
+    const std::uint32_t disc = places.row(pair.disc), solid = places.row(pair.solid);
+    const Vec point = bodies[disc].position + arm(touch) * touch.normal;
+    rows.push_back({state.id[disc], solid < state.id.size() ? state.id[solid] : 0, h * touch.force,
+                    plan_.periodic ? wrapped(point, scene_.domain) : point});
   }
 }
 

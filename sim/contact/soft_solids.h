@@ -5,6 +5,7 @@
 
 #include "sim/contact/candidates.h"
 #include "sim/contact/soft_bodies.h"
+#include "sim/contact/soft_places.h"
 #include "sim/contact/soft_touch.h"
 #include "sim/contact_row.h"
 
@@ -17,19 +18,21 @@ class SoftSolids {
   SoftSolids(const Scene& scene, const Plan& plan);
 
   /// As those of SoftDiscs.
-  void find(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies);
+  void find(const Candidates& candidates, const State& state, const SoftPlaces& places,
+            std::span<const SolverBody> bodies);
   void press(const SoftSubstep& now);
   void press_again(const SoftSubstep& now);
   void finish(const SoftSubstep& now);
   void save(double h, State& state) const;
-  void list(const State& state, double h, std::span<const SolverBody> bodies,
+  void list(const State& state, double h, const SoftPlaces& places, std::span<const SolverBody> bodies,
             std::vector<ContactRow>& rows) const;
   const SoftSqueeze& squeeze() const { return squeeze_; }
 
  private:
   struct Pair {
     std::uint64_t key;
-    std::uint32_t disc, solid;           // rows of bodies; that of obstacles stands for what never moves
+    std::uint32_t disc, solid;           // places of bodies; that of obstacles stands for what never moves
+    double radius;                       // m, of the disc
     const narrowphase::HalfPlane* side;  // of the domain, or null
     const narrowphase::Convex* part;     // else this
     Vec shift;                           // m, to the part's image
@@ -47,15 +50,17 @@ class SoftSolids {
   };
 
   struct Turning {
-    std::uint32_t body;
-    double angle;  // rad, as the step begins
+    std::uint32_t body;  // its place
+    double angle;        // rad, as the step begins
   };
 
   static constexpr double kSame = 1e-9;  // of the radius: places that are one
 
-  void find_kinematic(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies);
-  void find_obstacles(const Candidates& candidates, std::span<const SolverBody> bodies);
-  void add(Pair pair, std::uint32_t material, std::span<const SolverBody> bodies);
+  void find_kinematic(const Candidates& candidates, const State& state, const SoftPlaces& places,
+                      std::span<const SolverBody> bodies);
+  void find_obstacles(const Candidates& candidates, const SoftPlaces& places,
+                      std::span<const SolverBody> bodies);
+  void add(Pair pair, std::uint32_t disc, std::uint32_t material, const SolverBody& body);
   void recall(const State& state);
   template <class Law>
   void press_disc(const Law& law, std::span<const std::uint32_t> pairs, const SoftSubstep& now);
@@ -75,7 +80,7 @@ class SoftSolids {
   std::vector<Pair> pairs_;               // in the order of the keys
   std::vector<std::uint32_t> by_disc_;    // rows of pairs
   std::vector<Turning> turning_;          // kinematic bodies
-  std::vector<narrowphase::Pose> poses_;  // a row per body: of those, in this substep; empty without such
+  std::vector<narrowphase::Pose> poses_;  // by place: of those, in this substep; empty without such
   std::vector<Touch> touches_, last_;     // of this substep and of the one before, ascending by pair
   std::vector<Touch> near_;               // of one disc
   SoftSqueeze squeeze_;

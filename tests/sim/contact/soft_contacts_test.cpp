@@ -83,6 +83,38 @@ TEST_P(SoftModels, HaveTheSameBitsOnTwoThreadsAndWhereStepsAreResumed) {
   EXPECT_NE(hash(one.state), hash(forgetful.state)) << "springs are a part of the state";
 }
 
+/// So many that they are kept by their places in the plane, not by their rows: pressed into each other by the
+/// side of the box, in rows without an order.
+TEST_P(SoftModels, AreAsPlainWhereBodiesAreMany) {
+  const Scene scene =
+      scene_from(std::string(GetParam()) + kGravity + steps_of(5e-4) + surface(0.5, 0.4, 0.1) +
+                 "[domain]\nbox = [[0, 0], [60, 40]]\n"
+                 "[shapes]\nball = { disc = { radius = { uniform = [0.3, 0.5] } } }\n"
+                 "[[bodies]]\nshape = \"ball\"\ncount = 2100\nspin = 3.0\n"
+                 "velocity = { maxwell = 10.0 }\n"
+                 "place = { random = { within = [[0.6, 0.6], [59.4, 39.4]], gap = 0.01 } }\n");
+  Trial trial(scene), two(scene, 2), resumed(scene);
+  SoftTwin twin(scene, trial.plan.substep);
+  std::size_t pairs = 0;
+  double worst = 0.0;
+  for (int i = 0; i < 20; ++i) {
+    if (i == 12) resumed.state = trial.state;
+    trial.steps(1), two.steps(1);
+    if (i >= 12) resumed.steps(1);
+    twin.step();
+    pairs += trial.state.disc_contacts.size();
+  }
+  for (std::size_t row = 0; row < scene.bodies.size(); ++row) {
+    const SoftTwin::Disc& disc = twin.discs()[row];
+    worst = std::max(worst, (trial.state.position[row] - Vec(disc.x, disc.y)).norm());
+    worst = std::max(worst, 0.01 * std::abs(trial.state.spin[row] - disc.spin));
+  }
+  EXPECT_LT(worst, 1e-11);
+  EXPECT_GT(pairs, 500u);
+  EXPECT_EQ(hash(trial.state), hash(two.state));
+  EXPECT_EQ(hash(trial.state), hash(resumed.state));
+}
+
 /// One disc that hits the floor at an angle: velocity and surface speed after it.
 struct Bounce {
   Vec velocity;

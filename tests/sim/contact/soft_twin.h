@@ -42,6 +42,8 @@ class SoftTwin {
   }
 
  private:
+  static constexpr double kFar = 1.5;  // who is farther apart doesn't meet within a step
+
   enum class Pass { begin, middle, end };  // at the places of the middle, with the velocities of these
 
   struct Springs {
@@ -60,6 +62,7 @@ class SoftTwin {
       for (std::size_t j = i + 1; j < n; ++j) {
         Disc &a = discs[i], &b = discs[j];
         const double dx = b.x - a.x, dy = b.y - a.y, distance = std::sqrt(dx * dx + dy * dy);
+        if (distance > kFar * (a.radius + b.radius)) continue;
         const double depth = a.radius + b.radius - distance, in = std::max(depth, 0.0);
         touch({i, j}, a, &b, dx / distance, dy / distance, depth, a.radius - in / 2, b.radius - in / 2, pass);
       }
