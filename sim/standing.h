@@ -19,7 +19,7 @@ struct Load {
 Load load_of(const Scene& scene);
 
 /// Whether all dynamic bodies are at rest, and touch others or obstacles in as many places as there are
-/// bodies, neither apart nor overlapping by a billionth of the smallest radius: as those that stand on one
+/// bodies, neither apart nor overlapping by more than a few billionths of the smallest radius: as those that stand on one
 /// another do, and bear their loads as a run begins (sim/contact/first_loads.h). O(bodies and pairs).
 bool stands(const Scene& scene);
 

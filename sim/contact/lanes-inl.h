@@ -72,15 +72,15 @@ HWY_INLINE double* half(SolverBody& body, std::size_t which) {
 }
 
 #if HWY_TARGET != HWY_SCALAR
-/// Bodies j and, with eight lanes, j + 4.
-HWY_INLINE Reals two_halves(const SolverBody* bodies, const std::uint32_t* rows, std::size_t which,
-                            std::size_t j) {
+/// Four numbers of the rows j and, with eight lanes, j + 4.
+template <std::size_t kStride>
+HWY_INLINE Reals two_fours(const double* numbers, const std::uint32_t* rows, std::size_t j) {
   if constexpr (kLanes == 8) {
     const hn::Half<D> d4;
-    return hn::Combine(D(), hn::LoadU(d4, half(bodies[rows[j + 4]], which)),
-                       hn::LoadU(d4, half(bodies[rows[j]], which)));
+    return hn::Combine(D(), hn::LoadU(d4, numbers + kStride * rows[j + 4]),
+                       hn::LoadU(d4, numbers + kStride * rows[j]));
   } else {
-    return hn::LoadU(D(), half(bodies[rows[j]], which));
+    return hn::LoadU(D(), numbers + kStride * rows[j]);
   }
 }
 
@@ -95,13 +95,14 @@ HWY_INLINE void put_halves(Reals v, SolverBody* bodies, const std::uint32_t* row
 }
 #endif
 
-/// Of the bodies in `rows`, one a lane.
-HWY_INLINE Four gather(const SolverBody* bodies, const std::uint32_t* rows, std::size_t which) {
+/// The first four of the `kStride` numbers that each of the rows has, one row a lane.
+template <std::size_t kStride>
+HWY_INLINE Four gather(const double* numbers, const std::uint32_t* rows) {
 #if HWY_TARGET != HWY_SCALAR
   if constexpr (kLanes >= 4) {
     const D d;
-    const Reals r0 = two_halves(bodies, rows, which, 0), r1 = two_halves(bodies, rows, which, 1);
-    const Reals r2 = two_halves(bodies, rows, which, 2), r3 = two_halves(bodies, rows, which, 3);
+    const Reals r0 = two_fours<kStride>(numbers, rows, 0), r1 = two_fours<kStride>(numbers, rows, 1);
+    const Reals r2 = two_fours<kStride>(numbers, rows, 2), r3 = two_fours<kStride>(numbers, rows, 3);
     const Reals low01 = hn::InterleaveLower(d, r0, r1), high01 = hn::InterleaveUpper(d, r0, r1);
     const Reals low23 = hn::InterleaveLower(d, r2, r3), high23 = hn::InterleaveUpper(d, r2, r3);
     return {hn::OddEvenBlocks(hn::SwapAdjacentBlocks(low23), low01),
@@ -112,8 +113,13 @@ HWY_INLINE Four gather(const SolverBody* bodies, const std::uint32_t* rows, std:
 #endif
   alignas(64) double four[4][kLanes];
   for (std::size_t lane = 0; lane < kLanes; ++lane)
-    for (std::size_t k = 0; k < 4; ++k) four[k][lane] = half(bodies[rows[lane]], which)[k];
+    for (std::size_t k = 0; k < 4; ++k) four[k][lane] = numbers[kStride * rows[lane] + k];
   return {load(four[0]), load(four[1]), load(four[2]), load(four[3])};
+}
+
+/// Of the bodies in `rows`, one a lane.
+HWY_INLINE Four gather(const SolverBody* bodies, const std::uint32_t* rows, std::size_t which) {
+  return gather<8>(half(bodies[0], which), rows);
 }
 
 /// Back into the half that contacts change.

@@ -14,12 +14,14 @@ namespace throng {
 struct alignas(32) SoftPush {
   Vec force{0.0, 0.0};  ///< N
   double torque = 0.0;  ///< N m
+  double none = 0.0;    ///< makes it four, as lanes take them
 };
 
 /// How a body moves in the middle of a substep: dashpots feel that.
 struct alignas(32) SoftSpeed {
   Vec velocity{0.0, 0.0};  ///< m/s
   double spin = 0.0;       ///< rad/s
+  double none = 0.0;       ///< as above
 };
 
 /// How far a body got from where the step began.

@@ -8,8 +8,9 @@
 #include "sim/plan.h"
 #include "sim/scene.h"
 
-/// How soft discs push each other: forces by how deep they are in each other and how that changes. Inlined
-/// always: handed over through memory, their dozen numbers would cost as much as what is done with them.
+/// How soft discs push each other: forces by how deep they are in each other and how that changes. Pairs of
+/// discs do the same in lanes (soft_law-inl.h). Inlined always: handed over through memory, their dozen
+/// numbers would cost as much as what is done with them.
 ///
 /// All forces are means over a step of length h, on the straight way that the depth takes in it: at its
 /// beginning and end a contact is there for a part of a step only, and a dashpot that sets in with all its
@@ -93,9 +94,10 @@ struct HertzLaw {
             stiffness, damping};
   }
 
- private:
-  static constexpr double kStraight = 1e-3;  // the middle of a shorter way stands for all of it, to 1e-7
+  static constexpr double kStraight =
+      1e-3;  ///< of the depth: the middle of a shorter way stands for all, to 1e-7
 
+ private:
   static double work(double depth) { return depth * depth * std::sqrt(depth); }
   static double drag(double depth) { return depth * std::sqrt(std::sqrt(depth)); }
 };

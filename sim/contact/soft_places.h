@@ -11,7 +11,8 @@
 namespace throng {
 
 /// Where soft contacts keep bodies: in the order of a curve through the plane, as they stand when a step
-/// begins. Those who touch are near in memory then, for as many substeps as the step has.
+/// begins. Those who touch are near in memory then, for as many substeps as the step has. Few bodies keep
+/// their rows.
 class SoftPlaces {
  public:
   /// Of bodies in rows, and a last row of obstacles, which keeps its place. O(n); allocates only to grow.

@@ -61,12 +61,12 @@ void SoftSolids::find_obstacles(const Candidates& candidates, const SoftPlaces& 
                                 std::span<const SolverBody> bodies) {
   const Obstacles& obstacles = candidates.obstacles();
   const std::size_t sides = obstacles.side.size();
-  const auto row = static_cast<std::uint32_t>(bodies.size() - 1);
+  const auto last = static_cast<std::uint32_t>(bodies.size() - 1);
   for (const broadphase::Pair& pair : candidates.obstacle_pairs()) {
     const auto* side = pair.b < sides ? &obstacles.side[pair.b] : nullptr;
     const auto* part = side ? nullptr : &obstacles.part[pair.b - sides];
     const std::uint32_t disc = candidates.colliders().body[pair.a], place = places.place(disc);
-    add({key_of(pair, true), place, row, 0.0, side, part, candidates.obstacle_shift(pair.a), {}}, disc,
+    add({key_of(pair, true), place, last, 0.0, side, part, candidates.obstacle_shift(pair.a), {}}, disc,
         obstacles.material[pair.b], bodies[place]);
   }
 }

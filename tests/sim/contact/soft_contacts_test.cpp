@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/periodic.h"
 #include "sim/simulation_error.h"
 #include "sim/soft_timing.h"
 #include "tests/sim/contact/soft_twin.h"
@@ -83,8 +84,7 @@ TEST_P(SoftModels, HaveTheSameBitsOnTwoThreadsAndWhereStepsAreResumed) {
   EXPECT_NE(hash(one.state), hash(forgetful.state)) << "springs are a part of the state";
 }
 
-/// So many that they are kept by their places in the plane, not by their rows: pressed into each other by the
-/// side of the box, in rows without an order.
+/// So many that they are kept by their places in the plane, not by their rows.
 TEST_P(SoftModels, AreAsPlainWhereBodiesAreMany) {
   const Scene scene =
       scene_from(std::string(GetParam()) + kGravity + steps_of(5e-4) + surface(0.5, 0.4, 0.1) +
@@ -431,6 +431,28 @@ TEST(SoftPeriodic, DiscsMeetAcrossTheSeamAsAnywhere) {
   EXPECT_NE(inside.spin[0], 2.0);
   EXPECT_NEAR((inside.velocity[0] - seam.velocity[0]).norm(), 0.0, 1e-10);
   EXPECT_NEAR(inside.spin[1], seam.spin[1], 1e-9);
+}
+
+TEST(SoftPeriodic, ManyMeetAcrossTheSeamsAsAnywhere) {
+  const Scene here = scene_from(
+      spring(2e4) + steps_of(1e-3, 4) + surface(0.5, 0.4) +
+      "[domain]\nperiodic = [[0, 0], [8, 8]]\n"
+      "[shapes]\nball = { disc = { radius = { uniform = [0.3, 0.5] } } }\n"
+      "[[bodies]]\nshape = \"ball\"\ncount = 64\nspin = 3.0\n"
+      "velocity = { maxwell = 5.0 }\nplace = { random = { within = [[0, 0], [8, 8]], gap = 0.01 } }\n");
+  Scene elsewhere = here;
+  for (Vec& place : elsewhere.bodies.position) place = wrapped(place + Vec(3.0, 4.5), here.domain);
+  Trial one(here), other(elsewhere);
+  std::size_t most = 0;
+  for (int i = 0; i < 150; ++i) {
+    one.steps(1), other.steps(1);
+    most = std::max(most, one.state.disc_contacts.size());
+  }
+  EXPECT_GT(most, 8u) << "more than a block";
+  for (std::size_t i = 0; i < here.bodies.size(); ++i) {
+    EXPECT_LT((one.state.velocity[i] - other.state.velocity[i]).norm(), 1e-9) << i;
+    EXPECT_NEAR(one.state.spin[i], other.state.spin[i], 1e-8) << i;
+  }
 }
 
 TEST(SoftContacts, SayWhereSpringsAreTooWeakToTellInFromOut) {

