@@ -39,7 +39,7 @@ HWY_INLINE WideSprings springs_after(const SoftBlock& c, std::size_t k, const So
                                      const Four& a, const Four& b) {
   const WideMotion moves =
       motion_of(c, k, {load(c.normal_x + k), load(c.normal_y + k)}, load(c.depth + k), a, b);
-  return stretched({load(c.slip + k), load(c.roll + k)}, moves, time_after(moves, wide(0.5 * h)), law.rolls);
+  return stretched(load_springs(c, k, law.rolls), moves, time_after(moves, wide(0.5 * h)), law.rolls);
 }
 
 /// What there is of springs as the substep begins, stretched until its middle.
@@ -47,8 +47,7 @@ HWY_INLINE WideSprings springs_before(const SoftBlock& c, std::size_t k, const S
                                       const SoftSubstep& now, const WideMotion& moves, const Four& a,
                                       const Four& b) {
   const Mask known = hn::Ne(load(c.touching + k), hn::Zero(D()));
-  WideSprings springs =
-      now.first ? WideSprings{load(c.slip + k), load(c.roll + k)} : springs_after(c, k, law, now.h, a, b);
+  WideSprings springs = now.first ? load_springs(c, k, law.rolls) : springs_after(c, k, law, now.h, a, b);
   springs = {hn::IfThenElseZero(known, springs.slip), hn::IfThenElseZero(known, springs.roll)};
   const Reals span = hn::IfThenElse(known, wide(0.5 * now.h), wide(now.past));
   return stretched(springs, moves, time_before(moves, span), law.rolls);
@@ -90,7 +89,7 @@ HWY_INLINE void press_part(SoftBlock& c, const SoftShifts* shifts, std::size_t k
   const Mask touching = hn::And(near, hn::Gt(hn::Add(depth, ahead), zero));
   if (hn::AllFalse(d, touching)) return store(zero, c.touching + k);
   WideSprings springs = springs_before(c, k, law, now, moves, a, b);
-  store(springs.slip, c.slip + k), store(springs.roll, c.roll + k);
+  store_springs(springs, c, k, law.rolls);
   store(hn::IfThenElseZero(touching, wide(1.0)), c.touching + k);
   store(n.x, c.normal_x + k), store(n.y, c.normal_y + k), store(depth, c.depth + k);
   push(c, k, n, moves, force_of<kHertz>(c, k, law, moves, touching, now.h, springs), now.pushes.data());
@@ -106,9 +105,10 @@ HWY_INLINE void press_part_again(SoftBlock& c, std::size_t k, const SoftLaw& law
   const Four a = gather<4>(speeds, c.a + k), b = gather<4>(speeds, c.b + k);
   const WideNormal n{load(c.normal_x + k), load(c.normal_y + k)};
   const WideMotion moves = motion_of(c, k, n, load(c.depth + k), a, b);
-  WideSprings springs{load(c.slip + k), load(c.roll + k)};
+  WideSprings springs = load_springs(c, k, law.rolls);
   const WideForce force = force_of<kHertz>(c, k, law, moves, touching, now.h, springs);
-  store(springs.slip, c.slip + k), store(springs.roll, c.roll + k), store(force.normal, c.force + k);
+  store_springs(springs, c, k, law.rolls);
+  if (now.last) store(force.normal, c.force + k);
   push(c, k, n, moves, force, now.pushes.data());
 }
 
@@ -141,7 +141,7 @@ void stretch_soft(std::span<SoftBlock> blocks, const SoftLaw& law, const SoftSub
     for (std::size_t k = 0; k < BlockOrder::kWidth; k += kLanes) {
       const Four a = gather(now.bodies.data(), c.a + k, 0), b = gather(now.bodies.data(), c.b + k, 0);
       const WideSprings springs = springs_after(c, k, law, now.h, a, b);
-      store(springs.slip, c.slip + k), store(springs.roll, c.roll + k);
+      store_springs(springs, c, k, law.rolls);
     }
 }
 

@@ -23,7 +23,7 @@ struct alignas(64) SoftBlock {
   Row normal_x, normal_y;                                      ///< from a to b
   Row depth;                                                   ///< m, in the middle of the substep
   Row slip, roll;                                              ///< as in SoftSprings
-  Row force;                                                   ///< N, along the normal, where they touch
+  Row force;  ///< N, along the normal, where they touch in a step's last substep
 };
 
 /// Where the domain repeats: the way to the images of eight b that are nearest to their a, m.

@@ -32,7 +32,7 @@ struct SoftWay {
 
 /// One substep, as contacts see it.
 struct SoftSubstep {
-  bool first;                          ///< of its step
+  bool first, last;                    ///< of its step
   double h;                            ///< s
   double past;                         ///< s, how long ago a contact that is new may have begun
   double fringe;                       ///< m, how much nearer two may come before it ends

@@ -27,7 +27,7 @@ void SoftContacts::run(const Candidates& candidates, const State& state, std::sp
   const int last = scene_.time.substeps - 1;
   for (int i = 0; i <= last; ++i) {
     const double past = i == 0 && state.step == 0 ? 0.5 * h_ : h_;
-    const SoftSubstep now{i == 0, h_, past, h_ * fastest_, bodies_, speeds_, pushes_};
+    const SoftSubstep now{i == 0, i == last, h_, past, h_ * fastest_, bodies_, speeds_, pushes_};
     discs_.press(now);
     solids_.press(now);
     foretell();

@@ -39,12 +39,21 @@ struct WideNormal {
 };
 
 struct WidePair {
-  Reals stiffness, damping, friction, rolling, roll_radius;
+  Reals stiffness, damping;
 };
 
 struct WideSprings {
-  Reals slip, roll;
+  Reals slip, roll;  // nothing rolls: not looked at, as memory is what blocks take
 };
+
+HWY_INLINE WideSprings load_springs(const SoftBlock& c, std::size_t k, bool rolls) {
+  return {load(c.slip + k), rolls ? load(c.roll + k) : hn::Zero(D())};
+}
+
+HWY_INLINE void store_springs(const WideSprings& springs, SoftBlock& c, std::size_t k, bool rolls) {
+  store(springs.slip, c.slip + k);
+  if (rolls) store(springs.roll, c.roll + k);
+}
 
 struct WideForce {
   Reals normal, tangent, torque;
@@ -125,8 +134,7 @@ HWY_INLINE Reals hold(Reals stiffness, Reals damping, Reals share, Reals most, R
 template <bool kHertz>
 HWY_INLINE WideForce force_of(const SoftBlock& c, std::size_t k, const SoftLaw& law, const WideMotion& moves,
                               Mask touching, double h, WideSprings& springs) {
-  const WidePair pair{load(c.stiffness + k), load(c.damping + k), load(c.friction + k), load(c.rolling + k),
-                      load(c.roll_radius + k)};
+  const WidePair pair{load(c.stiffness + k), load(c.damping + k)};
   const WideMean mean = kHertz ? hertz_mean(pair, moves.depth, moves.closing, h)
                                : linear_mean(pair, moves.depth, moves.closing, h);
   const Reals most_in = hn::Add(moves.depth, hn::Abs(hn::Mul(wide(0.5 * h), moves.closing)));
@@ -136,12 +144,12 @@ HWY_INLINE WideForce force_of(const SoftBlock& c, std::size_t k, const SoftLaw& 
   const Reals stiffness = hn::Mul(wide(law.tangential.stiffness), mean.stiffness);
   const Reals damping = hn::Mul(wide(law.tangential.damping), mean.damping);
   WideSprings after = springs;
-  const Reals tangent =
-      hold(stiffness, damping, mean.share, hn::Mul(pair.friction, pressing), moves.sliding, after.slip);
+  const Reals tangent = hold(stiffness, damping, mean.share, hn::Mul(load(c.friction + k), pressing),
+                             moves.sliding, after.slip);
   WideForce force{hn::IfThenElseZero(acts, mean.normal), hn::IfThenElseZero(acts, tangent), hn::Zero(D())};
   if (law.rolls) {
-    const Reals radius2 = hn::Mul(pair.roll_radius, pair.roll_radius);
-    const Reals most = hn::Mul(hn::Mul(pair.rolling, pair.roll_radius), pressing);
+    const Reals radius = load(c.roll_radius + k), radius2 = hn::Mul(radius, radius);
+    const Reals most = hn::Mul(hn::Mul(load(c.rolling + k), radius), pressing);
     force.torque = hn::IfThenElseZero(acts, hold(hn::Mul(stiffness, radius2), hn::Mul(damping, radius2),
                                                  mean.share, most, moves.rolling, after.roll));
   }

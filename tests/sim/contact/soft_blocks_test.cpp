@@ -131,7 +131,7 @@ void press_plainly_again(const Law& wide, std::size_t i, const SoftLaw& law, dou
 }
 
 SoftSubstep substep_of(Plain& p, bool first) {
-  return {first, 1e-3, 0.7e-3, 2e-3, p.bodies, p.speeds, p.pushes};
+  return {first, true, 1e-3, 0.7e-3, 2e-3, p.bodies, p.speeds, p.pushes};
 }
 
 template <class Law>
@@ -147,7 +147,7 @@ SoftSqueeze run_plainly(const Law& wide, const SoftLaw& law, bool first, Plain& 
   return squeeze;
 }
 
-void expect_same(const Plain& one, const Plain& other) {
+void expect_same(const Plain& one, const Plain& other, bool rolls) {
   for (std::size_t i = 0; i < kBodies; ++i) {
     ASSERT_EQ(one.pushes[i].force, other.pushes[i].force) << i;
     ASSERT_EQ(one.pushes[i].torque, other.pushes[i].torque) << i;
@@ -161,7 +161,9 @@ void expect_same(const Plain& one, const Plain& other) {
     ASSERT_EQ(a.normal_y[k], b.normal_y[k]) << i;
     ASSERT_EQ(a.depth[k], b.depth[k]) << i;
     ASSERT_EQ(a.slip[k], b.slip[k]) << i;
-    ASSERT_EQ(a.roll[k], b.roll[k]) << i;
+    if (rolls) {
+      ASSERT_EQ(a.roll[k], b.roll[k]) << i;
+    }
     ASSERT_EQ(a.force[k], b.force[k]) << i;
   }
 }
@@ -187,7 +189,7 @@ TEST_P(SoftBlocks, DoAsTheLawToTheLastBit) {
     stretch_soft(wide.blocks, law, now);
     const SoftSqueeze worst = hertz ? run_plainly(HertzLaw{law.tangential}, law, first, plain)
                                     : run_plainly(LinearLaw{law.tangential}, law, first, plain);
-    expect_same(wide, plain);
+    expect_same(wide, plain, rolls);
     ASSERT_EQ(squeeze.depth, worst.depth);
     ASSERT_EQ(squeeze.a, worst.a);
     ASSERT_EQ(squeeze.b, worst.b);
