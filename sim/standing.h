@@ -19,8 +19,9 @@ struct Load {
 Load load_of(const Scene& scene);
 
 /// Whether all dynamic bodies are at rest, and touch others or obstacles in as many places as there are
-/// bodies, neither apart nor overlapping by more than a few billionths of the smallest radius: as those that stand on one
-/// another do, and bear their loads as a run begins (sim/contact/first_loads.h). O(bodies and pairs).
+/// bodies, neither apart nor overlapping by more than a few billionths of the smallest radius: as those that
+/// stand on one another do, and bear their loads as a run begins (sim/contact/first_loads.h). O(bodies and
+/// pairs).
 bool stands(const Scene& scene);
 
 /// Why the way of dynamic bodies that never meet each other may be sensitive to where they are, "" where it
