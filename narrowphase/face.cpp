@@ -66,6 +66,11 @@ Face face_at(const Convex& a, std::size_t edge, const Convex& b, const Pose& b_i
   return {height(a, edge, b, vertex, b_in_a, normal), edge, vertex};
 }
 
+std::size_t incident_edge(const Convex& shape, std::size_t deepest, const Vec& normal) {
+  const std::size_t before = previous(deepest, shape.vertices.size());
+  return dot(shape.normals[before], normal) < dot(shape.normals[deepest], normal) ? before : deepest;
+}
+
 Face facing_face(const Convex& a, const Convex& b, const Pose& b_in_a) {
   return face_at(a, facing_edge(a, b_in_a.position), b, b_in_a);
 }

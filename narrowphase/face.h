@@ -21,6 +21,10 @@ Face widest_face(const Convex& a, const Convex& b, const Pose& b_in_a);
 /// The face of `a` with that edge. O(m).
 Face face_at(const Convex& a, std::size_t edge, const Convex& b, const Pose& b_in_a);
 
+/// The edge of `shape` at its deepest vertex that looks most against a face whose normal, in the shape's
+/// frame, is `normal`.
+std::size_t incident_edge(const Convex& shape, std::size_t deepest, const Vec& normal);
+
 /// The widest face of each of two shapes.
 struct Faces {
   Face of_a, of_b;

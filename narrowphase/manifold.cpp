@@ -32,6 +32,28 @@ std::uint32_t feature(Touch touch, std::size_t of_a, std::size_t of_b, std::uint
          (static_cast<std::uint32_t>(of_b) & kIndexMask);
 }
 
+/// `head`: the vertex of the reference is its face's head.
+std::uint32_t name_of(bool of_b, Touch touch_if_a, std::size_t of_reference, std::size_t of_incident,
+                      bool head = false) {
+  const std::uint32_t end = head ? kHead : 0;
+  if (!of_b) return feature(touch_if_a, of_reference, of_incident, end);
+  const Touch touch = touch_if_a == Touch::vertex_of_a   ? Touch::vertex_of_b
+                      : touch_if_a == Touch::vertex_of_b ? Touch::vertex_of_a
+                                                         : touch_if_a;
+  return feature(touch, of_incident, of_reference, kReferenceIsB | end);
+}
+
+// Of the ends of a face and of the incident edge over each other.
+std::uint32_t name_of_vertex(bool of_b, std::size_t face, std::size_t incident_vertex) {
+  return name_of(of_b, Touch::vertex_of_b, face, incident_vertex);
+}
+std::uint32_t name_above_tail(bool of_b, std::size_t face_tail, std::size_t incident_edge) {
+  return name_of(of_b, Touch::vertex_of_a, face_tail, incident_edge);
+}
+std::uint32_t name_above_head(bool of_b, std::size_t face_head, std::size_t incident_edge) {
+  return name_of(of_b, Touch::vertex_of_a, face_head, incident_edge, true);
+}
+
 /// Whose face the contact is described on, and the other shape.
 struct Roles {
   const Convex& reference;
@@ -39,17 +61,6 @@ struct Roles {
   const Pose& frame;  // of the reference in the world
   const Pose incident_in_reference;
   bool reference_is_a;
-
-  /// `head`: the vertex of the reference is its face's head.
-  std::uint32_t name(Touch touch_if_a, std::size_t of_reference, std::size_t of_incident,
-                     bool head = false) const {
-    const std::uint32_t end = head ? kHead : 0;
-    if (reference_is_a) return feature(touch_if_a, of_reference, of_incident, end);
-    const Touch touch = touch_if_a == Touch::vertex_of_a   ? Touch::vertex_of_b
-                        : touch_if_a == Touch::vertex_of_b ? Touch::vertex_of_a
-                                                           : touch_if_a;
-    return feature(touch, of_incident, of_reference, kReferenceIsB | end);
-  }
 };
 
 /// Adds a point whose cores are `gap` apart along `normal`, `base` being on the reference's core. In its
@@ -86,12 +97,6 @@ struct FaceFrame {
   double height(const Vec& p) const { return dot(normal, p - origin); }
 };
 
-/// The edge at the deepest vertex that looks most against the face: the index of its first vertex.
-std::size_t incident_edge(const Convex& shape, std::size_t vertex, const Vec& normal) {
-  const std::size_t before = previous(vertex, shape.vertices.size());
-  return dot(shape.normals[before], normal) < dot(shape.normals[vertex], normal) ? before : vertex;
-}
-
 /// The reference face and the incident edge in its frame, which runs against it: the edge's head `p` comes
 /// first.
 struct Clip {
@@ -119,14 +124,19 @@ struct Clip {
     return from + (to - from) * ((along - p_along) / (q_along - p_along));
   }
   End low() const {
-    if (p_along >= 0.0) return {p_along, frame.height(p), roles.name(Touch::vertex_of_b, face.edge, head)};
-    return {0.0, gap_at(0.0), roles.name(Touch::vertex_of_a, face.edge, edge)};
+    if (p_along >= 0.0) return {p_along, frame.height(p), name_of_vertex(of_b(), face.edge, head)};
+    return {0.0, gap_at(0.0), name_above_tail(of_b(), face.edge, edge)};
   }
   End high() const {
-    if (q_along <= frame.length)
-      return {q_along, frame.height(q), roles.name(Touch::vertex_of_b, face.edge, edge)};
-    return {frame.length, gap_at(frame.length), roles.name(Touch::vertex_of_a, face_end, edge, true)};
+    if (q_along <= frame.length) return {q_along, frame.height(q), name_of_vertex(of_b(), face.edge, edge)};
+    return {frame.length, gap_at(frame.length), name_above_head(of_b(), face_end, edge)};
   }
+  /// The deepest vertex, where the two share no more than a point along the face.
+  End deepest() const {
+    return {std::clamp(deepest_along(), 0.0, frame.length), face.separation,
+            name_of_vertex(of_b(), face.edge, face.vertex)};
+  }
+  bool of_b() const { return !roles.reference_is_a; }
   /// Whether the two share more than a point along the face.
   bool covers() const { return q_along > p_along && q_along > 0.0 && p_along < frame.length; }
   double deepest_along() const { return face.vertex == edge ? q_along : p_along; }
@@ -152,7 +162,7 @@ Manifold corner_manifold(const Roles& roles, const Corners& c, const Vec& fallba
   const Direction d = direction(c.offset, fallback);
   Manifold m;
   add(m, roles, roles.reference.vertices[c.of_reference], d.unit, d.length,
-      roles.name(Touch::two_vertices, c.of_reference, c.of_incident, c.head), reach);
+      name_of(!roles.reference_is_a, Touch::two_vertices, c.of_reference, c.of_incident, c.head), reach);
   set_normal(m, roles, d.unit);
   return m;
 }
@@ -178,8 +188,7 @@ Manifold clip(const Roles& roles, const Face& face, double reach) {
     add_end(c.low());
     add_end(c.high());
   } else {
-    add_end({std::clamp(deepest, 0.0, c.frame.length), face.separation,
-             roles.name(Touch::vertex_of_b, face.edge, face.vertex)});
+    add_end(c.deepest());
   }
   set_normal(m, roles, c.frame.normal);
   return m;
@@ -197,12 +206,10 @@ double deepest(const Manifold& m) {
 /// wider by much, or where this one leaves out the deepest place.
 Manifold kept_manifold(const Roles& roles, std::size_t edge, const Face& widest, const Convex& owner,
                        double reach) {
-  // Of the shorter of the two faces. More would press in what the wider face lets go. From 2^-16 on the
-  // deepest overlap of a pyramid at rest grows by 6 %; the mean doesn't.
-  constexpr double kMuch = 0x1p-18;
   if (edge >= roles.reference.normals.size()) return {};
   const Face face = face_at(roles.reference, edge, roles.incident, roles.incident_in_reference);
-  const double much = kMuch * std::min(edge_length(roles.reference, edge), edge_length(owner, widest.edge));
+  const double much =
+      kMuchWider * std::min(edge_length(roles.reference, edge), edge_length(owner, widest.edge));
   if (widest.separation > face.separation + much) return {};
   const Manifold m = clip(roles, face, reach);
   const double radii = roles.reference.radius + roles.incident.radius;
@@ -283,6 +290,18 @@ Reference reference(std::uint32_t feature, const Convex& a, const Convex& b) {
   const std::uint32_t place = (of_b ? feature : feature >> kIndexBits) & kIndexMask;
   const std::size_t edge = feature & kHead ? previous(place, (of_b ? b : a).vertices.size()) : place;
   return {static_cast<std::uint32_t>(edge), of_b, true};
+}
+
+std::array<std::uint32_t, 4> end_names(const Convex& reference, std::size_t edge, const Convex& incident,
+                                       std::size_t incident_edge, bool of_b) {
+  const std::size_t head = next(incident_edge, incident.vertices.size());
+  const std::size_t face_end = next(edge, reference.vertices.size());
+  return {name_of_vertex(of_b, edge, head), name_of_vertex(of_b, edge, incident_edge),
+          name_above_tail(of_b, edge, incident_edge), name_above_head(of_b, face_end, incident_edge)};
+}
+
+bool is_on_face(std::uint32_t feature) {
+  return touch_of(feature) == Touch::vertex_of_a || touch_of(feature) == Touch::vertex_of_b;
 }
 
 bool reference_is_b(std::uint32_t feature) {

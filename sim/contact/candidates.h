@@ -54,6 +54,9 @@ class Candidates {
   /// How often find() was called: pairs of one number are the same.
   std::uint64_t finds() const { return finds_; }
 
+  /// The colliders that the pairs are of, ascending.
+  Rows rows() const { return rows_; }
+
   /// Rows of colliders, a < b, ascending. Parts of one body are no pair, nor are two bodies that nothing can
   /// push.
   std::span<const broadphase::Pair> pairs() const { return pairs_; }

@@ -22,7 +22,6 @@ void clear_lane(FaceBlock& block, std::size_t lane, std::uint32_t nobody) {
 
 /// What both points of a face share.
 void fill_lane(FaceBlock& block, std::size_t lane, const PointContact& contact) {
-  block.a[lane] = contact.a, block.b[lane] = contact.b;
   block.normal_x[lane] = contact.normal.x(), block.normal_y[lane] = contact.normal.y();
   block.friction[lane] = contact.friction;
   block.turns_a[lane] = contact.turns_a, block.turns_b[lane] = contact.turns_b;
@@ -35,6 +34,13 @@ void fill_point(FaceBlock::Point& point, std::size_t lane, const PointContact& c
   point.first_ax[lane] = contact.first_a.x(), point.first_ay[lane] = contact.first_a.y();
   point.first_bx[lane] = contact.first_b.x(), point.first_by[lane] = contact.first_b.y();
   point.gap[lane] = contact.gap;
+}
+
+void fill_point(FaceBlock::Point& to, std::size_t lane, const HeldBlock::Point& from, std::size_t of) {
+  to.normal_mass[lane] = from.normal_mass[of], to.tangent_mass[lane] = from.tangent_mass[of];
+  to.first_ax[lane] = from.first_ax[of], to.first_ay[lane] = from.first_ay[of];
+  to.first_bx[lane] = from.first_bx[of], to.first_by[lane] = from.first_by[of];
+  to.gap[lane] = from.gap[of];
 }
 
 }  // namespace
@@ -53,7 +59,9 @@ std::size_t FaceBlocks::seat(std::size_t points, std::uint32_t a, bool a_moves, 
   Group& own = groups_[group];
   const std::uint32_t lane = own.order.place(a, a_moves, b, b_moves, points - 1);
   if (own.blocks.size() < own.order.blocks()) own.blocks.resize(own.order.blocks());
-  own.blocks[lane / BlockOrder::kWidth].count = points;
+  FaceBlock& block = own.blocks[lane / BlockOrder::kWidth];
+  block.count = points;
+  block.a[lane % BlockOrder::kWidth] = a, block.b[lane % BlockOrder::kWidth] = b;
   const std::size_t first = seat_.size();
   for (std::uint16_t p = 0; p < points; ++p) seat_.push_back({lane, static_cast<std::uint16_t>(group), p});
   return first;
@@ -65,6 +73,15 @@ void FaceBlocks::fill(std::size_t i, std::span<const PointContact> face) {
   assert(face.size() == block.count);
   fill_lane(block, lane, face[0]);
   for (std::size_t p = 0; p < face.size(); ++p) fill_point(block.points[p], lane, face[p]);
+}
+
+void FaceBlocks::fill(std::size_t i, const HeldBlock& held, std::size_t lane, double friction) {
+  FaceBlock& block = groups_[seat_[i].group].blocks[seat_[i].lane / BlockOrder::kWidth];
+  const std::size_t to = seat_[i].lane % BlockOrder::kWidth;
+  block.normal_x[to] = held.contact_normal_x[lane], block.normal_y[to] = held.contact_normal_y[lane];
+  block.friction[to] = friction;
+  block.turns_a[to] = block.turns_b[to] = 1.0;
+  for (std::size_t p = 0; p < block.count; ++p) fill_point(block.points[p], to, held.points[p], lane);
 }
 
 void FaceBlocks::finish() {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/contact/block_order.h"
+#include "sim/contact/held_faces.h"
 #include "sim/contact/solve.h"
 
 /// Points of manifolds, as many faces at a time as the machine has lanes. What they compute is what solve.h
@@ -49,6 +50,9 @@ class FaceBlocks {
 
   /// The points of a face that was seated, from the i-th on. Different faces may be filled at the same time.
   void fill(std::size_t i, std::span<const PointContact> face);
+
+  /// The same of two polygons whose contact stands in that lane, without impulses.
+  void fill(std::size_t i, const HeldBlock& held, std::size_t lane, double friction);
 
   BlockContact contact(std::size_t i);  ///< the i-th point
 

@@ -111,11 +111,19 @@ void ContactFinder::find_touches(const Candidates& candidates, const State& stat
         pose_[awake[i]] = narrowphase::pose(state.position[awake[i]], state.angle[awake[i]]);
     });
   }
+  if (plan_.polygons && !plan_.restitution && is_worth_holding())
+    answer_held(candidates, state, bodies, workers);
   workers.for_ranges(touches_.size(), [&](std::size_t begin, std::size_t end) {
     KeptImpulses memory(state.point_contacts, touches_[begin].key());
     for (std::size_t i = begin; i < end; ++i) {
+      if (is_known(touches_[i])) {
+        points_[i] = held_.points(touches_[i].lane);
+        continue;
+      }
       manifolds_[i] = manifold(candidates, state, touches_[i], memory.find(touches_[i].key()));
       points_[i] = static_cast<std::uint8_t>(manifolds_[i].count);
+      if (touches_[i].lane != HeldFaces::kNone && held_.wants_hold(touches_[i].lane))
+        hold(candidates, bodies, i);
     }
   });
   seat_faces(candidates.colliders(), contacts);
@@ -184,12 +192,14 @@ void ContactFinder::describe(const Colliders& colliders, const Obstacles& obstac
   contact.a = colliders.body[row_a], contact.b = other_row(colliders, touch);
   contact.turns_a = is_disc(colliders, row_a) ? 0.0 : 1.0;
   contact.turns_b = !touch.obstacle && is_disc(colliders, row_b) ? 0.0 : 1.0;
-  const std::uint32_t material_b =
-      touch.obstacle ? obstacles.material[row_b] : scene_.bodies.material[contact.b];
-  const Surface& surface =
-      plan_.surfaces[scene_.bodies.material[contact.a] * scene_.materials.size() + material_b];
+  const Surface& surface = this->surface(
+      contact.a, touch.obstacle ? obstacles.material[row_b] : scene_.bodies.material[contact.b]);
   contact.friction = surface.friction;
   contact.restitution = surface.restitution;
+}
+
+const Surface& ContactFinder::surface(std::uint32_t body, std::uint32_t other_material) const {
+  return plan_.surfaces[scene_.bodies.material[body] * scene_.materials.size() + other_material];
 }
 
 /// Whether a point of the face comes nearer so fast that a sweep wouldn't do.
@@ -229,7 +239,7 @@ void ContactFinder::seat_faces(const Colliders& colliders, Contacts& contacts) {
 std::span<PointContact> ContactFinder::face(const Candidates& candidates, std::span<const SolverBody> bodies,
                                             std::size_t touch, std::array<PointContact, 2>& points) const {
   const Colliders& colliders = candidates.colliders();
-  const auto& [pair, obstacle, shift] = touches_[touch];
+  const auto& [pair, obstacle, shift, lane] = touches_[touch];
   const Manifold& m = manifolds_[touch];
   const double radius_a = colliders.radius[pair.a], radius_b = obstacle ? 0.0 : colliders.radius[pair.b];
   const auto count = static_cast<std::size_t>(m.count);
@@ -250,27 +260,41 @@ void ContactFinder::fill_faces(const Candidates& candidates, const State& state,
   is_fast_.assign(touches_.size(), 0);
   workers.for_ranges(touches_.size(), [&](std::size_t begin, std::size_t end) {
     KeptImpulses memory(state.point_contacts, touches_[begin].key());
-    std::array<PointContact, 2> points;
+    std::array<PointContact, 2> points;  // here, as to make it takes longer than to fill it
     for (std::size_t i = begin; i < end; ++i) {
+      fetch_held(i, end);
       if (points_[i] == 0) continue;
-      const std::span<PointContact> face = this->face(candidates, bodies, i, points);
-      const std::uint64_t key = touches_[i].key();
-      const auto features = std::span(contacts.point_feature).subspan(first_point_[i], face.size());
-      for (std::size_t p = 0; p < face.size(); ++p) {
-        contacts.point_key[first_point_[i] + p] = key;
-        features[p] = manifolds_[i].points[p].feature;
-      }
-      for (std::size_t p = 0; p < face.size(); ++p) {
-        const ContactImpulse* kept = memory.find(key, features, p);
-        face[p].normal_impulse = kept ? kept->normal : 0.0;
-        face[p].tangent_impulse = kept ? kept->tangent : 0.0;
-        face[p].preload = kept ? kept->preload : 0.0;
-      }
-      contacts.faces.fill(first_point_[i], face);
-      if (plan_.restitution) std::ranges::copy(face, contacts.point_bounces.begin() + first_point_[i]);
-      is_fast_[i] = face[0].fast;
+      if (is_known(touches_[i]))
+        fill_held(candidates.colliders(), i, memory, contacts);
+      else
+        fill_searched(candidates, bodies, i, memory, points, contacts);
     }
   });
+}
+
+/// The keys and features under which the touch's points are kept.
+std::span<std::uint32_t> ContactFinder::names(std::size_t touch, Contacts& contacts) const {
+  const std::size_t first = first_point_[touch];
+  std::fill_n(contacts.point_key.begin() + static_cast<std::ptrdiff_t>(first), points_[touch],
+              touches_[touch].key());
+  return std::span(contacts.point_feature).subspan(first, points_[touch]);
+}
+
+void ContactFinder::fill_searched(const Candidates& candidates, std::span<const SolverBody> bodies,
+                                  std::size_t touch, KeptImpulses& memory,
+                                  std::array<PointContact, 2>& points, Contacts& contacts) {
+  const std::span<PointContact> face = this->face(candidates, bodies, touch, points);
+  const std::span<std::uint32_t> features = names(touch, contacts);
+  for (std::size_t p = 0; p < face.size(); ++p) features[p] = manifolds_[touch].points[p].feature;
+  for (std::size_t p = 0; p < face.size(); ++p) {
+    const ContactImpulse* kept = memory.find(touches_[touch].key(), features, p);
+    face[p].normal_impulse = kept ? kept->normal : 0.0;
+    face[p].tangent_impulse = kept ? kept->tangent : 0.0;
+    face[p].preload = kept ? kept->preload : 0.0;
+  }
+  contacts.faces.fill(first_point_[touch], face);
+  if (plan_.restitution) std::ranges::copy(face, contacts.point_bounces.begin() + first_point_[touch]);
+  is_fast_[touch] = face[0].fast;
 }
 
 /// Those of fast faces, where no surface bounces.

@@ -11,6 +11,8 @@
 #include "sim/contact/disc_blocks.h"
 #include "sim/contact/face_blocks.h"
 #include "sim/contact/find_discs.h"
+#include "sim/contact/held_faces.h"
+#include "sim/contact/kept_impulses.h"
 #include "sim/contact/parts.h"
 #include "sim/contact/roll.h"
 #include "sim/rows.h"
@@ -51,6 +53,9 @@ class ContactFinder {
   /// Contacts are in that many groups: see Parts.
   const Parts& parts() const { return parts_; }
 
+  /// Of whom contacts were known without a search.
+  const HeldFaces& held() const { return held_; }
+
   /// Finds out who of those awake is in which part; before each find().
   void divide(const State& state, Rows awake) { moved_ |= parts_.place(state, awake); }
 
@@ -62,8 +67,9 @@ class ContactFinder {
  private:
   struct Touch {  // candidates of which one is no disc about its body's centre
     broadphase::Pair pair;
-    bool obstacle;  // the pair's b is an obstacle
-    Vec shift;      // m, to the image of b that is nearest to a
+    bool obstacle;                          // the pair's b is an obstacle
+    Vec shift;                              // m, to the image of b that is nearest to a
+    std::uint32_t lane = HeldFaces::kNone;  // of held_
 
     std::uint64_t key() const;
   };
@@ -74,10 +80,27 @@ class ContactFinder {
   narrowphase::Pose pose(const State& state, std::uint32_t body) const;
   narrowphase::Manifold manifold(const Candidates& candidates, const State& state, const Touch& touch,
                                  const ContactImpulse* kept) const;
+  bool is_known(const Touch& touch) const {
+    return touch.lane != HeldFaces::kNone && held_.knows(touch.lane);
+  }
+  void answer_held(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
+                   Workers& workers);
+  bool is_worth_holding();
+  void find_who_may_be_held(const Colliders& colliders);
+  void name_lanes();
+  PlacedPart place_part(const Candidates& candidates, std::span<const SolverBody> bodies,
+                        std::uint32_t collider) const;
+  void hold(const Candidates& candidates, std::span<const SolverBody> bodies, std::size_t touch);
+  void fetch_held(std::size_t touch, std::size_t end) const;
+  void fill_held(const Colliders& colliders, std::size_t touch, KeptImpulses& memory, Contacts& contacts);
   std::uint32_t other_row(const Colliders& colliders, const Touch& touch) const;
   void seat_faces(const Colliders& colliders, Contacts& contacts);
   void fill_faces(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
                   Contacts& contacts, Workers& workers);
+  void fill_searched(const Candidates& candidates, std::span<const SolverBody> bodies, std::size_t touch,
+                     KeptImpulses& memory, std::array<PointContact, 2>& points, Contacts& contacts);
+  std::span<std::uint32_t> names(std::size_t touch, Contacts& contacts) const;
+  const Surface& surface(std::uint32_t body, std::uint32_t other_material) const;
   void list_fast(const Candidates& candidates, std::span<const SolverBody> bodies,
                  std::vector<PointContact>& bounces) const;
   bool closes_fast(std::span<const PointContact> face, std::span<const SolverBody> bodies) const;
@@ -92,9 +115,13 @@ class ContactFinder {
   Parts parts_;
   bool moved_ = false;  // somebody is in another part than when contacts were found last
   DiscFinder discs_;
-  std::vector<narrowphase::Pose> pose_;  // of each body; only where some are no discs
+  std::vector<narrowphase::Pose> pose_;    // of each body; only where some are no discs
+  std::vector<std::uint8_t> may_be_held_;  // of each collider; empty where nothing is
+  std::vector<PlacedPart> placed_;         // likewise
+  HeldFaces held_;
+  int rests_ = 0, held_for_ = 0;  // finds for which nothing will be held yet, or since all was searched
   std::vector<Touch> touches_;
-  std::vector<narrowphase::Manifold> manifolds_;  // of each touch
+  std::vector<narrowphase::Manifold> manifolds_;  // of each touch that held_ doesn't know
   std::vector<std::uint8_t> points_;              // how many each has: who seats reads no more of them
   std::vector<std::uint32_t> first_point_;        // of each touch with points: how many come before
   std::vector<std::uint8_t> is_fast_;             // of each touch

@@ -38,8 +38,8 @@ HWY_INLINE void store(Reals v, double* row) {
 /// Bodies are asked for so many blocks before they are needed: they don't stand together as blocks do.
 constexpr std::size_t kAhead = 3;
 
-template <class Block>
-HWY_INLINE void ask_for_bodies(const Block& block, const SolverBody* bodies) {
+template <class Block, class Body>
+HWY_INLINE void ask_for_bodies(const Block& block, const Body* bodies) {
   for (const std::uint32_t a : block.a) hwy::Prefetch(bodies + a);
   for (const std::uint32_t b : block.b) hwy::Prefetch(bodies + b);
 }
