@@ -74,13 +74,96 @@ TEST_P(HeldFacesOnEachTarget, HaveTheBitsOfASearchAcrossASeam) {
 TEST_P(HeldFacesOnEachTarget, HaveTheBitsOfASearchOnWhatTurns) {
   expect_bits_of_a_search(
       scene_from(kPolygons + all_placed("[[0, 2], [6, 12]]") + "[domain]\nbox = [[0, 0], [6, 12]]\n" +
-                 "[[bodies]]\nshape = \"seven\"\nat = [3, 1]\nkind = \"kinematic\"\nspin = 0.02\n"),
-      500);
+                 "[[bodies]]\nshape = \"seven\"\nat = [3, 1]\nkind = \"kinematic\"\nspin = 0.2\n"),
+      1500);
 }
 
 const auto name_of = [](const auto& target) { return std::string(hwy::TargetName(target.param)); };
 INSTANTIATE_TEST_SUITE_P(, HeldFacesOnEachTarget, ::testing::ValuesIn(hwy::SupportedAndGeneratedTargets()),
                          name_of);
+
+/// Two unit squares, of which the second stood there when they were searched.
+class TwoSquares {
+ public:
+  explicit TwoSquares(const Vec& at) {
+    held_.start();
+    lane_ = held_.lane_of(1, {0, 1});
+    held_.finish();
+    const narrowphase::Pose b_in_a{at};
+    const auto m = narrowphase::manifold(square_, {}, square_, b_in_a, 2.0 * kReach);
+    if (m.count > 0) feature_ = m.points[0].feature;
+    held_.hold(lane_, narrowphase::hold(square_, square_, b_in_a, m), square_, square_, 0.0);
+  }
+
+  /// How many points are known now that it stands there; -1 for none. `pressed`: in the step before.
+  int points(const Vec& at, bool pressed = false) {
+    const PlacedPart parts[] = {{0.0, 0.0, 1.0, 0.0, 1.0, 6.0, kReach, 0.0},
+                                {at.x(), at.y(), 1.0, 0.0, 1.0, 6.0, kReach, 0.0}};
+    held_.ask(lane_, pressed ? &feature_ : nullptr, nullptr);
+    held_.answer(0, held_.blocks(), parts, 1.0);
+    return held_.knows(lane_) ? held_.points(lane_) : -1;
+  }
+
+  const HeldBlock& block() const { return held_.block(lane_); }
+
+ private:
+  static constexpr double kReach = 0.05;  // m, of each
+
+  const narrowphase::Convex square_ =
+      narrowphase::convex({Vec(-0.5, -0.5), Vec(0.5, -0.5), Vec(0.5, 0.5), Vec(-0.5, 0.5)});
+  HeldFaces held_;
+  std::uint32_t lane_ = 0, feature_ = 0;
+};
+
+// The second square 0.25 m aside and 0.01 m in the first: 0.75 m of the faces cover each other.
+TEST(HeldFaces, DescribesTheFaceOfTwoSquares) {
+  TwoSquares squares({0.25, 0.99});
+  ASSERT_EQ(squares.points({0.25, 0.99}, true), 2);
+  const HeldBlock& block = squares.block();
+  EXPECT_EQ(block.contact_normal_x[0], 0.0);
+  EXPECT_EQ(block.contact_normal_y[0], 1.0);
+  const double x[] = {0.5, -0.25};
+  for (int i : {0, 1}) {
+    const HeldBlock::Point& point = block.points[i];
+    EXPECT_NEAR(point.first_ax[0], x[i], 1e-15);
+    EXPECT_NEAR(point.first_ay[0], 0.495, 1e-15);
+    EXPECT_NEAR(point.first_bx[0], x[i] - 0.25, 1e-15);
+    EXPECT_NEAR(point.first_by[0], -0.495, 1e-15);
+    EXPECT_NEAR(point.gap[0] + 0.99 - 2.0 * 0.495, -0.01, 1e-15);
+    EXPECT_NEAR(point.normal_mass[0], 1.0 / (2.0 + 6.0 * (x[i] * x[i] + (x[i] - 0.25) * (x[i] - 0.25))),
+                1e-15);
+    EXPECT_NEAR(point.tangent_mass[0], 1.0 / (2.0 + 12.0 * 0.495 * 0.495), 1e-15);
+  }
+}
+
+TEST(HeldFaces, KnowsNothingOfWhoMovedTooFar) {
+  TwoSquares squares({0.25, 0.99});
+  EXPECT_EQ(squares.points({0.35, 0.99}, true), 2) << "0.1 m of 0.37";
+  EXPECT_EQ(squares.points({0.25, 1.2}), 0) << "beyond reach";
+  EXPECT_EQ(squares.points({0.99, 0.25}, true), -1) << "on another side";
+  EXPECT_EQ(squares.points({0.7, 0.99}, true), -1) << "0.45 m of 0.37, on the same side";
+}
+
+// Faces that are equally wide take turns: which is the reference, the last step says.
+TEST(HeldFaces, LeavesEquallyWideFacesToASearchUnlessOneWasTheReference) {
+  TwoSquares squares({0.25, 0.99});
+  EXPECT_EQ(squares.points({0.25, 0.99}), -1);
+  EXPECT_EQ(squares.points({0.25, 0.99}, true), 2);
+}
+
+TEST(HeldFaces, LeavesCornersToASearch) {
+  TwoSquares squares({0.999, 1.02});
+  EXPECT_EQ(squares.points({0.998, 1.02}, true), 2);
+  EXPECT_EQ(squares.points({1.002, 1.02}, true), -1);
+}
+
+TEST(HeldFaces, KnowsThoseApartUntilTheyMayBeWithinReach) {
+  TwoSquares squares({0.25, 1.5});
+  EXPECT_EQ(squares.points({0.25, 1.5}), 0);
+  EXPECT_EQ(squares.points({0.25, 1.31}), 0) << "0.19 m nearer of 0.5 m less a reach of 0.1";
+  EXPECT_EQ(squares.points({0.25, 1.09}), -1) << "within reach";
+  EXPECT_EQ(squares.points({0.75, 1.5}), -1) << "moved by 0.5 m, if not nearer";
+}
 
 // Boxes in a row that are named, left out for a while, and named again.
 TEST(HeldFaces, KeepsTheLaneOfWhoComesBackSoon) {
