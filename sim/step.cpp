@@ -263,7 +263,7 @@ void push(const Scene& scene, const Plan& plan, State& state, Workspace& work, S
   if (plan.contacts()) work.finder.divide(state, awake);
   by_parts(work, [&](Rows rows) { load(state, rows, work.bodies); });
   if (plan.contacts()) {
-    work.finder.find(work.candidates, state, work.bodies, awake, work.contacts, work.workers);
+    work.finder.find(work.candidates, state, work.bodies, work.contacts, work.workers);
     clock.lap(work.times.find_contacts);
   }
   if (state.step == 0 && plan.gravity && plan.contacts()) find_first_loads(scene, plan, work);

@@ -93,6 +93,7 @@ void Candidates::find_pairs_of(Rows colliders) {
 
 void Candidates::place(const State& state, double dt, Rows colliders) {
   found_at_.resize(state.position.size());
+  if (!colliders_.centre.empty()) pose_.resize(state.position.size());
   centre_.resize(colliders_.size()), margin_.resize(colliders_.size()), reach_.resize(colliders_.size());
   if (!colliders_.swing.empty()) turning_.resize(colliders_.size());
   if (plan_.periodic && !colliders_.centre.empty()) wrap_.resize(colliders_.size(), Vec(0.0, 0.0));
@@ -117,7 +118,9 @@ void Candidates::place_one(const State& state, std::uint32_t i) {
   const double speed = state.velocity[body].norm();
   margin_[i] = speed * dt_ + fall_ + std::min(chain_, kSkin * radius);
   if (!colliders_.centre.empty()) {
-    const Vec offset = narrowphase::pose({0.0, 0.0}, state.angle[body]).rotate(colliders_.centre[i]);
+    const bool next_part = i > 0 && colliders_.body[i - 1] == body;
+    if (!next_part) pose_[body] = narrowphase::pose(state.position[body], state.angle[body]);
+    const Vec offset = pose_[body].rotate(colliders_.centre[i]);
     centre_[i] += offset;
     const double turn = std::abs(state.spin[body]) * dt_;
     margin_[i] += turn * offset.norm();

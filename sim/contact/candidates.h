@@ -79,6 +79,12 @@ class Candidates {
   const Vec& centre(std::uint32_t collider) const { return centre_[collider]; }
   double outer_reach(std::uint32_t collider) const { return reach_[collider]; }
 
+  /// Where a body that was placed stands. Discs look the same from all sides: where there is nothing else,
+  /// nobody has turned.
+  narrowphase::Pose pose(const State& state, std::uint32_t body) const {
+    return pose_.empty() ? narrowphase::Pose{state.position[body]} : pose_[body];
+  }
+
   /// Where the image of b that is nearest to a stands, from b (m). Zero in domains that don't repeat.
   Vec shift(broadphase::Pair pair) const;
 
@@ -108,10 +114,11 @@ class Candidates {
   broadphase::MovingPairs disc_pairs_;
   broadphase::Period period_;
   std::uint64_t finds_ = 0;
-  Rows rows_;                     ///< of the colliders that the pairs are of
-  double dt_ = 0.0, fall_ = 0.0;  ///< s; m, what gravity gives in it
-  double chain_ = 0.0;            ///< m, what the fastest body moves in it
-  std::vector<Vec> found_at_;     ///< m, of each body
+  Rows rows_;                            ///< of the colliders that the pairs are of
+  double dt_ = 0.0, fall_ = 0.0;         ///< s; m, what gravity gives in it
+  double chain_ = 0.0;                   ///< m, what the fastest body moves in it
+  std::vector<Vec> found_at_;            ///< m, of each body
+  std::vector<narrowphase::Pose> pose_;  ///< of each body; empty where all are discs
   std::vector<Vec> centre_;      ///< m, world, of each collider's bounding disc; inside a domain that repeats
   std::vector<Vec> wrap_;        ///< m, what that moved it by; empty where it moves nothing
   std::vector<double> margin_;   ///< m, how far that disc may get within the step

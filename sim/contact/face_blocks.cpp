@@ -36,8 +36,11 @@ void fill_point(FaceBlock::Point& point, std::size_t lane, const PointContact& c
   point.gap[lane] = contact.gap;
 }
 
-void fill_point(FaceBlock::Point& to, std::size_t lane, const HeldBlock::Point& from, std::size_t of) {
+void fill_point(FaceBlock::Point& to, std::size_t lane, const HeldBlock::Point& from, std::size_t of,
+                const BlockImpulses& impulses) {
   to.normal_mass[lane] = from.normal_mass[of], to.tangent_mass[lane] = from.tangent_mass[of];
+  to.normal_impulse[lane] = impulses.normal, to.tangent_impulse[lane] = impulses.tangent;
+  to.preload[lane] = impulses.preload;
   to.first_ax[lane] = from.first_ax[of], to.first_ay[lane] = from.first_ay[of];
   to.first_bx[lane] = from.first_bx[of], to.first_by[lane] = from.first_by[of];
   to.gap[lane] = from.gap[of];
@@ -75,13 +78,15 @@ void FaceBlocks::fill(std::size_t i, std::span<const PointContact> face) {
   for (std::size_t p = 0; p < face.size(); ++p) fill_point(block.points[p], lane, face[p]);
 }
 
-void FaceBlocks::fill(std::size_t i, const HeldBlock& held, std::size_t lane, double friction) {
+void FaceBlocks::fill(std::size_t i, const HeldBlock& held, std::size_t lane, double friction,
+                      const std::array<BlockImpulses, 2>& impulses) {
   FaceBlock& block = groups_[seat_[i].group].blocks[seat_[i].lane / BlockOrder::kWidth];
   const std::size_t to = seat_[i].lane % BlockOrder::kWidth;
   block.normal_x[to] = held.contact_normal_x[lane], block.normal_y[to] = held.contact_normal_y[lane];
   block.friction[to] = friction;
   block.turns_a[to] = block.turns_b[to] = 1.0;
-  for (std::size_t p = 0; p < block.count; ++p) fill_point(block.points[p], to, held.points[p], lane);
+  for (std::size_t p = 0; p < block.count; ++p)
+    fill_point(block.points[p], to, held.points[p], lane, impulses[p]);
 }
 
 void FaceBlocks::finish() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cassert>
 #include <span>
 #include <vector>
@@ -51,8 +52,9 @@ class FaceBlocks {
   /// The points of a face that was seated, from the i-th on. Different faces may be filled at the same time.
   void fill(std::size_t i, std::span<const PointContact> face);
 
-  /// The same of two polygons whose contact stands in that lane, without impulses.
-  void fill(std::size_t i, const HeldBlock& held, std::size_t lane, double friction);
+  /// The same of two polygons whose contact stands in that lane, with what each point did before.
+  void fill(std::size_t i, const HeldBlock& held, std::size_t lane, double friction,
+            const std::array<BlockImpulses, 2>& impulses);
 
   BlockContact contact(std::size_t i);  ///< the i-th point
 

@@ -87,7 +87,7 @@ ContactFinder::ContactFinder(const Scene& scene, const Plan& plan)
     : scene_(scene), plan_(plan), fast_(fast_speed(scene, plan)), parts_(scene, plan), discs_(scene, plan) {}
 
 void ContactFinder::find(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
-                         Rows awake, Contacts& contacts, Workers& workers) {
+                         Contacts& contacts, Workers& workers) {
   contacts.start(bodies.size(), parts_.groups());
   sort_out(candidates, contacts);
   discs_.find(candidates, state, bodies, parts_, std::exchange(moved_, false), contacts.disc_key,
@@ -95,22 +95,14 @@ void ContactFinder::find(const Candidates& candidates, const State& state, std::
   if (plan_.restitution)
     for (const std::uint64_t key : contacts.disc_key)
       contacts.disc_bounces.push_back(discs_.contact_of(candidates.colliders(), pair_of(key), bodies));
-  find_touches(candidates, state, bodies, awake, contacts, workers);
+  find_touches(candidates, state, bodies, contacts, workers);
   if (plan_.rolling) find_rolls(scene_, plan_, candidates, state, bodies, contacts);
 }
 
 void ContactFinder::find_touches(const Candidates& candidates, const State& state,
-                                 std::span<const SolverBody> bodies, Rows awake, Contacts& contacts,
-                                 Workers& workers) {
+                                 std::span<const SolverBody> bodies, Contacts& contacts, Workers& workers) {
   if (touches_.empty()) return;
   manifolds_.resize(touches_.size()), points_.resize(touches_.size());
-  if (plan_.polygons) {
-    pose_.resize(state.position.size());
-    workers.for_ranges(awake.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        pose_[awake[i]] = narrowphase::pose(state.position[awake[i]], state.angle[awake[i]]);
-    });
-  }
   if (plan_.polygons && !plan_.restitution && is_worth_holding())
     answer_held(candidates, state, bodies, workers);
   workers.for_ranges(touches_.size(), [&](std::size_t begin, std::size_t end) {
@@ -123,7 +115,7 @@ void ContactFinder::find_touches(const Candidates& candidates, const State& stat
       manifolds_[i] = manifold(candidates, state, touches_[i], memory.find(touches_[i].key()));
       points_[i] = static_cast<std::uint8_t>(manifolds_[i].count);
       if (touches_[i].lane != HeldFaces::kNone && held_.wants_hold(touches_[i].lane))
-        hold(candidates, bodies, i);
+        hold(candidates, state, bodies, i);
     }
   });
   seat_faces(candidates.colliders(), contacts);
@@ -145,11 +137,6 @@ void ContactFinder::sort_out(const Candidates& candidates, Contacts& contacts) {
     touches_.push_back({pair, true, candidates.obstacle_shift(pair.a)});
 }
 
-/// A disc looks the same from all sides: where there is nothing else, nobody has turned.
-Pose ContactFinder::pose(const State& state, std::uint32_t body) const {
-  return plan_.polygons ? pose_[body] : Pose{state.position[body]};
-}
-
 Manifold ContactFinder::manifold(const Candidates& candidates, const State& state, const Touch& touch,
                                  const ContactImpulse* kept) const {
   const Colliders& colliders = candidates.colliders();
@@ -162,9 +149,9 @@ Manifold ContactFinder::manifold(const Candidates& candidates, const State& stat
     return disc;
   };
   const Convex& a = shape(row_a, disc_a);
-  const Pose pose_a = pose(state, colliders.body[row_a]);
+  const Pose pose_a = candidates.pose(state, colliders.body[row_a]);
   if (!touch.obstacle) {
-    Pose pose_b = pose(state, colliders.body[row_b]);
+    Pose pose_b = candidates.pose(state, colliders.body[row_b]);
     pose_b.position += touch.shift;
     const Convex& b = shape(row_b, disc_b);
     const double reach = candidates.reach(touch.pair);

@@ -60,8 +60,8 @@ class ContactFinder {
   void divide(const State& state, Rows awake) { moved_ |= parts_.place(state, awake); }
 
   /// Replaces `contacts`. `bodies` has a row for each body of `state`, then one a group that stands for all
-  /// obstacles; candidates are of those that are `awake`, whom divide() was given.
-  void find(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies, Rows awake,
+  /// obstacles; candidates are of those whom divide() was given.
+  void find(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
             Contacts& contacts, Workers& workers);
 
  private:
@@ -75,9 +75,8 @@ class ContactFinder {
   };
 
   void find_touches(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
-                    Rows awake, Contacts& contacts, Workers& workers);
+                    Contacts& contacts, Workers& workers);
   void sort_out(const Candidates& candidates, Contacts& contacts);
-  narrowphase::Pose pose(const State& state, std::uint32_t body) const;
   narrowphase::Manifold manifold(const Candidates& candidates, const State& state, const Touch& touch,
                                  const ContactImpulse* kept) const;
   bool is_known(const Touch& touch) const {
@@ -88,9 +87,10 @@ class ContactFinder {
   bool is_worth_holding();
   void find_who_may_be_held(const Colliders& colliders);
   void name_lanes();
-  PlacedPart place_part(const Candidates& candidates, std::span<const SolverBody> bodies,
+  PlacedPart place_part(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
                         std::uint32_t collider) const;
-  void hold(const Candidates& candidates, std::span<const SolverBody> bodies, std::size_t touch);
+  void hold(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
+            std::size_t touch);
   void fetch_held(std::size_t touch, std::size_t end) const;
   void fill_held(const Colliders& colliders, std::size_t touch, KeptImpulses& memory, Contacts& contacts);
   std::uint32_t other_row(const Colliders& colliders, const Touch& touch) const;
@@ -115,7 +115,6 @@ class ContactFinder {
   Parts parts_;
   bool moved_ = false;  // somebody is in another part than when contacts were found last
   DiscFinder discs_;
-  std::vector<narrowphase::Pose> pose_;    // of each body; only where some are no discs
   std::vector<std::uint8_t> may_be_held_;  // of each collider; empty where nothing is
   std::vector<PlacedPart> placed_;         // likewise
   HeldFaces held_;

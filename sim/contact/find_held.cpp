@@ -52,12 +52,12 @@ void ContactFinder::name_lanes() {
   held_.finish();
 }
 
-PlacedPart ContactFinder::place_part(const Candidates& candidates, std::span<const SolverBody> bodies,
-                                     std::uint32_t collider) const {
+PlacedPart ContactFinder::place_part(const Candidates& candidates, const State& state,
+                                     std::span<const SolverBody> bodies, std::uint32_t collider) const {
   const Colliders& colliders = candidates.colliders();
   const std::uint32_t row = colliders.body[collider];
   const SolverBody& body = bodies[row];
-  const Pose& at = pose_[row];
+  const Pose at = candidates.pose(state, row);
   const double reach = candidates.reach(collider);
   const double arm = colliders.centre[collider].norm() + colliders.radius[collider] + reach;
   const double pace = body.velocity.norm() + std::abs(body.spin) * arm;
@@ -72,7 +72,7 @@ void ContactFinder::answer_held(const Candidates& candidates, const State& state
   const Rows rows = candidates.rows();
   workers.for_ranges(rows.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      if (may_be_held_[rows[i]]) placed_[rows[i]] = place_part(candidates, bodies, rows[i]);
+      if (may_be_held_[rows[i]]) placed_[rows[i]] = place_part(candidates, state, bodies, rows[i]);
   });
   workers.for_ranges(touches_.size(), [&](std::size_t begin, std::size_t end) {
     KeptImpulses memory(state.point_contacts, touches_[begin].key());
@@ -102,20 +102,17 @@ void ContactFinder::fill_held(const Colliders& colliders, std::size_t touch, Kep
   const std::size_t first = first_point_[touch];
   const std::span<std::uint32_t> features = names(touch, contacts);
   for (std::size_t p = 0; p < features.size(); ++p) features[p] = held_.feature(lane, p);
+  std::array<BlockImpulses, 2> impulses{};
+  for (std::size_t p = 0; p < features.size(); ++p)
+    if (const ContactImpulse* kept = memory.find(touches_[touch].key(), features, p))
+      impulses[p] = {kept->normal, kept->tangent, kept->preload};
   const Surface& surface =
       this->surface(colliders.body[pair.a], scene_.bodies.material[colliders.body[pair.b]]);
-  contacts.faces.fill(first, held_.block(lane), lane % BlockOrder::kWidth, surface.friction);
-  for (std::size_t p = 0; p < features.size(); ++p) {
-    const BlockContact contact = contacts.faces.contact(first + p);
-    const ContactImpulse* kept = memory.find(touches_[touch].key(), features, p);
-    *contact.normal_impulse = kept ? kept->normal : 0.0;
-    *contact.tangent_impulse = kept ? kept->tangent : 0.0;
-    *contact.preload = kept ? kept->preload : 0.0;
-  }
+  contacts.faces.fill(first, held_.block(lane), lane % BlockOrder::kWidth, surface.friction, impulses);
 }
 
 /// After a search that found the touch's manifold.
-void ContactFinder::hold(const Candidates& candidates, std::span<const SolverBody> bodies,
+void ContactFinder::hold(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
                          std::size_t touch) {
   const Colliders& colliders = candidates.colliders();
   const auto& [pair, obstacle, shift, lane] = touches_[touch];
@@ -125,10 +122,11 @@ void ContactFinder::hold(const Candidates& candidates, std::span<const SolverBod
   const double steps = kWorthwhile * scene_.time.dt, spin = std::abs(a.spin) + std::abs(b.spin);
   const double speed = (b.velocity - a.velocity).norm(), widest = 2.0 * (radius_a + radius_b);
   if (steps * (speed + widest * spin) > kSlow * std::min(radius_a, radius_b)) return;
-  Pose pose_b = pose_[colliders.body[pair.b]];
+  Pose pose_b = candidates.pose(state, colliders.body[pair.b]);
   pose_b.position += shift;
   const HeldFace held = narrowphase::hold(
-      shape_a, shape_b, narrowphase::relative(pose_[colliders.body[pair.a]], pose_b), manifolds_[touch]);
+      shape_a, shape_b, narrowphase::relative(candidates.pose(state, colliders.body[pair.a]), pose_b),
+      manifolds_[touch]);
   const double enough =
       held.kind == HeldFace::Kind::apart ? candidates.reach(pair) + shape_a.radius + shape_b.radius : 0.0;
   held_.hold(lane, held, shape_a, shape_b, enough + steps * (speed + held.lever * spin));
