@@ -57,17 +57,15 @@ void FaceBlocks::start(std::size_t bodies, std::size_t groups) {
   seat_.clear();
 }
 
-std::size_t FaceBlocks::seat(std::size_t points, std::uint32_t a, bool a_moves, std::uint32_t b, bool b_moves,
-                             std::size_t group) {
+void FaceBlocks::seat(std::size_t i, std::size_t points, std::uint32_t a, bool a_moves, std::uint32_t b,
+                      bool b_moves, std::size_t group) {
   Group& own = groups_[group];
   const std::uint32_t lane = own.order.place(a, a_moves, b, b_moves, points - 1);
   if (own.blocks.size() < own.order.blocks()) own.blocks.resize(own.order.blocks());
   FaceBlock& block = own.blocks[lane / BlockOrder::kWidth];
   block.count = points;
   block.a[lane % BlockOrder::kWidth] = a, block.b[lane % BlockOrder::kWidth] = b;
-  const std::size_t first = seat_.size();
-  for (std::uint16_t p = 0; p < points; ++p) seat_.push_back({lane, static_cast<std::uint16_t>(group), p});
-  return first;
+  for (std::uint16_t p = 0; p < points; ++p) seat_[i + p] = {lane, static_cast<std::uint16_t>(group), p};
 }
 
 void FaceBlocks::fill(std::size_t i, std::span<const PointContact> face) {
@@ -89,13 +87,13 @@ void FaceBlocks::fill(std::size_t i, const HeldBlock& held, std::size_t lane, do
     fill_point(block.points[p], to, held.points[p], lane, impulses[p]);
 }
 
-void FaceBlocks::finish() {
-  for (Group& group : groups_)
-    for (std::size_t i = 0; i < group.order.blocks(); ++i) {
-      if (group.order.filled(i) == 0) group.blocks[i].count = 0;
-      for (std::size_t lane = group.order.filled(i); lane < BlockOrder::kWidth; ++lane)
-        clear_lane(group.blocks[i], lane, group.nobody);
-    }
+void FaceBlocks::finish(std::size_t group) {
+  Group& own = groups_[group];
+  for (std::size_t i = 0; i < own.order.blocks(); ++i) {
+    if (own.order.filled(i) == 0) own.blocks[i].count = 0;
+    for (std::size_t lane = own.order.filled(i); lane < BlockOrder::kWidth; ++lane)
+      clear_lane(own.blocks[i], lane, own.nobody);
+  }
 }
 
 BlockContact FaceBlocks::contact(std::size_t i) {

@@ -41,13 +41,16 @@ class FaceBlocks {
   /// Forgets all contacts. `bodies`: how many rows there are, of which the last `groups` never move.
   void start(std::size_t bodies, std::size_t groups = 1);
 
-  /// Seats a face of one or two points between those rows; says how many points were seated before. Blocks
-  /// hold contacts of one group. Allocates only to grow.
-  std::size_t seat(std::size_t points, std::uint32_t a, bool a_moves, std::uint32_t b, bool b_moves,
-                   std::size_t group = 0);
+  /// Makes seats for so many points in all. Allocates only to grow.
+  void resize(std::size_t points) { seat_.resize(points); }
 
-  /// To be called behind the last.
-  void finish();
+  /// Seats a face of one or two points between those rows, points that are the i-th and the next. Those of
+  /// one group in their order; of different groups at the same time, if need be. Allocates only to grow.
+  void seat(std::size_t i, std::size_t points, std::uint32_t a, bool a_moves, std::uint32_t b, bool b_moves,
+            std::size_t group = 0);
+
+  /// To be called behind the last of a group.
+  void finish(std::size_t group = 0);
 
   /// The points of a face that was seated, from the i-th on. Different faces may be filled at the same time.
   void fill(std::size_t i, std::span<const PointContact> face);

@@ -102,12 +102,13 @@ void ContactFinder::find(const Candidates& candidates, const State& state, std::
 void ContactFinder::find_touches(const Candidates& candidates, const State& state,
                                  std::span<const SolverBody> bodies, Contacts& contacts, Workers& workers) {
   if (touches_.empty()) return;
-  manifolds_.resize(touches_.size()), points_.resize(touches_.size());
+  manifolds_.resize(touches_.size()), points_.resize(touches_.size()), group_.resize(touches_.size());
   if (plan_.polygons && !plan_.restitution && is_worth_holding())
     answer_held(candidates, state, bodies, workers);
   workers.for_ranges(touches_.size(), [&](std::size_t begin, std::size_t end) {
     KeptImpulses memory(state.point_contacts, touches_[begin].key());
     for (std::size_t i = begin; i < end; ++i) {
+      group_[i] = group_of(candidates.colliders(), touches_[i]);
       if (is_known(touches_[i])) {
         points_[i] = held_.points(touches_[i].lane);
         continue;
@@ -118,7 +119,7 @@ void ContactFinder::find_touches(const Candidates& candidates, const State& stat
         hold(candidates, state, bodies, i);
     }
   });
-  seat_faces(candidates.colliders(), contacts);
+  seat_faces(candidates.colliders(), contacts, workers);
   fill_faces(candidates, state, bodies, contacts, workers);
   if (!plan_.restitution) list_fast(candidates, bodies, contacts.point_bounces);
 }
@@ -207,19 +208,34 @@ std::uint32_t ContactFinder::other_row(const Colliders& colliders, const Touch& 
              : colliders.body[row_b];
 }
 
-/// In the order of touches: what a lane then holds may come in any.
-void ContactFinder::seat_faces(const Colliders& colliders, Contacts& contacts) {
-  first_point_.resize(touches_.size());
-  for (std::size_t i = 0; i < touches_.size(); ++i) {
-    if (points_[i] == 0) continue;
+/// In the order of touches, each group by itself: what a lane then holds may come in any.
+void ContactFinder::seat_faces(const Colliders& colliders, Contacts& contacts, Workers& workers) {
+  first_point_.resize(touches_.size()), seated_.resize(parts_.groups());
+  for (auto& touches : seated_) touches.clear();
+  std::uint32_t points = 0;
+  for (std::uint32_t i = 0; i < touches_.size(); ++i) {
+    first_point_[i] = points, points += points_[i];
+    if (points_[i] > 0) seated_[group_[i]].push_back(i);
+  }
+  contacts.faces.resize(points);
+  workers.for_each(parts_.groups(), [&](std::size_t group) { seat_group(colliders, group, contacts.faces); });
+}
+
+void ContactFinder::seat_group(const Colliders& colliders, std::size_t group, FaceBlocks& faces) const {
+  for (const std::uint32_t i : seated_[group]) {
     const Touch& touch = touches_[i];
     const std::uint32_t a = colliders.body[touch.pair.a], b = other_row(colliders, touch);
     const bool a_moves = colliders.movable[touch.pair.a];
     const bool b_moves = !touch.obstacle && colliders.movable[touch.pair.b];
-    first_point_[i] = static_cast<std::uint32_t>(contacts.faces.seat(
-        points_[i], a, a_moves, b, b_moves, touch.obstacle ? parts_.group(a) : parts_.group(a, b)));
+    faces.seat(first_point_[i], points_[i], a, a_moves, b, b_moves, group);
   }
-  contacts.faces.finish();
+  faces.finish(group);
+}
+
+std::uint8_t ContactFinder::group_of(const Colliders& colliders, const Touch& touch) const {
+  const std::uint32_t a = colliders.body[touch.pair.a];
+  return static_cast<std::uint8_t>(touch.obstacle ? parts_.group(a)
+                                                  : parts_.group(a, colliders.body[touch.pair.b]));
 }
 
 /// The points of a touch's manifold, without impulses.

@@ -94,7 +94,9 @@ class ContactFinder {
   void fetch_held(std::size_t touch, std::size_t end) const;
   void fill_held(const Colliders& colliders, std::size_t touch, KeptImpulses& memory, Contacts& contacts);
   std::uint32_t other_row(const Colliders& colliders, const Touch& touch) const;
-  void seat_faces(const Colliders& colliders, Contacts& contacts);
+  void seat_faces(const Colliders& colliders, Contacts& contacts, Workers& workers);
+  void seat_group(const Colliders& colliders, std::size_t group, FaceBlocks& faces) const;
+  std::uint8_t group_of(const Colliders& colliders, const Touch& touch) const;
   void fill_faces(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
                   Contacts& contacts, Workers& workers);
   void fill_searched(const Candidates& candidates, std::span<const SolverBody> bodies, std::size_t touch,
@@ -120,10 +122,12 @@ class ContactFinder {
   HeldFaces held_;
   int rests_ = 0, held_for_ = 0;  // finds for which nothing will be held yet, or since all was searched
   std::vector<Touch> touches_;
-  std::vector<narrowphase::Manifold> manifolds_;  // of each touch that held_ doesn't know
-  std::vector<std::uint8_t> points_;              // how many each has: who seats reads no more of them
-  std::vector<std::uint32_t> first_point_;        // of each touch with points: how many come before
-  std::vector<std::uint8_t> is_fast_;             // of each touch
+  std::vector<narrowphase::Manifold> manifolds_;    // of each touch that held_ doesn't know
+  std::vector<std::uint8_t> points_;                // how many each has: who seats reads no more of them
+  std::vector<std::uint8_t> group_;                 // of each touch
+  std::vector<std::vector<std::uint32_t>> seated_;  // of each group: the touches with points
+  std::vector<std::uint32_t> first_point_;          // of each touch: how many come before
+  std::vector<std::uint8_t> is_fast_;               // of each touch
 };
 
 }  // namespace throng

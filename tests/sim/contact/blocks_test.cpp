@@ -248,14 +248,13 @@ class FaceBlocksOnEachTarget : public Blocks {
 
   void fill(FaceBlocks& blocks, std::span<const PointContact> points) const {
     blocks.start(bodies_.size());
+    blocks.resize(points.size());
     std::vector<std::span<const PointContact>> faces;
     for (std::size_t i = 0; i < points.size(); i += faces.back().size()) {
       const bool two = i + 1 < points.size() && points[i + 1].normal == points[i].normal;
       faces.push_back(points.subspan(i, two ? 2 : 1));
       const auto [a, b] = std::pair(points[i].a, points[i].b);
-      EXPECT_EQ(blocks.seat(faces.back().size(), a, bodies_[a].inverse_mass > 0.0, b,
-                            bodies_[b].inverse_mass > 0.0),
-                i);
+      blocks.seat(i, faces.back().size(), a, bodies_[a].inverse_mass > 0.0, b, bodies_[b].inverse_mass > 0.0);
     }
     blocks.finish();
     std::size_t end = points.size();
