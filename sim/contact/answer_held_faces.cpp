@@ -238,11 +238,11 @@ HWY_INLINE Stretch stretch(const HeldBlock& h, std::size_t k, const Clips& c, Re
 }
 
 /// Whether a search would describe the contact on this face, and not by two corners: where it is the widest,
-/// or was the reference and is as wide up to half of what a rival needs.
+/// or was the reference and no rival is wider by what that takes.
 HWY_INLINE Mask stays(const HeldBlock& h, std::size_t k, Mask was_reference, const Clips& c, const Stretch& s,
                       const Ways& w) {
   const Reals zero = hn::Zero(D()), much = load(h.much + k), other = rival(c, h, k);
-  const Reals level = hn::Add(c.separation, hn::Mul(set(0.5), much));
+  const Reals level = hn::Sub(hn::Add(c.separation, much), w.rounding);
   const Reals one_gap = hn::IfThenElse(s.first_is_near, s.first.gap, s.second.gap);
   const Reals least_gap =
       hn::IfThenElse(hn::And(s.first_is_near, s.second_is_near), hn::Min(s.first.gap, s.second.gap), one_gap);

@@ -115,8 +115,7 @@ void ContactFinder::find_touches(const Candidates& candidates, const State& stat
       }
       manifolds_[i] = manifold(candidates, state, touches_[i], memory.find(touches_[i].key()));
       points_[i] = static_cast<std::uint8_t>(manifolds_[i].count);
-      if (touches_[i].lane != HeldFaces::kNone && held_.wants_hold(touches_[i].lane))
-        hold(candidates, state, bodies, i);
+      if (touches_[i].lane != HeldFaces::kNone) hold(candidates, state, bodies, i);
     }
   });
   seat_faces(candidates.colliders(), contacts, workers);

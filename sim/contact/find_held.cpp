@@ -11,6 +11,7 @@ namespace throng {
 
 using narrowphase::Convex;
 using narrowphase::HeldFace;
+using narrowphase::Manifold;
 using narrowphase::Pose;
 
 namespace {
@@ -116,7 +117,6 @@ void ContactFinder::hold(const Candidates& candidates, const State& state, std::
                          std::size_t touch) {
   const Colliders& colliders = candidates.colliders();
   const auto& [pair, obstacle, shift, lane] = touches_[touch];
-  const Convex &shape_a = *colliders.shape[pair.a], &shape_b = *colliders.shape[pair.b];
   const SolverBody &a = bodies[colliders.body[pair.a]], &b = bodies[colliders.body[pair.b]];
   const double radius_a = colliders.radius[pair.a], radius_b = colliders.radius[pair.b];
   const double steps = kWorthwhile * scene_.time.dt, spin = std::abs(a.spin) + std::abs(b.spin);
@@ -124,9 +124,11 @@ void ContactFinder::hold(const Candidates& candidates, const State& state, std::
   if (steps * (speed + widest * spin) > kSlow * std::min(radius_a, radius_b)) return;
   Pose pose_b = candidates.pose(state, colliders.body[pair.b]);
   pose_b.position += shift;
-  const HeldFace held = narrowphase::hold(
-      shape_a, shape_b, narrowphase::relative(candidates.pose(state, colliders.body[pair.a]), pose_b),
-      manifolds_[touch]);
+  const Pose b_in_a = narrowphase::relative(candidates.pose(state, colliders.body[pair.a]), pose_b);
+  const Manifold& m = manifolds_[touch];
+  if (!held_.wants_hold(lane, m.count > 0 ? &m.points[0].feature : nullptr, b_in_a)) return;
+  const Convex &shape_a = *colliders.shape[pair.a], &shape_b = *colliders.shape[pair.b];
+  const HeldFace held = narrowphase::hold(shape_a, shape_b, b_in_a, m);
   const double enough =
       held.kind == HeldFace::Kind::apart ? candidates.reach(pair) + shape_a.radius + shape_b.radius : 0.0;
   held_.hold(lane, held, shape_a, shape_b, enough + steps * (speed + held.lever * spin));

@@ -133,11 +133,24 @@ void HeldFaces::fetch(std::uint32_t lane) const {
   for (const char* line = first; line < end; line += kCacheLine) hwy::Prefetch(line);
 }
 
-bool HeldFaces::wants_hold(std::uint32_t lane) {
+bool HeldFaces::wants_hold(std::uint32_t lane, const std::uint32_t* feature,
+                           const narrowphase::Pose& b_in_a) {
   std::uint8_t& wait = notes_[lane].wait;
-  if (wait == 0) return true;
+  if (wait == 0) return !feature || !holds(lane, *feature, b_in_a);
   --wait;
   return false;
+}
+
+/// Whether the reference of that feature is held, but for a rival that is about as wide.
+bool HeldFaces::holds(std::uint32_t lane, std::uint32_t feature, const narrowphase::Pose& b_in_a) const {
+  const Note& note = notes_[lane];
+  if (note.kind != HeldFace::Kind::face || std::ranges::find(note.names, feature) == note.names.end())
+    return false;
+  const HeldBlock& own = block(lane);
+  const std::size_t i = at(lane);
+  HeldFace held;
+  held.b_in_a = {Vec(own.at_x[i], own.at_y[i]), own.cos[i], own.sin[i]}, held.lever = own.lever[i];
+  return movement(held, b_in_a) <= own.most[i];
 }
 
 void HeldFaces::hold(std::uint32_t lane, const HeldFace& held, const Convex& a, const Convex& b,

@@ -104,9 +104,9 @@ class HeldFaces {
   /// Brings the answer of a pair, which will be looked at soon, near to the processor.
   void fetch(std::uint32_t lane) const;
 
-  /// Whether a search of this pair, which found no answer here, should be followed by hold(): not where that
-  /// was in vain just now.
-  bool wants_hold(std::uint32_t lane);
+  /// Whether a search of this pair, which found that feature (or nothing: null) where there was no answer
+  /// here, should be followed by hold(): not where that was in vain just now, nor where the face is held.
+  bool wants_hold(std::uint32_t lane, const std::uint32_t* feature, const narrowphase::Pose& b_in_a);
 
   /// Remembers what a search found out about the pair, if there is more than `least` (m) to move.
   void hold(std::uint32_t lane, const narrowphase::HeldFace& held, const narrowphase::Convex& a,
@@ -129,6 +129,7 @@ class HeldFaces {
   HeldBlock& own_block(std::uint32_t lane) { return blocks_[lane / BlockOrder::kWidth]; }
   HeldTalk& talk(std::uint32_t lane) { return talks_[lane / BlockOrder::kWidth]; }
   const HeldTalk& talk(std::uint32_t lane) const { return talks_[lane / BlockOrder::kWidth]; }
+  bool holds(std::uint32_t lane, std::uint32_t feature, const narrowphase::Pose& b_in_a) const;
   Wanted wanted(const Note& note, const std::uint32_t* kept) const;
   std::uint32_t take(broadphase::Pair pair);
   void leave_out(const Seat& seat);
