@@ -170,13 +170,22 @@ bool store(const Scene& scene, const Plan& plan, std::span<const SolverBody> bod
   return all_go_on;
 }
 
+void check_all(const State& state, const Workspace& work) {
+  work.sleepers.bodies().for_each([&](std::uint32_t i) { check_body(state, i); });
+}
+
 /// Throws of the first body that can't go on, whoever stored it.
 void store_all(const Scene& scene, const Plan& plan, State& state, Workspace& work) {
   std::atomic<bool> all_go_on = true;
   by_parts(work, [&](Rows rows) {
     if (!store(scene, plan, work.bodies, rows, state)) all_go_on = false;
   });
-  if (!all_go_on) work.sleepers.bodies().for_each([&](std::uint32_t i) { check_body(state, i); });
+  if (!all_go_on) check_all(state, work);
+}
+
+/// As store_all(), of those that flew.
+void land(State& state, Workspace& work) {
+  if (!work.flights.land(state, work.workers)) check_all(state, work);
 }
 
 [[noreturn]] void fail_at_chain(const State& state) {
@@ -237,9 +246,8 @@ void step_crowd(const Plan& plan, State& state, Workspace& work) {
 bool fly(const Scene& scene, const State& state, Workspace& work, StageClock& clock) {
   if (!work.candidates.serve(state, scene.time.dt)) work.candidates.find(state, scene.time.dt);
   clock.lap(work.times.find_pairs);
-  load(state, work.sleepers.bodies(), work.bodies);
   work.contacts.start(work.bodies.size(), work.finder.parts().groups());
-  const bool flown = work.flights.fly(work.candidates, work.bodies, work.workers);
+  const bool flown = work.flights.fly(work.candidates, state, work.bodies, work.workers);
   clock.lap(work.times.collide);
   return flown;
 }
@@ -275,6 +283,11 @@ void push(const Scene& scene, const Plan& plan, State& state, Workspace& work, S
   clock.lap(work.times.solve);
 }
 
+bool widen(Workspace& work, bool flown, bool all) {
+  if (flown) return work.candidates.widen(work.flights.reached(), all);
+  return work.candidates.widen(work.bodies, {}, all);
+}
+
 void step_bodies(const Scene& scene, const Plan& plan, State& state, Workspace& work) {
   StageClock clock;
   bool flown = false;
@@ -282,8 +295,7 @@ void step_bodies(const Scene& scene, const Plan& plan, State& state, Workspace& 
     flown = plan.flights && fly(scene, state, work, clock);
     if (!flown) push(scene, plan, state, work, clock);
     if (!plan.contacts()) break;
-    const auto farthest = flown ? work.flights.farthest() : std::span<const double>();
-    if (!work.candidates.widen(work.bodies, farthest, attempt >= kLocalAttempts)) break;
+    if (!widen(work, flown, attempt >= kLocalAttempts)) break;
     if (attempt == kAttempts) fail_at_chain(state);
   }
   ++state.step;
@@ -291,7 +303,10 @@ void step_bodies(const Scene& scene, const Plan& plan, State& state, Workspace& 
     state.collisions += work.flights.collisions();
   else if (plan.flights)
     ++state.collisions.pushed;
-  store_all(scene, plan, state, work);
+  if (flown)
+    land(state, work);
+  else
+    store_all(scene, plan, state, work);
   if (plan.contacts()) work.contacts.save(state);
   clock.lap(work.times.store);
   if (!plan.sleep) return;

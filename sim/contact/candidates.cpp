@@ -18,7 +18,7 @@ namespace {
 constexpr double kSkin = 0.1;  // of the radius, at most
 
 /// How far pairs are looked for that several steps of flights shall share.
-constexpr double kShared = 0.5;  // of the radius
+constexpr double kShared = 0.75;  // of the radius
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 std::vector<broadphase::Extent> extents(const Obstacles& obstacles) {
@@ -173,8 +173,7 @@ double Candidates::swung(std::uint32_t i, double turn) const {
 }
 
 bool Candidates::widen(std::span<const SolverBody> bodies, std::span<const double> farthest, bool all) {
-  bool farther = false;
-  double longest = 0.0;
+  Widened widened;
   rows_.for_each([&](std::uint32_t i) {
     if (!colliders_.movable[i]) return;
     const std::uint32_t body = colliders_.body[i];
@@ -185,16 +184,32 @@ bool Candidates::widen(std::span<const SolverBody> bodies, std::span<const doubl
     const double before = farthest.empty() ? 0.0 : farthest[body];
     const double moved = squared_way(body, bodies[body].position);
     if (looked >= before && moved <= looked * looked) return;
-    const double way = std::max(std::sqrt(moved), before) + aside;
-    if (widened_.empty()) widened_.resize(bodies.size(), 0.0);
-    widened_[body] = std::max(widened_[body], 1.5 * way);
-    longest = std::max(longest, 1.5 * way);
-    farther = true;
+    widen_one(i, std::max(std::sqrt(moved), before) + aside, widened);
   });
-  if (!farther) widened_.clear();
+  return keep(widened, all);
+}
+
+bool Candidates::widen(std::span<const Reached> reached, bool all) {
+  Widened widened;
+  for (const auto [collider, way] : reached)
+    if (colliders_.movable[collider] && !(way <= margin_[collider] * (1.0 + 1e-9)))
+      widen_one(collider, way, widened);
+  return keep(widened, all);
+}
+
+void Candidates::widen_one(std::uint32_t collider, double way, Widened& widened) {
+  const std::uint32_t body = colliders_.body[collider];
+  if (widened_.empty()) widened_.resize(found_at_.size(), 0.0);
+  widened_[body] = std::max(widened_[body], 1.5 * way);
+  widened.longest = std::max(widened.longest, 1.5 * way);
+  widened.any = true;
+}
+
+bool Candidates::keep(const Widened& widened, bool all) {
+  if (!widened.any) widened_.clear();
   if (all)
-    for (double& way : widened_) way = std::max(way, longest);
-  return farther;
+    for (double& way : widened_) way = std::max(way, widened.longest);
+  return widened.any;
 }
 
 void Candidates::drop_own_parts() {

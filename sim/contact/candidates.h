@@ -14,6 +14,12 @@
 
 namespace throng {
 
+/// How far a collider got from where it was found.
+struct Reached {
+  std::uint32_t collider;
+  double way;  ///< m
+};
+
 /// Broadphase: who may touch whom within the step.
 class Candidates {
  public:
@@ -46,6 +52,9 @@ class Candidates {
   /// and the step must be taken again. `farthest` (m): how far from there each was on its way, where that is
   /// known; or empty.
   bool widen(std::span<const SolverBody> bodies, std::span<const double> farthest, bool all);
+
+  /// The same where only those that `reached` tells of may have got so far.
+  bool widen(std::span<const Reached> reached, bool all);
 
   /// How far `position` is from where find() found the body, squared (m²); by the shorter way where the
   /// domain repeats.
@@ -101,6 +110,12 @@ class Candidates {
   Vec wrap(std::uint32_t collider) const;
   void drop_own_parts();
   void find_obstacle_pairs();
+  struct Widened {
+    double longest = 0.0;  // m
+    bool any = false;
+  };
+  void widen_one(std::uint32_t collider, double way, Widened& widened);
+  bool keep(const Widened& widened, bool all);
   /// How much farther (m) its surface got by that `turn` (rad) than place() thought, which knew of no impact,
   /// and than half the way to its middle: so deep in another it isn't through, and is pushed out again.
   double swung(std::uint32_t collider, double turn) const;

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "sim/contact/flights.h"
 
-#include <hwy/cache_control.h>
-
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cmath>
 #include <functional>
-#include <limits>
 
 #include "sim/contact/strike.h"
 #include "sim/periodic.h"
+#include "sim/simulation_error.h"
 
 namespace throng {
 
@@ -19,159 +18,164 @@ using narrowphase::DiscFlight;
 
 namespace {
 
-constexpr std::size_t kPairsAhead = 12;       // pairs: so long before it is needed a body is asked for
 constexpr std::size_t kMostCollisions = 100;  // a body and step, all together
 
 }  // namespace
 
 Flights::Flights(const Scene& scene, const Plan& plan)
-    : scene_(scene), plan_(plan), half_period_(0.5 * (scene.domain.max - scene.domain.min)) {}
+    : scene_(scene), plan_(plan), period_(scene.domain.max - scene.domain.min), half_period_(0.5 * period_) {}
 
-bool Flights::fly(const Candidates& candidates, std::span<SolverBody> bodies, Workers& workers) {
-  candidates_ = &candidates, bodies_ = bodies, collisions_ = {};
-  pairs_ = static_cast<std::uint32_t>(candidates.pairs().size());
-  since_.assign(bodies.size(), 0.0), had_.assign(bodies.size(), 0), farthest_.assign(bodies.size(), 0.0);
+bool Flights::fly(const Candidates& candidates, const State& state, std::span<const SolverBody> masses,
+                  Workers& workers) {
+  begin(candidates, state, masses);
   if (!foresee_all(workers)) return false;
-  if (!heap_.empty()) {
-    if (listed_ != candidates.finds()) list_pairs_of_bodies();
-    if (!collide_all()) return false;
-  }
-  for (std::uint32_t body = 0; body + 1 < bodies.size(); ++body) advance(body, scene_.time.dt);
+  if (!heap_.empty() && !collide_all()) return false;
+  reach();
   return true;
 }
 
-Pair Flights::colliders(std::uint32_t pair) const {
-  return pair < pairs_ ? candidates_->pairs()[pair] : candidates_->obstacle_pairs()[pair - pairs_];
+void Flights::begin(const Candidates& candidates, const State& state, std::span<const SolverBody> masses) {
+  candidates_ = &candidates, state_ = &state, masses_ = masses, pairs_ = candidates.pairs();
+  collisions_ = {}, heap_.clear(), reached_.clear();
+  for (const Bent& one : bent_) bent_of_[one.disc] = kStraight;
+  bent_.clear();
+  const std::vector<std::uint32_t>& body = candidates.colliders().body;
+  bent_of_.resize(body.size(), kStraight), straight_.resize(body.size());
+  for (std::size_t disc = 0; disc < body.size(); ++disc)
+    straight_[disc] = {state.position[body[disc]], state.velocity[body[disc]]};
+  if (listed_ != candidates.finds()) list_pairs_of_discs();
 }
 
-std::uint32_t Flights::body_a(std::uint32_t pair) const {
-  return candidates_->colliders().body[colliders(pair).a];
+/// The second of a pair with an obstacle is the obstacle's row.
+Pair Flights::discs(std::uint32_t pair) const {
+  return is_pair(pair) ? pairs_[pair] : candidates_->obstacle_pairs()[pair - pairs_.size()];
 }
 
-/// The row behind all bodies stands for obstacles.
-std::uint32_t Flights::body_b(std::uint32_t pair) const {
-  if (pair < pairs_) return candidates_->colliders().body[colliders(pair).b];
-  return static_cast<std::uint32_t>(bodies_.size() - 1);
+std::uint32_t Flights::stamp(std::uint32_t pair) const {
+  const auto [a, b] = discs(pair);
+  return had(a) + (is_pair(pair) ? had(b) : 0);
 }
 
-Vec Flights::place(std::uint32_t body, double time) const {
-  return bodies_[body].position + (time - since_[body]) * bodies_[body].velocity;
+Vec Flights::place(std::uint32_t disc, double time) const {
+  if (bent_of_[disc] == kStraight) return straight_[disc].position + time * straight_[disc].velocity;
+  const Bent& one = bent(disc);
+  return one.body.position + (time - one.since) * one.body.velocity;
+}
+
+const Vec& Flights::velocity(std::uint32_t disc) const {
+  return bent_of_[disc] == kStraight ? straight_[disc].velocity : bent(disc).body.velocity;
 }
 
 /// The way to the nearest image of what is at the end of `way`.
 Vec Flights::nearest(const Vec& way) const {
   if (!plan_.periodic || (way.array().abs() < half_period_.array()).all()) return way;
-  return nearest_image(way, 2.0 * half_period_);
+  return nearest_image(way, period_);
 }
 
-/// From the first of two bodies to the second.
-Vec Flights::between(std::uint32_t pair, double time) const {
-  return nearest(place(body_b(pair), time) - place(body_a(pair), time));
+/// From the first of two discs to the second.
+Vec Flights::between(const Pair& pair, double time) const {
+  return nearest(place(pair.b, time) - place(pair.a, time));
 }
 
 DiscFlight Flights::flight(std::uint32_t pair, double now) const {
-  const auto [a, b] = colliders(pair);
-  const Colliders& all = candidates_->colliders();
-  const SolverBody& body = bodies_[all.body[a]];
-  if (pair < pairs_)
-    return narrowphase::disc_flight(between(pair, now), bodies_[all.body[b]].velocity - body.velocity,
-                                    all.radius[a] + all.radius[b], scene_.time.dt - now);
+  const auto [a, b] = discs(pair);
+  if (is_pair(pair))
+    return narrowphase::disc_flight(between({a, b}, now), velocity(b) - velocity(a), reach_[pair],
+                                    scene_.time.dt - now);
   const Obstacles& obstacles = candidates_->obstacles();
   const std::size_t sides = obstacles.side.size();
-  const Vec centre = place(all.body[a], now);
-  if (b < sides) return narrowphase::disc_flight(centre, all.radius[a], body.velocity, obstacles.side[b]);
-  return narrowphase::disc_flight(centre, all.radius[a], body.velocity, obstacles.part[b - sides]);
+  const Vec centre = place(a, now);
+  const double radius = candidates_->colliders().radius[a];
+  if (b < sides) return narrowphase::disc_flight(centre, radius, velocity(a), obstacles.side[b]);
+  return narrowphase::disc_flight(centre, radius, velocity(a), obstacles.part[b - sides]);
 }
 
 Vec Flights::normal(std::uint32_t pair, double now) const {
-  if (pair < pairs_) return between(pair, now).normalized();
-  const auto [a, b] = colliders(pair);
+  const auto [a, b] = discs(pair);
+  if (is_pair(pair)) return between({a, b}, now).normalized();
   const Obstacles& obstacles = candidates_->obstacles();
   const std::size_t sides = obstacles.side.size();
   if (b < sides) return -obstacles.side[b].normal;
-  return narrowphase::towards(place(candidates_->colliders().body[a], now), obstacles.part[b - sides]);
+  return narrowphase::towards(place(a, now), obstacles.part[b - sides]);
 }
 
 const Surface& Flights::surface(std::uint32_t pair) const {
-  const auto [a, b] = colliders(pair);
-  const std::vector<std::uint32_t>& material = scene_.bodies.material;
-  const std::uint32_t of_b =
-      pair < pairs_ ? material[candidates_->colliders().body[b]] : candidates_->obstacles().material[b];
-  return plan_.surfaces[material[candidates_->colliders().body[a]] * scene_.materials.size() + of_b];
+  if (plan_.surfaces.size() == 1) return plan_.surfaces[0];
+  const auto [a, b] = discs(pair);
+  const std::vector<std::uint32_t>&material = scene_.bodies.material, &body = candidates_->colliders().body;
+  const std::uint32_t of_b = is_pair(pair) ? material[body[b]] : candidates_->obstacles().material[b];
+  return plan_.surfaces[material[body[a]] * scene_.materials.size() + of_b];
 }
 
-/// As flight() at the step's beginning, of two bodies.
-DiscFlight Flights::first_flight(const Pair& pair) const {
-  const Colliders& all = candidates_->colliders();
-  const SolverBody &a = bodies_[all.body[pair.a]], &b = bodies_[all.body[pair.b]];
-  return narrowphase::disc_flight(nearest(b.position - a.position), b.velocity - a.velocity,
-                                  all.radius[pair.a] + all.radius[pair.b], scene_.time.dt);
-}
-
-/// The second body of a later pair: it stands anywhere, where the first one is the last pair's, mostly.
-void Flights::ask_for(const Pair& pair) const {
-  hwy::Prefetch(&bodies_[candidates_->colliders().body[pair.b]]);
-}
-
-/// The collisions that the step begins with. False where bodies overlap.
+/// The collisions that the step begins with. False where discs overlap.
 bool Flights::foresee_all(Workers& workers) {
-  first_.resize(count()), heap_.clear();
-  const std::span<const Pair> pairs = candidates_->pairs();
-  std::atomic<bool> overlap = false;
-  workers.for_ranges(first_.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      if (i + kPairsAhead < pairs.size()) ask_for(pairs[i + kPairsAhead]);
-      const DiscFlight next =
-          i < pairs.size() ? first_flight(pairs[i]) : flight(static_cast<std::uint32_t>(i), 0.0);
-      first_[i] = next.time;
-      if (next.gap < 0.0 && is_deep(next.gap, static_cast<std::uint32_t>(i)))
-        overlap.store(true, std::memory_order_relaxed);
-    }
+  const MeetingsAsked asked{straight_, pairs_, reach_, plan_.periodic ? &period_ : nullptr, scene_.time.dt};
+  meetings_.resize((pairs_.size() + kMeetingsWide - 1) / kMeetingsWide);
+  workers.for_ranges(meetings_.size(), [&](std::size_t begin, std::size_t end) {
+    find_meetings(asked, begin, end, meetings_.data());
   });
-  if (overlap) return false;
-  for (std::uint32_t pair = 0; pair < first_.size(); ++pair)
-    if (first_[pair] < scene_.time.dt) heap_.push_back({first_[pair], pair, 0});
+  look_at_obstacles(workers);
+  for (std::size_t i = 0; i < meetings_.size(); ++i)
+    for (unsigned bits = meetings_[i]; bits != 0; bits &= bits - 1) {
+      const auto pair = static_cast<std::uint32_t>(i * kMeetingsWide) + std::countr_zero(bits);
+      if (!foresee_first(pair, flight(pair, 0.0))) return false;
+    }
+  for (std::uint32_t i = 0; i < obstacle_flights_.size(); ++i)
+    if (!foresee_first(static_cast<std::uint32_t>(pairs_.size()) + i, obstacle_flights_[i])) return false;
   std::ranges::make_heap(heap_, std::greater<>());
   return true;
 }
 
-/// Deeper than what rounding leaves.
-bool Flights::is_deep(double gap, std::uint32_t pair) const {
-  return gap < -kTouchRounding * candidates_->colliders().radius[colliders(pair).a];
+void Flights::look_at_obstacles(Workers& workers) {
+  const auto first = static_cast<std::uint32_t>(pairs_.size());
+  obstacle_flights_.resize(candidates_->obstacle_pairs().size());
+  workers.for_ranges(obstacle_flights_.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      obstacle_flights_[i] = flight(first + static_cast<std::uint32_t>(i), 0.0);
+  });
+}
+
+/// False where the two overlap deeper than what rounding leaves.
+bool Flights::foresee_first(std::uint32_t pair, const DiscFlight& flight) {
+  if (flight.gap < -kTouchRounding * candidates_->colliders().radius[discs(pair).a]) return false;
+  if (flight.time < scene_.time.dt) heap_.push_back({flight.time, pair, 0});
+  return true;
 }
 
 void Flights::foresee(std::uint32_t pair, double now) {
   const double time = now + flight(pair, now).time;
   if (!(time < scene_.time.dt)) return;
-  heap_.push_back({time, pair, had_[body_a(pair)] + had_[body_b(pair)]});
+  heap_.push_back({time, pair, stamp(pair)});
   std::ranges::push_heap(heap_, std::greater<>());
 }
 
-void Flights::list_pairs_of_bodies() {
-  const auto n = static_cast<std::uint32_t>(first_.size());
+void Flights::list_pairs_of_discs() {
+  const std::vector<double>& radius = candidates_->colliders().radius;
   listed_ = candidates_->finds();
-  begin_.assign(bodies_.size() + 1, 0);
-  for (std::uint32_t pair = 0; pair < n; ++pair) {
-    ++begin_[body_a(pair)];
-    if (pair < pairs_) ++begin_[body_b(pair)];
+  reach_.clear();
+  begin_.assign(radius.size() + 1, 0);
+  for (const auto [a, b] : pairs_) {
+    ++begin_[a], ++begin_[b];
+    reach_.push_back(radius[a] + radius[b]);
   }
+  const std::span<const Pair> with_obstacles = candidates_->obstacle_pairs();
+  for (const Pair& pair : with_obstacles) ++begin_[pair.a];
   std::uint32_t sum = 0;
   for (std::uint32_t& begin : begin_) begin = sum += begin;
-  of_body_.resize(sum);
-  for (std::uint32_t pair = n; pair-- > 0;) {
-    of_body_[--begin_[body_a(pair)]] = pair;
-    if (pair < pairs_) of_body_[--begin_[body_b(pair)]] = pair;
-  }
+  of_disc_.resize(sum);
+  auto row = static_cast<std::uint32_t>(count());
+  for (std::size_t i = with_obstacles.size(); i-- > 0;) of_disc_[--begin_[with_obstacles[i].a]] = --row;
+  for (; row-- > 0;) of_disc_[--begin_[pairs_[row].a]] = row, of_disc_[--begin_[pairs_[row].b]] = row;
 }
 
 /// Takes collisions in their order. False where they don't end.
 bool Flights::collide_all() {
-  std::size_t left = kMostCollisions * bodies_.size();
+  std::size_t left = kMostCollisions * (straight_.size() + 1);
   while (!heap_.empty()) {
     std::ranges::pop_heap(heap_, std::greater<>());
     const Collision next = heap_.back();
     heap_.pop_back();
-    if (next.stamp != had_[body_a(next.pair)] + had_[body_b(next.pair)]) continue;
+    if (next.stamp != stamp(next.pair)) continue;
     if (left-- == 0) return false;
     collide(next.pair, next.time);
   }
@@ -179,43 +183,96 @@ bool Flights::collide_all() {
 }
 
 void Flights::collide(std::uint32_t pair, double now) {
-  const std::uint32_t a = body_a(pair), b = body_b(pair);
-  const Colliders& all = candidates_->colliders();
-  const double radius_b = pair < pairs_ ? all.radius[colliders(pair).b] : 0.0;
+  const auto [a, b] = discs(pair);
+  const std::vector<double>& radius = candidates_->colliders().radius;
   const Vec n = normal(pair, now);
   stop(a, now);
-  if (pair < pairs_) stop(b, now);
-  const Touch touch{n, all.radius[colliders(pair).a], radius_b};
-  const double impulse = strike(bodies_[a], bodies_[b], touch, surface(pair));
-  if (pair < pairs_)
-    collisions_.add_pair(touch.radius_a + touch.radius_b, impulse,
-                         bodies_[a].inverse_mass + bodies_[b].inverse_mass);
+  if (is_pair(pair)) stop(b, now);
+  SolverBody obstacle{Vec(0.0, 0.0), 0.0, 0.0, Vec(0.0, 0.0), 0.0, 0.0};
+  SolverBody &one = bent_[bent_of_[a]].body, &other = is_pair(pair) ? bent_[bent_of_[b]].body : obstacle;
+  const Touch touch{n, radius[a], is_pair(pair) ? radius[b] : 0.0};
+  const double impulse = strike(one, other, touch, surface(pair));
+  if (is_pair(pair))
+    collisions_.add_pair(touch.radius_a + touch.radius_b, impulse, one.inverse_mass + other.inverse_mass);
   else
     ++collisions_.walls;
   foresee_of(a, pair, now);
-  if (pair < pairs_) foresee_of(b, pair, now);
+  if (is_pair(pair)) foresee_of(b, pair, now);
 }
 
-/// What a body meets next, which has just collided: not at once the same one again.
-void Flights::foresee_of(std::uint32_t body, std::uint32_t collided, double now) {
-  for (std::uint32_t i = begin_[body]; i < begin_[body + 1]; ++i)
-    if (of_body_[i] != collided) foresee(of_body_[i], now);
+/// What a disc meets next, which has just collided: not at once the same one again.
+void Flights::foresee_of(std::uint32_t disc, std::uint32_t collided, double now) {
+  for (std::uint32_t i = begin_[disc]; i < begin_[disc + 1]; ++i)
+    if (of_disc_[i] != collided) foresee(of_disc_[i], now);
 }
 
-/// Where a body's way bends.
-void Flights::stop(std::uint32_t body, double now) {
-  advance(body, now);
-  ++had_[body];
-  farthest_[body] =
-      std::max(farthest_[body], std::sqrt(candidates_->squared_way(body, bodies_[body].position)));
+/// Where a disc's way bends.
+void Flights::stop(std::uint32_t disc, double now) {
+  const std::uint32_t body = candidates_->colliders().body[disc];
+  if (bent_of_[disc] == kStraight) {
+    const auto& [position, velocity] = straight_[disc];
+    bent_of_[disc] = static_cast<std::uint32_t>(bent_.size());
+    bent_.push_back({{velocity, state_->spin[body], masses_[body].inverse_mass, position, 0.0,
+                      masses_[body].inverse_inertia},
+                     0.0,
+                     0.0,
+                     disc,
+                     0});
+  }
+  Bent& one = bent_[bent_of_[disc]];
+  advance(one, now);
+  ++one.had;
+  one.farthest = std::max(one.farthest, std::sqrt(candidates_->squared_way(body, one.body.position)));
 }
 
-void Flights::advance(std::uint32_t body, double time) {
-  SolverBody& one = bodies_[body];
-  const double way = time - since_[body];
-  one.position += way * one.velocity;
-  one.turn += way * one.spin;
-  since_[body] = time;
+void Flights::advance(Bent& one, double time) {
+  const double way = time - one.since;
+  one.body.position += way * one.body.velocity;
+  one.body.turn += way * one.body.spin;
+  one.since = time;
+}
+
+/// To the step's end.
+void Flights::reach() {
+  for (Bent& one : bent_) {
+    advance(one, scene_.time.dt);
+    const std::uint32_t body = candidates_->colliders().body[one.disc];
+    const double way = std::sqrt(candidates_->squared_way(body, one.body.position));
+    reached_.push_back({one.disc, std::max(one.farthest, way)});
+  }
+}
+
+bool Flights::land(State& state, Workers& workers) {
+  for (Bent& one : bent_) one.body.turn += state.angle[candidates_->colliders().body[one.disc]];
+  std::atomic<bool> all_go_on = true;
+  workers.for_ranges(state.position.size(), [&](std::size_t begin, std::size_t end) {
+    if (!land_straight(state, begin, end)) all_go_on = false;
+  });
+  for (const Bent& one : bent_) {
+    const std::uint32_t i = candidates_->colliders().body[one.disc];
+    state.position[i] = one.body.position, state.velocity[i] = one.body.velocity;
+    state.angle[i] = one.body.turn, state.spin[i] = one.body.spin;
+    if (!settle(state, i)) all_go_on = false;
+  }
+  return all_go_on;
+}
+
+/// As if none of those rows had collided.
+bool Flights::land_straight(State& state, std::size_t begin, std::size_t end) const {
+  bool all_go_on = true;
+  for (std::size_t i = begin; i < end; ++i) {
+    state.position[i] += scene_.time.dt * state.velocity[i];
+    state.angle[i] += scene_.time.dt * state.spin[i];
+    all_go_on &= settle(state, i);
+  }
+  return all_go_on;
+}
+
+/// Back into a domain that repeats. False where the body can't go on.
+bool Flights::settle(State& state, std::size_t body) const {
+  if (!can_go_on(state, body)) return false;
+  if (plan_.periodic) state.position[body] = wrapped(state.position[body], scene_.domain);
+  return true;
 }
 
 }  // namespace throng

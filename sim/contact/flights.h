@@ -9,6 +9,7 @@
 #include "sim/collisions.h"
 #include "sim/contact/candidates.h"
 #include "sim/contact/contact.h"
+#include "sim/contact/meetings.h"
 #include "sim/workers.h"
 
 namespace throng {
@@ -21,66 +22,90 @@ class Flights {
  public:
   Flights(const Scene& scene, const Plan& plan);
 
-  /// Takes `bodies` through a step. False where some overlap by more than
-  /// rounding, or collisions don't end: that is the solver's matter, and `bodies` are to be loaded anew.
+  /// Looks where all are after a step from `state`, of whose bodies `masses` has rows. False where some
+  /// overlap by more than rounding, or collisions don't end: that is the solver's matter.
   /// O(bodies + candidates + collisions log collisions). Collisions at one time come in the order of their
   /// pairs.
-  bool fly(const Candidates& candidates, std::span<SolverBody> bodies, Workers& workers);
+  bool fly(const Candidates& candidates, const State& state, std::span<const SolverBody> masses,
+           Workers& workers);
+
+  /// Brings `state` to where fly() looked. False where a body can't go on; that one is left where it got.
+  bool land(State& state, Workers& workers);
 
   const Collisions& collisions() const { return collisions_; }  ///< of the last fly()
 
-  /// m, how far from where the candidates were found each body was that collided, at its collisions; of
-  /// others 0.
-  std::span<const double> farthest() const { return farthest_; }
+  /// How far those got that collided; all others fly straight.
+  std::span<const Reached> reached() const { return reached_; }
 
  private:
   struct Collision {
     double time;          // s, since the step began
     std::uint32_t pair;   // of all: candidates' pairs, then those with obstacles
-    std::uint32_t stamp;  // the collisions that its two bodies had had when it was foreseen
+    std::uint32_t stamp;  // the collisions that its two discs had had when it was foreseen
 
     bool operator>(const Collision& other) const {
       return time > other.time || (time == other.time && pair > other.pair);
     }
   };
 
-  std::size_t count() const { return pairs_ + candidates_->obstacle_pairs().size(); }
-  broadphase::Pair colliders(std::uint32_t pair) const;
-  std::uint32_t body_a(std::uint32_t pair) const;
-  std::uint32_t body_b(std::uint32_t pair) const;
-  Vec place(std::uint32_t body, double time) const;
+  /// A disc that has collided, since its last collision.
+  struct Bent {
+    SolverBody body;
+    double since;        // s, when it was there
+    double farthest;     // m, from where the candidates were found, at its collisions
+    std::uint32_t disc;  // row of the colliders, as all discs here
+    std::uint32_t had;   // collisions
+  };
+
+  static constexpr std::uint32_t kStraight = UINT32_MAX;
+
+  std::size_t count() const { return pairs_.size() + candidates_->obstacle_pairs().size(); }
+  bool is_pair(std::uint32_t pair) const { return pair < pairs_.size(); }
+  broadphase::Pair discs(std::uint32_t pair) const;
+  std::uint32_t had(std::uint32_t disc) const { return bent_of_[disc] == kStraight ? 0 : bent(disc).had; }
+  std::uint32_t stamp(std::uint32_t pair) const;
+  const Bent& bent(std::uint32_t disc) const { return bent_[bent_of_[disc]]; }
+  Vec place(std::uint32_t disc, double time) const;
+  const Vec& velocity(std::uint32_t disc) const;
   Vec nearest(const Vec& way) const;
-  Vec between(std::uint32_t pair, double time) const;
+  Vec between(const broadphase::Pair& pair, double time) const;
   narrowphase::DiscFlight flight(std::uint32_t pair, double now) const;
   Vec normal(std::uint32_t pair, double now) const;
   const Surface& surface(std::uint32_t pair) const;
 
-  void ask_for(const broadphase::Pair& pair) const;
+  void begin(const Candidates& candidates, const State& state, std::span<const SolverBody> masses);
   bool foresee_all(Workers& workers);
-  narrowphase::DiscFlight first_flight(const broadphase::Pair& pair) const;
-  bool is_deep(double gap, std::uint32_t pair) const;
+  void look_at_obstacles(Workers& workers);
+  bool foresee_first(std::uint32_t pair, const narrowphase::DiscFlight& flight);
   void foresee(std::uint32_t pair, double now);
-  void list_pairs_of_bodies();
+  void list_pairs_of_discs();
   bool collide_all();
   void collide(std::uint32_t pair, double now);
-  void foresee_of(std::uint32_t body, std::uint32_t collided, double now);
-  void stop(std::uint32_t body, double now);
-  void advance(std::uint32_t body, double time);
+  void foresee_of(std::uint32_t disc, std::uint32_t collided, double now);
+  void stop(std::uint32_t disc, double now);
+  void advance(Bent& bent, double time);
+  void reach();
+  bool land_straight(State& state, std::size_t begin, std::size_t end) const;
+  bool settle(State& state, std::size_t body) const;
 
   const Scene& scene_;
   const Plan& plan_;
-  const Vec half_period_;  // m
+  const Vec period_, half_period_;  // m
   const Candidates* candidates_ = nullptr;
-  std::span<SolverBody> bodies_;
-  std::uint32_t pairs_ = 0;             // of bodies; those with obstacles follow
-  std::vector<double> first_;           // s, of each pair, when it meets if nothing comes between
+  const State* state_ = nullptr;
+  std::span<const SolverBody> masses_;
+  std::span<const broadphase::Pair> pairs_;  // of discs; those with obstacles follow
+  std::vector<StraightWay> straight_;        // of each disc, as the step begins
+  std::vector<std::uint8_t> meetings_;       // which pairs are worth a look: see find_meetings()
+  std::vector<narrowphase::DiscFlight> obstacle_flights_;
   std::vector<Collision> heap_;         // the earliest first
   std::uint64_t listed_ = 0;            // the candidates' pairs that are listed below
-  std::vector<std::uint32_t> begin_;    // of each body in of_body_, and the end
-  std::vector<std::uint32_t> of_body_;  // its pairs
-  std::vector<double> since_;           // s, when each body was where bodies_ says
-  std::vector<std::uint32_t> had_;      // collisions of each body
-  std::vector<double> farthest_;
+  std::vector<double> reach_;           // m, of each pair the sum of the radii
+  std::vector<std::uint32_t> begin_;    // of each disc in of_disc_, and the end
+  std::vector<std::uint32_t> of_disc_;  // its pairs
+  std::vector<std::uint32_t> bent_of_;  // of each disc its row in bent_, or kStraight
+  std::vector<Bent> bent_;
+  std::vector<Reached> reached_;
   Collisions collisions_;
 };
 

@@ -123,9 +123,9 @@ TEST(Flights, PairsServeSeveralStepsUntilSomebodyGetsFarther) {
             ball(3, 0, 0, 0));
   run.steps(1);
   const std::uint64_t finds = run.work.candidates.finds();
-  run.steps(4);  // 0.2 m of the 0.25 m that was looked for
+  run.steps(8);  // 0.36 m of the 0.375 m that was looked for
   EXPECT_EQ(run.work.candidates.finds(), finds);
-  run.steps(4);
+  run.steps(2);
   EXPECT_EQ(run.work.candidates.finds(), finds + 1);
 }
 
