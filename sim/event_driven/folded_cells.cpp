@@ -33,7 +33,7 @@ FoldedCells::FoldedCells(const Domain& domain, const Eigen::AlignedBox2d& around
     edge_[axis] = bounded ? size[axis] / static_cast<double>(count_[axis]) : edge;
   }
   const auto slots = static_cast<std::size_t>(count_[0] * count_[1]);
-  first_.assign(slots, {kNobody, kNobody, kNobody, kNobody});
+  first_.assign(slots, {{}, 0});
   more_.assign(slots, kNobody);
 }
 
@@ -45,30 +45,31 @@ Cell FoldedCells::cell_of(const Vec& place) const {
 }
 
 void FoldedCells::add(std::uint32_t disc, std::size_t slot) {
-  for (std::uint32_t& place : first_[slot])
-    if (place == kNobody) {
-      place = disc;
-      return;
-    }
-  next_[disc] = more_[slot];
-  more_[slot] = disc;
+  Slot& first = first_[slot];
+  if (first.count < kFirst) {
+    first.disc[first.count] = disc;
+  } else {
+    next_[disc] = more_[slot];
+    more_[slot] = disc;
+  }
+  ++first.count;
 }
 
 /// Into its place comes the first of those that had none, or the last one.
 void FoldedCells::remove(std::uint32_t disc, std::size_t slot) {
-  auto& first = first_[slot];
-  const auto place = std::ranges::find(first, disc);
+  Slot& first = first_[slot];
+  const std::size_t place =
+      static_cast<std::size_t>(std::ranges::find(first.disc, disc) - first.disc.begin());
   std::uint32_t* link = &more_[slot];
-  if (place == first.end()) {
+  --first.count;
+  if (place >= kFirst) {
     while (*link != disc) link = &next_[*link];
     *link = next_[disc];
   } else if (*link != kNobody) {
-    *place = *link;
-    *link = next_[*place];
+    first.disc[place] = *link;
+    *link = next_[*link];
   } else {
-    const auto last = std::ranges::find(first, kNobody) - 1;
-    *place = *last;
-    *last = kNobody;
+    first.disc[place] = first.disc[first.count];
   }
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct Cell {
 class FoldedCells {
  public:
   static constexpr std::uint32_t kNobody = UINT32_MAX;
+  static constexpr std::size_t kCrowded = SIZE_MAX, kMostAtOnce = 64;
 
   /// For n discs within `around`, or within the domain where it has borders; edges of `least` (m) or more.
   /// Expects that a domain that repeats measures three times that. O(n).
@@ -72,25 +74,46 @@ class FoldedCells {
   void fetch(const Cell& cell) const {
     if (!inside(cell)) return;
     for (const std::int64_t row : {-1, 0, 1}) {
-      const Four* const middle = &first_[slot({{cell.at[0], cell.at[1] + row}})];
+      const Slot* const middle = &first_[slot({{cell.at[0], cell.at[1] + row}})];
       __builtin_prefetch(middle - 1), __builtin_prefetch(middle + 1);
     }
   }
 
   /// Writes a cell's list to `list` from row `count` on, and returns how many are in there then. Grows it
-  /// where there is no room. Without branches that nobody can foresee, where cells hold few.
+  /// where there is no room.
   std::size_t copy(std::size_t slot, std::vector<std::uint32_t>& list, std::size_t count) const {
     if (count + kFirst > list.size()) list.resize(2 * count + kFirst);
-    const Four four = first_[slot];
-    std::copy(four.begin(), four.end(), list.begin() + static_cast<std::ptrdiff_t>(count));
-    for (const std::uint32_t disc : four) count += disc != kNobody;
-    if (four.back() == kNobody) [[likely]]
+    const Slot& first = first_[slot];
+    std::copy(first.disc.begin(), first.disc.end(), list.begin() + static_cast<std::ptrdiff_t>(count));
+    count += std::min<std::size_t>(first.count, kFirst);
+    if (first.count <= kFirst) [[likely]]
       return count;
     for (std::uint32_t disc = more_[slot]; disc != kNobody; disc = next_[disc]) {
       if (count == list.size()) list.resize(2 * count);
       list[count++] = disc;
     }
     return count;
+  }
+
+  /// The same of all cells from `first` to `last` away from one that is inside, without branches that nobody
+  /// can foresee. Expects room for kMostAtOnce in the list. Returns kCrowded where a cell holds so many that
+  /// they must be copied one by one.
+  std::size_t copy_near(const Cell& cell, const std::array<int, 2>& first, const std::array<int, 2>& last,
+                        std::uint32_t* list) const {
+    std::size_t count = 0;
+    std::uint32_t all = 0;
+    const auto take = [&](const Slot& slot) {
+      std::memcpy(list + count, &slot, sizeof(Slot));
+      count += slot.count, all |= slot.count;
+    };
+    const bool wide = first[0] != last[0];
+    for (int dy = first[1]; dy <= last[1]; ++dy) {
+      const Slot* const slot =
+          &first_[static_cast<std::size_t>((cell.at[1] + dy) * count_[0] + cell.at[0] + first[0])];
+      take(slot[0]);
+      if (wide) take(slot[1]), take(slot[2]);
+    }
+    return all <= kFirst ? count : kCrowded;
   }
 
   /// Lists each obstacle in the cells from which a disc of `reach` (m) can touch it.
@@ -108,13 +131,17 @@ class FoldedCells {
   template <class Visit>
   void for_each_slot(const Eigen::AlignedBox2d& box, Visit visit) const;
 
-  static constexpr std::size_t kFirst = 4;
-  using Four = std::array<std::uint32_t, kFirst>;
+  static constexpr std::size_t kFirst = 3;  // 2^k - 1
+
+  struct Slot {
+    std::array<std::uint32_t, kFirst> disc;
+    std::uint32_t count;  // of all in the cell
+  };
 
   Vec origin_;                                ///< m
   std::array<double, 2> edge_;                ///< m
   std::array<std::int64_t, 2> count_;         ///< columns and rows of the table
-  std::vector<Four, HugePages<Four>> first_;  ///< of each slot its first discs, then kNobody
+  std::vector<Slot, HugePages<Slot>> first_;  ///< of each slot its first discs
   std::vector<std::uint32_t> more_;           ///< of each slot the next one, where that is full
   std::vector<std::uint32_t> next_;           ///< of each disc who follows it there
   std::vector<std::uint32_t> begin_;     ///< of each slot in obstacle_, and the end; empty without obstacles

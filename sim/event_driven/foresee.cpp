@@ -100,38 +100,15 @@ void HardDiscs::foresee_obstacles(std::uint32_t disc, double now, std::uint32_t 
 }
 
 void HardDiscs::foresee_discs(std::uint32_t disc, double now, const Range& range, std::uint32_t collided) {
-  find_approaching(disc, now, range);
-  Next& next = next_[disc];
-  for (const Approach& pair : std::span(approaching_).first(approached_)) {
-    if (pair.other == collided) continue;
-    const double root = pair.nearing * pair.nearing - pair.speed2 * pair.excess;
-    if (root < 0.0) continue;
-    const double time = now + std::max(0.0, pair.excess) / (pair.nearing + std::sqrt(root));
-    if (time < next.collision)
-      next.collision = time, next.other = pair.other, next.had = discs_[pair.other].had;
-  }
-}
-
-/// Who comes nearer and might touch before what comes next to the disc: few of those who are near. Without
-/// branches that nobody can foresee; the disc comes no nearer to itself.
-void HardDiscs::find_approaching(std::uint32_t disc, double now, const Range& range) {
   const Flying& one = discs_[disc];
-  const Vec from = place(one, now), speed = velocity(one, now);
-  const double until = next_[disc].collision - now;
-  std::size_t count = 0;
-  for_each_near(disc, range, [&](std::span<const std::uint32_t> near, const Vec& shift) {
-    if (count + near.size() > approaching_.size()) approaching_.resize(2 * (count + near.size()));
-    for (const std::uint32_t other : near) {
-      const Flying& two = discs_[other];
-      const Vec between = place(two, now) + shift - from, way = velocity(two, now) - speed;
-      const double reach = one.radius + two.radius;
-      const double excess = narrowphase::dot(between, between) - reach * reach,
-                   nearing = -narrowphase::dot(between, way);
-      approaching_[count] = {excess, nearing, narrowphase::dot(way, way), other};
-      count += static_cast<std::size_t>((nearing > 0.0) & (excess <= 2.0 * nearing * until));
-    }
+  Next& next = next_[disc];
+  const Looker looker{place(one, now), velocity(one, now), one.radius, now, disc, collided};
+  Meeting first{next.collision, kNobody};
+  for_each_near(disc, range, [&](std::span<std::uint32_t> near, const Vec& shift) {
+    meet(discs_.data(), near.data(), near.size(), shift, plan_.gravity ? &pull_ : nullptr, looker, first);
   });
-  approached_ = count;
+  if (first.other != kNobody)
+    next.collision = first.time, next.other = first.other, next.had = discs_[first.other].had;
 }
 
 }  // namespace throng

@@ -18,8 +18,9 @@ namespace throng {
 
 namespace {
 
-constexpr std::uint32_t kMostStill = 1000;         // collisions in a row that lead nowhere
-constexpr std::uint32_t kEventsPerLook = 1 << 14;  // between two looks at what wants the run to end
+constexpr std::uint32_t kMostStill = 1000;          // collisions in a row that lead nowhere
+constexpr std::size_t kFetch = 8, kFetchCells = 4;  // events before they are needed
+constexpr std::uint32_t kEventsPerLook = 1 << 14;   // between two looks at what wants the run to end
 
 std::vector<std::uint32_t> dynamic_rows(const Bodies& bodies) {
   std::vector<std::uint32_t> rows;
@@ -59,7 +60,8 @@ HardDiscs::HardDiscs(const Scene& scene, const Plan& plan)
       bodies_(dynamic_rows(scene.bodies)),
       cells_(scene.domain, box_round(scene.bodies, bodies_),
              slack(2.0 * largest_radius(scene.bodies, bodies_)), bodies_.size()),
-      soonest_(bodies_.size()) {
+      soonest_(bodies_.size()),
+      near_(FoldedCells::kMostAtOnce) {
   place_discs();
   refuse_overlaps();
   for (std::uint32_t disc = 0; disc < discs_.size(); ++disc) foresee(disc, 0.0, kNobody);
@@ -134,8 +136,9 @@ bool HardDiscs::run_until(double time, std::vector<ContactRow>& rows, bool (*sto
   for (std::uint32_t events = 1; soonest_.time() <= time; ++events) {
     if (stop && events % kEventsPerLook == 0 && stop()) return false;
     const double now = soonest_.time();
-    const auto [disc, after] = soonest_.rows();
-    fetch(after);  // who is next, unless this event brings somebody sooner
+    const std::uint32_t disc = soonest_.row();
+    fetch(soonest_.row_after(kFetch));
+    fetch_cells(soonest_.row_after(kFetchCells));
     const Next& next = next_[disc];
     if (next.crossing <= next.collision)
       cross(disc);
@@ -143,7 +146,6 @@ bool HardDiscs::run_until(double time, std::vector<ContactRow>& rows, bool (*sto
       foresee(disc, now, kNobody);
     else
       collide(disc, now, rows);
-    fetch_cells(after);
   }
   return true;
 }
@@ -154,12 +156,14 @@ void HardDiscs::fetch(std::uint32_t disc) const {
   soonest_.fetch(disc);
 }
 
-/// The lists of those that will be near.
+/// The lists of those that will be near, and whom it meets.
 void HardDiscs::fetch_cells(std::uint32_t disc) const {
   const Next& next = next_[disc];
   Cell cell = next.cell;
   cell.at[next.axis] += next.crossing <= next.collision ? next.step : 0;
   cells_.fetch(cell);
+  if (is_disc(next.other))
+    __builtin_prefetch(&discs_[next.other], 1), __builtin_prefetch(&next_[next.other], 1);
 }
 
 /// Into the next cell: three more cells are near, and other obstacles.

@@ -10,8 +10,10 @@
 #include "sim/collisions.h"
 #include "sim/contact/contact.h"
 #include "sim/contact_row.h"
+#include "sim/event_driven/flying.h"
 #include "sim/event_driven/folded_cells.h"
 #include "sim/event_driven/soonest.h"
+#include "sim/event_driven/soonest_meeting.h"
 #include "sim/plan.h"
 #include "sim/state.h"
 
@@ -45,16 +47,6 @@ class HardDiscs {
  private:
   static constexpr std::uint32_t kNobody = UINT32_MAX;
 
-  /// A disc since its last collision, in one cache line.
-  struct alignas(64) Flying {
-    Vec position;  // m, then; moved by a period where it leaves a domain that repeats
-    Vec velocity;  // m/s, then
-    double since;  // s
-    double radius;
-    double spin;
-    std::uint32_t had = 0;  // collisions
-  };
-
   /// What comes next to a disc, and what only it itself needs.
   struct alignas(64) Next {
     double crossing = Soonest::kNever;   // s, of the border of its cell
@@ -66,14 +58,6 @@ class HardDiscs {
     double turn = 0.0;               // rad, at its last collision, since the beginning
     std::uint32_t still = 0;         // the last so many collisions that led nowhere
     std::int8_t axis = 0, step = 0;  // of the crossing
-  };
-
-  /// A disc that comes nearer.
-  struct Approach {
-    double excess;   // m²: distance squared less the touching one
-    double nearing;  // m²/s: less scalar product of distance and velocity
-    double speed2;   // m²/s²
-    std::uint32_t other;
   };
 
   /// The part of the 3 x 3 cells round a disc's cell that is looked at.
@@ -97,19 +81,20 @@ class HardDiscs {
     return plan_.gravity ? Vec(disc.velocity + (time - disc.since) * pull_) : disc.velocity;
   }
   /// Calls visit(discs, shift) for the discs in the range of cells round the disc's, itself among them, some
-  /// at a time: their images there are moved by `shift` (m).
+  /// at a time: their images there are moved by `shift` (m). May write kMeetingPadding rows behind them.
   template <class Visit>
   void for_each_near(std::uint32_t disc, const Range& range, Visit visit) {
     const Cell& cell = next_[disc].cell;
-    const bool inside = cells_.inside(cell);
-    std::size_t count = 0;
+    if (cells_.inside(cell)) {
+      const std::size_t count = cells_.copy_near(cell, range.first, range.last, near_.data());
+      if (count != FoldedCells::kCrowded) [[likely]]
+        return visit(std::span(near_).first(count), Vec(0.0, 0.0));
+    }
     cells_.for_each_near(cell, range.first, range.last, [&](std::size_t slot, int x, int y) {
-      count = cells_.copy(slot, near_, count);
-      if (inside) return;
+      const std::size_t count = cells_.copy(slot, near_, 0);
+      if (count + kMeetingPadding > near_.size()) near_.resize(2 * count + kMeetingPadding);
       visit(std::span(near_).first(count), Vec(x * period_.x(), y * period_.y()));
-      count = 0;
     });
-    if (inside) visit(std::span(near_).first(count), Vec(0.0, 0.0));
   }
 
   void foresee(std::uint32_t disc, double now, std::uint32_t collided);
@@ -117,7 +102,6 @@ class HardDiscs {
   void foresee_straight_crossing(const Flying& one, double now, Next& next) const;
   void foresee_obstacles(std::uint32_t disc, double now, std::uint32_t collided);
   void foresee_discs(std::uint32_t disc, double now, const Range& range, std::uint32_t collided);
-  void find_approaching(std::uint32_t disc, double now, const Range& range);
   void set(std::uint32_t disc);
 
   void fetch(std::uint32_t disc) const;
@@ -141,9 +125,7 @@ class HardDiscs {
   std::vector<Flying, HugePages<Flying>> discs_;
   std::vector<Next, HugePages<Next>> next_;
   Soonest soonest_;
-  std::vector<std::uint32_t> near_;    // discs of the last search
-  std::vector<Approach> approaching_;  // the first `approached_` of them, of the last search
-  std::size_t approached_ = 0;
+  std::vector<std::uint32_t> near_;  // discs of the last search
   Collisions collisions_;
 };
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -12,92 +11,79 @@
 
 namespace throng {
 
-/// Which row is due first? A tree of the least times (a tournament: Knuth, TAOCP 3, 5.4.1) with eight
-/// children a node, as many as a cache line holds. Of equal times the lowest row.
+/// Which row is due first? A calendar (Brown, Comm. ACM 31, 1220, 1988) of an epoch: its days stand in pages,
+/// of which the open one is sorted into days, and what is due on days that have begun is in order. A row that
+/// gets another time leaves an entry behind, which is passed over. Of equal times the lowest row comes first.
 class Soonest {
  public:
   static constexpr double kNever = std::numeric_limits<double>::infinity();
 
-  explicit Soonest(std::size_t rows) {
-    do {
-      const std::size_t nodes = (rows + kWidth - 1) / kWidth;
-      levels_.emplace_back(std::max<std::size_t>(nodes, 1));
-      rows = nodes;
-    } while (rows > 1);
-  }
+  explicit Soonest(std::size_t rows);
 
-  /// O(log n) at most; ends where a level's least time stays: for far times after two levels or so.
+  /// O(1), mostly: O(k) where k are due on a day, which two or so are but where times are very uneven.
   void set(std::uint32_t row, double time) {
-    std::size_t place = row;
-    for (auto& level : levels_) {
-      Node& node = level[place / kWidth];
-      const double before = node.least();
-      node.time[place % kWidth] = time;
-      time = node.least();
-      if (time == before) return;
-      place /= kWidth;
-    }
+    due_[row] = time;
+    const double day = day_of(time);
+    if (day < days_of_epoch_) put({time, row}, day > 0.0 ? static_cast<std::size_t>(day) : 0);
   }
 
-  double time() const { return levels_.back()[0].least(); }
+  /// s, the least of all. O(1), and after about as many events as there are rows O(rows).
+  double time() {
+    while (first_ < soon_.size() && is_left(soon_[first_])) ++first_;
+    if (soon_.size() - first_ < kInSight) look_ahead();
+    return soon_.empty() ? kNever : soon_[first_].time;
+  }
 
-  struct Two {
-    std::uint32_t row;    ///< of the least time; the first where there is none
-    std::uint32_t after;  ///< of the least but one; any where there is none
-  };
+  /// Whose that is. Expects that time() was asked after the last set(), and isn't kNever.
+  std::uint32_t row() const { return soon_[first_].row; }
 
-  /// Who is due first, and who after him. O(log n).
-  Two rows() const {
-    const double least = time();
-    double later = kNever;
-    std::size_t place = 0, after = 0, below = 0;
-    for (std::size_t level = levels_.size(); level-- > 0;) {
-      const Node& node = levels_[level][place];
-      const unsigned child = node.first(least);
-      const double second = node.second();
-      const bool sooner = second < later;
-      place *= kWidth;
-      later = sooner ? second : later;
-      after = sooner ? place + node.first(second, 1u << child) : after;
-      below = sooner ? level : below;
-      place += child;
-    }
-    while (below-- > 0) after = kWidth * after + levels_[below][after].first(later);
-    return {static_cast<std::uint32_t>(place), static_cast<std::uint32_t>(after)};
+  /// Who seems to be due `events` later: most likely right for less than kInSight. Expects as row().
+  std::uint32_t row_after(std::size_t events) const {
+    return soon_[std::min(first_ + events, soon_.size() - 1)].row;
   }
 
   /// Sends for what set() needs of the row.
-  void fetch(std::uint32_t row) const { __builtin_prefetch(&levels_[0][row / kWidth], 1); }
+  void fetch(std::uint32_t row) const { __builtin_prefetch(&due_[row], 1); }
 
  private:
-  static constexpr std::size_t kWidth = 8;
+  static constexpr std::size_t kDays = 256;    // of a page
+  static constexpr std::size_t kInSight = 12;  // events that are in order, at least, while there are as many
 
-  /// The times of eight rows, or the least ones of eight nodes.
-  struct alignas(64) Node {
-    double time[kWidth] = {kNever, kNever, kNever, kNever, kNever, kNever, kNever, kNever};  // s
+  struct Entry {
+    double time;  // s
+    std::uint32_t row;
 
-    double least() const {
-      const auto of_two = [this](std::size_t i) { return std::min(time[i], time[i + 1]); };
-      return std::min(std::min(of_two(0), of_two(2)), std::min(of_two(4), of_two(6)));
-    }
-    /// The least but one.
-    double second() const {
-      double low = std::min(time[0], time[1]), high = std::max(time[0], time[1]);
-      for (std::size_t i = 2; i < kWidth; ++i) {
-        high = std::min(high, std::max(low, time[i]));
-        low = std::min(low, time[i]);
-      }
-      return high;
-    }
-    /// The first that is due by `most`, and none of `others`, bits.
-    unsigned first(double most, unsigned others = 0) const {
-      unsigned soon = 0;
-      for (std::size_t i = 0; i < kWidth; ++i) soon |= unsigned{time[i] <= most} << i;
-      return static_cast<unsigned>(std::countr_zero(soon & ~others));
+    bool operator<(const Entry& other) const {
+      return time < other.time || (time == other.time && row < other.row);
     }
   };
 
-  std::vector<std::vector<Node, HugePages<Node>>> levels_;  // rows first, the root last
+  double day_of(double time) const { return (time - begin_) * days_per_second_; }
+  bool is_left(const Entry& entry) const { return due_[entry.row] != entry.time; }
+
+  void put(const Entry& entry, std::size_t day) {
+    if (day < begun_)
+      insert(entry);
+    else if (day / kDays < (begun_ + kDays - 1) / kDays)
+      days_[day % kDays].push_back(entry);
+    else
+      pages_[day / kDays].push_back(entry);
+  }
+  void insert(const Entry& entry);
+  void look_ahead();
+  void begin_day();
+  void open_page();
+  bool begin_epoch();
+  void choose_epoch(double least);
+
+  std::vector<double, HugePages<double>> due_;    // s, of each row
+  double begin_ = 0.0, days_per_second_ = 0.0;    // s, 1/s: of the epoch
+  double days_of_epoch_ = 0.0;                    // what is due later waits for another one
+  std::size_t begun_ = 0;                         // days
+  std::vector<std::vector<Entry>> pages_, days_;  // those that are due on days to come; of the open page
+  std::vector<Entry> soon_;                       // on days that have begun; ascending from first_ on
+  std::size_t first_ = 0;
+  std::vector<double> sample_;  // s
 };
 
 }  // namespace throng

@@ -70,6 +70,38 @@ TEST(FoldedCells, KeepTheirListsThroughAnyComingAndGoing) {
   EXPECT_GT(longest, 8u) << "more than stand in a cell's own line";
 }
 
+TEST(FoldedCells, AreCopiedTogetherAsTheyAreOneByOneWhereNoneIsCrowded) {
+  FoldedCells cells = cells_in(DomainKind::box, {9, 7}, 60);
+  std::mt19937 random(9);
+  std::vector<std::size_t> held(cells.slots(), 0);
+  for (std::uint32_t disc = 0; disc < 60; ++disc) {
+    const std::size_t slot = random() % cells.slots();
+    cells.add(disc, slot), ++held[slot];
+  }
+  std::size_t crowded = 0, looked = 0;
+  for (std::int64_t column = 1; column < cells.count(0) - 1; ++column)
+    for (std::int64_t row = 1; row < cells.count(1) - 1; ++row)
+      for (const auto& [first, last] : {std::pair{std::array{-1, -1}, std::array{1, 1}},
+                                        {std::array{1, -1}, std::array{1, 1}},
+                                        {std::array{-1, -1}, std::array{1, -1}}}) {
+        std::vector<std::uint32_t> expected, list(FoldedCells::kMostAtOnce);
+        std::size_t most = 0;
+        cells.for_each_near({{column, row}}, first, last, [&](std::size_t slot, int, int) {
+          const auto one = listed(cells, slot);
+          expected.insert(expected.end(), one.begin(), one.end());
+          most = std::max(most, held[slot]);
+        });
+        const std::size_t count = cells.copy_near({{column, row}}, first, last, list.data());
+        ++looked, crowded += most > 3;
+        ASSERT_EQ(count == FoldedCells::kCrowded, most > 3) << column << ", " << row;
+        if (count == FoldedCells::kCrowded) continue;
+        ASSERT_TRUE(std::is_permutation(expected.begin(), expected.end(), list.begin(),
+                                        list.begin() + static_cast<std::ptrdiff_t>(count)));
+      }
+  EXPECT_GT(crowded, looked / 10);
+  EXPECT_LT(crowded, looked / 2);
+}
+
 /// Where a cell's middle is, moved by as many tables as it is said to lie away.
 Vec middle(const FoldedCells& cells, std::size_t slot, int x, int y) {
   const auto column = static_cast<std::int64_t>(slot) % cells.count(0) + x * cells.count(0);

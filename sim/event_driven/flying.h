@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "sim/scene.h"
+
+namespace throng {
+
+/// A hard disc since its last collision, in one cache line.
+struct alignas(64) Flying {
+  Vec position;           ///< m, then; moved by a period where it leaves a domain that repeats
+  Vec velocity;           ///< m/s, then
+  double since;           ///< s
+  double radius;          ///< m
+  double spin;            ///< rad/s
+  std::uint32_t had = 0;  ///< collisions
+};
+static_assert(sizeof(Flying) == 64);
+
+}  // namespace throng
