@@ -7,6 +7,12 @@
 
 namespace throng {
 
+namespace {
+
+constexpr std::size_t kWave = 32;  // blocks that are pressed before others behind them go on
+
+}  // namespace
+
 SoftContacts::SoftContacts(const Scene& scene, const Plan& plan)
     : scene_(scene),
       h_(plan.substep),
@@ -27,18 +33,40 @@ void SoftContacts::run(const Candidates& candidates, const State& state, std::sp
   const int last = scene_.time.substeps - 1;
   for (int i = 0; i <= last; ++i) {
     const double past = i == 0 && state.step == 0 ? 0.5 * h_ : h_;
-    const SoftSubstep now{i == 0, i == last, h_, past, h_ * fastest_, bodies_, speeds_, pushes_};
-    discs_.press(now);
-    solids_.press(now);
-    foretell();
-    discs_.press_again(now);
-    solids_.press_again(now);
-    kick_and_drift(i == last ? 0.5 * h_ : h_);
-    if (i < last) continue;
-    discs_.finish(now);
-    solids_.finish(now);
+    const double fringe = h_ * std::sqrt(fastest2_);
+    substep({i == 0, i == last, h_, past, fringe, bodies_, speeds_, pushes_});
   }
   give_back(bodies);
+}
+
+/// A wave that runs along the places: behind the front where discs are found in contact come their speeds of
+/// the middle, behind these the pushes that count, and then all go on. What is at hand goes through all of it
+/// before memory has to give more. Each waits for whom it needs, so the order of sums is that of the blocks.
+void SoftContacts::substep(const SoftSubstep& now) {
+  std::size_t pressed = 0, again = 0;    // blocks
+  std::uint32_t foretold = 0, gone = 0;  // places
+  const double time = now.last ? 0.5 * h_ : h_;
+  fastest2_ = 0.0;
+  solids_.press(now);
+  do {
+    const std::size_t end = std::min(pressed + kWave, discs_.blocks());
+    discs_.press(now, pressed, end);
+    pressed = end;
+    const std::uint32_t known = discs_.lowest(pressed);
+    solids_.add_pushes(now, known);
+    foretell(foretold, known);
+    foretold = known;
+    const std::size_t ready = discs_.block_of(again, known);
+    discs_.press_again(now, again, ready);
+    again = ready;
+    const std::uint32_t done = std::min(discs_.lowest(again), known);
+    solids_.press_again(now, done);
+    kick_and_drift(gone, done, time);
+    gone = done;
+  } while (pressed < discs_.blocks());
+  if (!now.last) return;
+  discs_.finish(now);
+  solids_.finish(now);
 }
 
 void SoftContacts::take(const State& state, std::span<const SolverBody> bodies) {
@@ -59,22 +87,21 @@ void SoftContacts::give_back(std::span<SolverBody> bodies) {
 
 /// To the middle of the first substep.
 void SoftContacts::start() {
-  double fastest2 = 0.0;
+  fastest2_ = 0.0;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const Vec way = 0.5 * h_ * bodies_[i].velocity;
     bodies_[i].position += way;
     bodies_[i].turn += 0.5 * h_ * bodies_[i].spin;
     ways_[i].farthest2 = way.squaredNorm();
-    fastest2 = std::max(fastest2, bodies_[i].velocity.squaredNorm());
+    fastest2_ = std::max(fastest2_, bodies_[i].velocity.squaredNorm());
   }
-  fastest_ = std::sqrt(fastest2);
   std::ranges::fill(pushes_, SoftPush{});
 }
 
 /// The velocities of the substep's middle.
-void SoftContacts::foretell() {
+void SoftContacts::foretell(std::uint32_t begin, std::uint32_t end) {
   const Vec fall = gravity_ ? Vec(0.5 * h_ * scene_.gravity) : Vec(0.0, 0.0);
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+  for (std::size_t i = begin; i < end; ++i) {
     const SolverBody& body = bodies_[i];
     speeds_[i] = {body.velocity + 0.5 * h_ * body.inverse_mass * pushes_[i].force,
                   body.spin + 0.5 * h_ * body.inverse_inertia * pushes_[i].torque};
@@ -84,10 +111,11 @@ void SoftContacts::foretell() {
 }
 
 /// To the end of a substep, and on for `time` (s).
-void SoftContacts::kick_and_drift(double time) {
+void SoftContacts::kick_and_drift(std::uint32_t begin, std::uint32_t end, double time) {
   const Vec fall = gravity_ ? Vec(h_ * scene_.gravity) : Vec(0.0, 0.0);
-  double fastest2 = 0.0;
-  for (std::size_t i = 0; i + 1 < bodies_.size(); ++i) {  // obstacles stay
+  double fastest2 = fastest2_;
+  const std::size_t last = std::min<std::size_t>(end, bodies_.size() - 1);  // obstacles stay
+  for (std::size_t i = begin; i < last; ++i) {
     SolverBody& body = bodies_[i];
     body.velocity += h_ * body.inverse_mass * pushes_[i].force;
     body.spin += h_ * body.inverse_inertia * pushes_[i].torque;
@@ -99,7 +127,7 @@ void SoftContacts::kick_and_drift(double time) {
     SoftWay& way = ways_[i];
     way.farthest2 = std::max(way.farthest2, (body.position - way.from).squaredNorm());
   }
-  fastest_ = std::sqrt(fastest2);
+  fastest2_ = fastest2;
 }
 
 void SoftContacts::check_depth(const State& state) const {

@@ -40,8 +40,9 @@ class SoftContacts {
   void take(const State& state, std::span<const SolverBody> bodies);
   void give_back(std::span<SolverBody> bodies);
   void start();
-  void foretell();
-  void kick_and_drift(double time);
+  void substep(const SoftSubstep& now);
+  void foretell(std::uint32_t begin, std::uint32_t end);
+  void kick_and_drift(std::uint32_t begin, std::uint32_t end, double time);
 
   const Scene& scene_;
   const double h_;  // s
@@ -54,7 +55,7 @@ class SoftContacts {
   std::vector<SoftSpeed> speeds_;
   std::vector<SoftWay> ways_;
   std::vector<double> farthest_;  // by row
-  double fastest_ = 0.0;          // m/s
+  double fastest2_ = 0.0;         // m²/s²
 };
 
 }  // namespace throng

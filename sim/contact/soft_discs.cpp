@@ -33,6 +33,7 @@ void SoftDiscs::find(const Candidates& candidates, const State& state, const Sof
   list_candidates(candidates, state, places);
   seat_candidates(bodies.size());
   fill_blocks(candidates, state, places, bodies);
+  find_reaches(bodies.size());
   squeeze_ = {};
 }
 
@@ -94,12 +95,32 @@ SoftPair SoftDiscs::law_of(std::uint32_t a, std::uint32_t b, const SoftPlaces& p
   return law;
 }
 
-void SoftDiscs::press(const SoftSubstep& now) {
-  press_soft(blocks_, shifts_, law_, now, squeeze_);
+/// Pairs are seated by their lower place.
+void SoftDiscs::find_reaches(std::size_t bodies) {
+  lowest_.assign(blocks_.size() + 1, static_cast<std::uint32_t>(bodies));
+  highest_.assign(blocks_.size(), 0);
+  for (const Candidate& pair : candidates_) {
+    const std::size_t block = pair.seat / kWidth;
+    lowest_[block] = std::min({lowest_[block], pair.a, pair.b});
+    highest_[block] = std::max({highest_[block], pair.a, pair.b});
+  }
+  std::partial_sum(highest_.begin(), highest_.end(), highest_.begin(),
+                   [](std::uint32_t one, std::uint32_t other) { return std::max(one, other); });
 }
 
-void SoftDiscs::press_again(const SoftSubstep& now) {
-  press_soft_again(blocks_, law_, now);
+std::size_t SoftDiscs::block_of(std::size_t block, std::uint32_t place) const {
+  while (block < blocks_.size() && highest_[block] < place) ++block;
+  return block;
+}
+
+void SoftDiscs::press(const SoftSubstep& now, std::size_t begin, std::size_t end) {
+  const auto some = [&](auto& all) { return std::span(all).subspan(begin, end - begin); };
+  press_soft(some(blocks_), shifts_.empty() ? std::span<const SoftShifts>() : some(shifts_), law_, now,
+             squeeze_);
+}
+
+void SoftDiscs::press_again(const SoftSubstep& now, std::size_t begin, std::size_t end) {
+  press_soft_again(std::span(blocks_).subspan(begin, end - begin), law_, now);
 }
 
 void SoftDiscs::finish(const SoftSubstep& now) {

@@ -5,17 +5,18 @@
 #include <span>
 #include <vector>
 
-#include "broadphase/spatial_order.h"
 #include "sim/contact/contact.h"
 
 namespace throng {
 
-/// Where soft contacts keep bodies: in the order of a curve through the plane, as they stand when a step
-/// begins. Those who touch are near in memory then, for as many substeps as the step has. Few bodies keep
-/// their rows.
+/// Where soft contacts keep bodies: in strips across the longer side of where they are, one disc or so wide,
+/// and in these one after the other, as they stand when a step begins. Those who touch are at most two strips
+/// apart then, so that what is at hand can go through a whole substep before the next strips come. Few bodies
+/// keep their rows.
 class SoftPlaces {
  public:
-  /// Of bodies in rows, and a last row of obstacles, which keeps its place. O(n); allocates only to grow.
+  /// Of bodies in rows, and a last row of obstacles, which keeps its place. Expects finite positions.
+  /// O(n log n); allocates only to grow.
   void sort(std::span<const Vec> positions);
 
   std::uint32_t place(std::uint32_t row) const { return place_[row]; }
@@ -26,7 +27,16 @@ class SoftPlaces {
   /// What is known of fewer bodies fits into the nearest caches.
   static constexpr std::size_t kSome = 2'000;
 
-  broadphase::SpatialOrder curve_;
+  struct Item {
+    std::uint64_t at;  // strip, and behind it how far along the strip
+    std::uint32_t row;
+
+    bool operator<(const Item& other) const { return at < other.at || (at == other.at && row < other.row); }
+  };
+
+  void sort_into_strips(std::span<const Vec> positions);
+
+  std::vector<Item> items_;
   std::vector<std::uint32_t> row_, place_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "sim/contact/contact_key.h"
 #include "sim/contact/roll.h"
@@ -96,7 +97,8 @@ void SoftSolids::recall(const State& state) {
 
 void SoftSolids::press(const SoftSubstep& now) {
   std::swap(touches_, last_);
-  touches_.clear();
+  touches_.clear(), pushes_.clear();
+  added_ = pressed_ = 0;
   for (const auto& [body, angle] : turning_)
     poses_[body] = narrowphase::pose(now.bodies[body].position, angle + now.bodies[body].turn);
   with_law(scene_, [&](const auto& law) {
@@ -108,6 +110,14 @@ void SoftSolids::press(const SoftSubstep& now) {
     }
   });
   std::ranges::sort(touches_, {}, &Touch::pair);
+  by_place_.resize(touches_.size());
+  std::iota(by_place_.begin(), by_place_.end(), 0u);
+  std::ranges::sort(by_place_, {},
+                    [&](std::uint32_t i) { return std::pair(pairs_[touches_[i].pair].disc, i); });
+}
+
+void SoftSolids::add_pushes(const SoftSubstep& now, std::uint32_t end) {
+  for (; added_ < pushes_.size() && pushes_[added_].disc < end; ++added_) add(pushes_[added_], now.pushes);
 }
 
 template <class Law>
@@ -122,7 +132,7 @@ void SoftSolids::press_disc(const Law& law, std::span<const std::uint32_t> pairs
     if (touch.depth > SoftSqueeze::kMost * pair.radius) squeeze_.note(pair.disc, pair.solid, touch.depth);
     touch.springs = springs_of(touch, moves, now);
     SoftSprings trial = touch.springs;
-    push(touch, soft_force(law, pair.law, moves, now.h, plan_.rolling, trial), now.pushes);
+    pushes_.push_back(push_of(touch, soft_force(law, pair.law, moves, now.h, plan_.rolling, trial)));
     touches_.push_back(touch);
   }
 }
@@ -209,10 +219,15 @@ void SoftSolids::finish(const SoftSubstep& now) {
   for (Touch& touch : touches_) touch.springs = springs_after(touch, now);
 }
 
-void SoftSolids::push(const Touch& touch, const SoftForce& force, std::span<SoftPush> pushes) const {
-  SoftPush& disc = pushes[pairs_[touch.pair].disc];
-  disc.force -= force.normal * touch.normal + force.tangent * tangent(touch.normal);
-  disc.torque -= arm(touch) * force.tangent + force.torque;
+SoftSolids::Push SoftSolids::push_of(const Touch& touch, const SoftForce& force) const {
+  return {pairs_[touch.pair].disc,
+          {force.normal * touch.normal + force.tangent * tangent(touch.normal),
+           arm(touch) * force.tangent + force.torque}};
+}
+
+void SoftSolids::add(const Push& push, std::span<SoftPush> pushes) {
+  pushes[push.disc].force -= push.push.force;
+  pushes[push.disc].torque -= push.push.torque;
 }
 
 /// In the substep before; null where they were apart.
@@ -221,15 +236,17 @@ const SoftSolids::Touch* SoftSolids::before(std::uint32_t pair) const {
   return found != last_.end() && found->pair == pair ? &*found : nullptr;
 }
 
-void SoftSolids::press_again(const SoftSubstep& now) {
+void SoftSolids::press_again(const SoftSubstep& now, std::uint32_t end) {
   with_law(scene_, [&](const auto& law) {
-    for (Touch& touch : touches_) {
+    for (; pressed_ < by_place_.size(); ++pressed_) {
+      Touch& touch = touches_[by_place_[pressed_]];
       const Pair& pair = pairs_[touch.pair];
+      if (pair.disc >= end) return;
       const SoftSpeed& disc = now.speeds[pair.disc];
       const SoftMotion moves = motion(touch, now, disc.velocity, disc.spin);
       const SoftForce force = soft_force(law, pair.law, moves, now.h, plan_.rolling, touch.springs);
       touch.force = force.normal;
-      push(touch, force, now.pushes);
+      add(push_of(touch, force), now.pushes);
     }
   });
 }

@@ -20,8 +20,15 @@ class SoftSolids {
   /// As those of SoftDiscs.
   void find(const Candidates& candidates, const State& state, const SoftPlaces& places,
             std::span<const SolverBody> bodies);
+
+  /// Finds who is in contact in this substep, and how they push by the velocities of its beginning.
   void press(const SoftSubstep& now);
-  void press_again(const SoftSubstep& now);
+
+  /// Adds how those push whose place is before `end`, and which weren't added yet.
+  void add_pushes(const SoftSubstep& now, std::uint32_t end);
+
+  /// The same by the velocities of the middle, as SoftDiscs::press_again().
+  void press_again(const SoftSubstep& now, std::uint32_t end);
   void finish(const SoftSubstep& now);
   void save(double h, State& state) const;
   void list(const State& state, double h, const SoftPlaces& places, std::span<const SolverBody> bodies,
@@ -49,6 +56,11 @@ class SoftSolids {
     double force;  // N, along the normal
   };
 
+  struct Push {
+    std::uint32_t disc;  // place
+    SoftPush push;       // the disc feels the opposite
+  };
+
   struct Turning {
     std::uint32_t body;  // its place
     double angle;        // rad, as the step begins
@@ -68,7 +80,8 @@ class SoftSolids {
   void drop_shared(const SoftSubstep& now);
   NearestSurface nearest(const Pair& pair, const Vec& point) const;
   SoftMotion motion(const Touch& touch, const SoftSubstep& now, const Vec& velocity, double spin) const;
-  void push(const Touch& touch, const SoftForce& force, std::span<SoftPush> pushes) const;
+  Push push_of(const Touch& touch, const SoftForce& force) const;
+  static void add(const Push& push, std::span<SoftPush> pushes);
   SoftSprings springs_after(const Touch& touch, const SoftSubstep& now) const;
   SoftSprings springs_of(const Touch& touch, const SoftMotion& moves, const SoftSubstep& now) const;
   const Touch* before(std::uint32_t pair) const;
@@ -83,6 +96,9 @@ class SoftSolids {
   std::vector<narrowphase::Pose> poses_;  // by place: of those, in this substep; empty without such
   std::vector<Touch> touches_, last_;     // of this substep and of the one before, ascending by pair
   std::vector<Touch> near_;               // of one disc
+  std::vector<Push> pushes_;              // of this substep, by place
+  std::vector<std::uint32_t> by_place_;   // touches_, of each place as they are there
+  std::size_t added_ = 0, pressed_ = 0;   // of these two
   SoftSqueeze squeeze_;
 };
 

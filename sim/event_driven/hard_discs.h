@@ -33,8 +33,8 @@ class HardDiscs {
   /// than rounding.
   HardDiscs(const Scene& scene, const Plan& plan);
 
-  /// O(log n) a collision. Replaces `rows` by the collisions. False where `stop`, if any, which is asked each
-  /// ten thousand of them or so, said true: then it isn't that time yet. Throws SimulationError where
+  /// O(1) a collision, nearly. Replaces `rows` by the collisions. False where `stop`, if any, which is asked
+  /// each ten thousand of them or so, said true: then it isn't that time yet. Throws SimulationError where
   /// collisions don't end (inelastic collapse): after a thousand of one disc in a row between which no time
   /// passes, or of bounces lower than 1e-9 of its radius.
   bool run_until(double time, std::vector<ContactRow>& rows, bool (*stop)() = nullptr);

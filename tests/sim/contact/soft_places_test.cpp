@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace throng {
 namespace {
 
@@ -28,17 +30,38 @@ TEST(SoftPlaces, AreTheRowsWhereBodiesAreFew) {
   }
 }
 
-TEST(SoftPlaces, AreNearForBodiesThatAreAndEachHasOne) {
+TEST(SoftPlaces, AreAtMostTwoStripsApartForBodiesThatTouchAndEachHasOne) {
   SoftPlaces places;
-  const std::vector<Vec> points = lattice(60);
-  places.sort(points);
-  ASSERT_EQ(places.size(), points.size() + 1);
-  for (std::uint32_t row = 0; row < places.size(); ++row) ASSERT_EQ(places.row(places.place(row)), row);
-  EXPECT_EQ(places.place(3600), 3600u) << "obstacles come last";
-  double way = 0.0;
-  for (std::uint32_t place = 1; place < 3600; ++place)
-    way += (points[places.row(place)] - points[places.row(place - 1)]).norm();
-  EXPECT_LT(way / 3599, 1.2) << "from each to the next, in spacings";
+  std::vector<Vec> points = lattice(60);
+  for (const bool upright : {false, true}) {
+    for (Vec& point : points) point = upright ? Vec(point.y(), point.x()) : Vec(point.x(), 2.0 * point.y());
+    places.sort(points);
+    ASSERT_EQ(places.size(), points.size() + 1);
+    for (std::uint32_t row = 0; row < places.size(); ++row) ASSERT_EQ(places.row(places.place(row)), row);
+    EXPECT_EQ(places.place(3600), 3600u) << "obstacles come last";
+    std::uint32_t farthest = 0, touching = 0;
+    for (std::uint32_t a = 0; a < 3600; ++a)
+      for (std::uint32_t b = 0; b < a; ++b) {
+        if ((points[a] - points[b]).norm() > 2.3) continue;
+        const std::uint32_t one = places.place(a), other = places.place(b);
+        farthest = std::max(farthest, std::max(one, other) - std::min(one, other)), ++touching;
+      }
+    EXPECT_GT(touching, 3000u);
+    EXPECT_LT(farthest, 130u) << "a strip holds sixty";
+  }
+}
+
+TEST(SoftPlaces, AreThereWhereBodiesStandInALineOrInOnePlace) {
+  SoftPlaces places;
+  for (const Vec& step : {Vec(1, 0), Vec(0, -1e6), Vec(0, 0)}) {
+    std::vector<Vec> points;
+    for (int i = 0; i < 2500; ++i) points.push_back(Vec(3, 4) + i * step);
+    places.sort(points);
+    for (std::uint32_t row = 0; row < 2500; ++row) {
+      ASSERT_EQ(places.row(places.place(row)), row);
+      ASSERT_NEAR(places.place(row), step.y() < 0.0 ? 2499 - row : row, 1) << "two in a strip, at most";
+    }
+  }
 }
 
 TEST(SoftPlaces, BecomeTheRowsAgainWhereBodiesGotFew) {
