@@ -104,7 +104,7 @@ class FoldedCells {
     std::uint32_t all = 0;
     const auto take = [&](const Slot& slot) {
       std::memcpy(list + count, &slot, sizeof(Slot));
-      count += slot.count, all |= slot.count;
+      count += slot.count & kFirst, all |= slot.count;  // of a crowded one so many as there is room for
     };
     const bool wide = first[0] != last[0];
     for (int dy = first[1]; dy <= last[1]; ++dy) {

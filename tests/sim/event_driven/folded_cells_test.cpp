@@ -102,6 +102,15 @@ TEST(FoldedCells, AreCopiedTogetherAsTheyAreOneByOneWhereNoneIsCrowded) {
   EXPECT_LT(crowded, looked / 2);
 }
 
+TEST(FoldedCells, AreCopiedTogetherWithinTheRoomThereIsHoweverCrowdedTheyAre) {
+  FoldedCells cells = cells_in(DomainKind::box, {5, 5}, 10'000);
+  const Cell middle{{1, 1}};
+  for (std::uint32_t disc = 0; disc < 10'000; ++disc) cells.add(disc, cells.slot({{disc % 3, disc / 3 % 3}}));
+  std::vector<std::uint32_t> list(FoldedCells::kMostAtOnce + 10'000, 77);
+  EXPECT_EQ(cells.copy_near(middle, {-1, -1}, {1, 1}, list.data()), FoldedCells::kCrowded);
+  EXPECT_EQ(std::count(list.begin() + FoldedCells::kMostAtOnce, list.end(), 77), 10'000);
+}
+
 /// Where a cell's middle is, moved by as many tables as it is said to lie away.
 Vec middle(const FoldedCells& cells, std::size_t slot, int x, int y) {
   const auto column = static_cast<std::int64_t>(slot) % cells.count(0) + x * cells.count(0);
