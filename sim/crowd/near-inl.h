@@ -76,20 +76,21 @@ struct Near {
   std::size_t first, size;
 };
 
-constexpr std::size_t kTogether = 32;  // agents, whose others fit into the nearest cache
+constexpr std::size_t kAtOnce = 12;  // vectors, whose exponentials are computed in the time of one another
+constexpr std::size_t kBehind = (kAtOnce + 1) * kWide;  // numbers of room behind the last one, of no meaning
+constexpr std::size_t kTogether = 32;                   // agents, whose others fit into the nearest cache
 
 /// What a model is told of others: `who`: also at which places they are.
 enum class Tell { where, who };
 
 /// Those near one agent, or near several one after the other: where from him (m), how far apart the middles
-/// are when they touch (m), and at which place, where that is asked. Behind each agent's last one some who
-/// are far from everywhere fill up a four, behind the last of all a vector.
+/// are when they touch (m), and at which place, where that is asked.
 struct Others {
   std::vector<double> dx, dy, width, place;
   std::size_t first = 0, size = 0;  // of the agent who was added last
 
   void clear() { first = size = 0; }
-  std::size_t end() const { return first + (size + kFour - 1) / kFour * kFour; }
+  std::size_t end() const { return first + size; }
 
   /// All whose middles are at most `reach` (m) away and behind no barrier. Two who stand in one place part
   /// along x, by their ids.
@@ -98,15 +99,8 @@ struct Others {
     first = end(), size = 0;
     make_room(0);
     broadphase::Range range;
-    if (crowd.cells.find(crowd.position(own), reach, range))
-      for (std::int64_t y = range.first.y; y <= range.last.y; ++y)
-        add<kTell>(crowd, crowd.cells.stretch(range, y), own, reach * reach);
-    const Vec p = crowd.position(own), far(reach, reach);
-    if (!crowd.is_clear(own, reach))
-      crowd.barriers.for_each_near({Vec(p - far), Vec(p + far)},
-                                   [&](const Barriers::Segment& segment)
-                                       HWY_ATTR { hide_behind(segment.a - p, segment.b - p); });
-    fill_up();
+    if (crowd.cells.find(crowd.position(own), reach, range)) add<kTell>(crowd, range, own, reach * reach);
+    if (HWY_UNLIKELY(!crowd.is_clear(own, reach))) hide_behind_barriers(crowd, own, reach);
     return {first, size};
   }
 
@@ -121,41 +115,56 @@ struct Others {
   }
 
  private:
-  static constexpr double kFar = 1e150, kHardlyApart = 1e-150;
+  static constexpr double kHardlyApart = 1e-150;
 
+  /// For so many of the agent who was added last, and kBehind.
   void make_room(std::size_t count) {
-    count += first + 2 * kWide + 2 * kFour;
+    count += first + kBehind;
     if (count <= dx.size()) return;
     for (std::vector<double>* all : {&dx, &dy, &width, &place}) all->resize(2 * count + 64);
   }
 
   template <Tell kTell>
-  HWY_INLINE void add(const CrowdView& crowd, CrowdCells::Stretch stretch, std::uint32_t own, double limit) {
+  HWY_INLINE void add(const CrowdView& crowd, const broadphase::Range& range, std::uint32_t own,
+                      double limit) {
     const Wide d;
-    make_room(size + (stretch.end - stretch.first));
-    const auto x = hn::Set(d, crowd.x[own]), y = hn::Set(d, crowd.y[own]),
+    const auto x = hn::Set(d, crowd.x[own]), y = hn::Set(d, crowd.y[own]), farthest = hn::Set(d, limit),
                radius = hn::Set(d, crowd.radius[own]), itself = hn::Set(d, static_cast<double>(own));
     const double *const all_x = crowd.x.data(), *const all_y = crowd.y.data();
     const double* const all_radius = crowd.radius.data();
-    double *const near_x = dx.data(), *const near_y = dy.data(), *const near_width = width.data();
-    std::size_t count = first + size;
-    for (std::size_t j = stretch.first; j < stretch.end; j += kWide) {
-      auto to_x = hn::Sub(hn::LoadU(d, all_x + j), x);
-      const auto to_y = hn::Sub(hn::LoadU(d, all_y + j), y);
-      const auto far = hn::Add(hn::Mul(to_x, to_x), hn::Mul(to_y, to_y));
-      const auto places = hn::Iota(d, static_cast<double>(j));
-      const auto there = hn::And(hn::And(hn::Le(far, hn::Set(d, limit)), hn::FirstN(d, stretch.end - j)),
-                                 hn::Ne(places, itself));
-      const auto same = hn::And(there, hn::Eq(far, hn::Zero(d)));
-      if (HWY_UNLIKELY(!hn::AllFalse(d, same))) to_x = hn::IfThenElse(same, parting(crowd, own, j), to_x);
-      const Compressor those(there);
-      those.store(to_x, near_x + count);
-      those.store(to_y, near_y + count);
-      those.store(hn::Add(radius, hn::LoadU(d, all_radius + j)), near_width + count);
-      if constexpr (kTell == Tell::who) those.store(places, place.data() + count);
-      count += those.count();
+    for (std::int64_t row = range.first.y; row <= range.last.y; ++row) {
+      const auto [begin, end] = crowd.cells.stretch(range, row);
+      make_room(size + (end - begin));
+      double *const near_x = dx.data(), *const near_y = dy.data(), *const near_width = width.data(),
+                    *const near_place = place.data();
+      std::size_t count = first + size;
+      const auto last = hn::Set(d, static_cast<double>(end));
+      auto places = hn::Iota(d, static_cast<double>(begin));
+      for (std::size_t j = begin; j < end; j += kWide) {
+        auto to_x = hn::Sub(hn::LoadU(d, all_x + j), x);
+        const auto to_y = hn::Sub(hn::LoadU(d, all_y + j), y);
+        const auto far = hn::Add(hn::Mul(to_x, to_x), hn::Mul(to_y, to_y));
+        const auto there =
+            hn::And(hn::And(hn::Le(far, farthest), hn::Lt(places, last)), hn::Ne(places, itself));
+        const auto same = hn::And(there, hn::Eq(far, hn::Zero(d)));
+        if (HWY_UNLIKELY(!hn::AllFalse(d, same))) to_x = hn::IfThenElse(same, parting(crowd, own, j), to_x);
+        const Compressor those(there);
+        those.store(to_x, near_x + count);
+        those.store(to_y, near_y + count);
+        those.store(hn::Add(radius, hn::LoadU(d, all_radius + j)), near_width + count);
+        if constexpr (kTell == Tell::who) those.store(places, near_place + count);
+        count += those.count();
+        places = hn::Add(places, hn::Set(d, static_cast<double>(kWide)));
+      }
+      size = count - first;
     }
-    size = count - first;
+  }
+
+  HWY_NOINLINE void hide_behind_barriers(const CrowdView& crowd, std::uint32_t own, double reach) {
+    const Vec p = crowd.position(own), far(reach, reach);
+    crowd.barriers.for_each_near({Vec(p - far), Vec(p + far)},
+                                 [&](const Barriers::Segment& segment)
+                                     HWY_ATTR { hide_behind(segment.a - p, segment.b - p); });
   }
 
   static HWY_INLINE hn::Vec<Wide> parting(const CrowdView& crowd, std::uint32_t own, std::size_t j) {
@@ -193,14 +202,6 @@ struct Others {
       return hn::Not(hn::And(hn::Lt(hn::Mul(own_side, side), hn::Zero(d)), hn::Xor(a_left, b_left)));
     });
   }
-
-  HWY_INLINE void fill_up() {
-    const Wide d;
-    for (std::size_t k = first + size, last = k + std::max(kFour, kWide); k < last; k += kWide) {
-      hn::StoreU(hn::Set(d, kFar), d, dx.data() + k);
-      for (std::vector<double>* all : {&dy, &width, &place}) hn::StoreU(hn::Zero(d), d, all->data() + k);
-    }
-  }
 };
 
 /// How hard each of the others pushes whom he is near, and how far from touching it is (m, below 0: how
@@ -213,50 +214,49 @@ struct Pushes {
   }
 };
 
-/// The same as `push` of so many vectors, from the k-th number on.
-template <std::size_t kVectors>
-HWY_INLINE void push_some(double strength, double range, const Others& others, std::size_t k,
-                          Pushes& pushes) {
-  const Wide d;
-  const auto negligible = hn::Set(d, kNegligibleRanges * range), where_touching = hn::Set(d, strength);
-  const auto per_range = hn::Set(d, -1.0 / range), most = hn::Set(d, kMostExponent);
-  WideReals distance[kVectors], free[kVectors], power[kVectors];
-  for (std::size_t i = 0; i < kVectors; ++i) {
-    distance[i] = hn::Sqrt(others.square(k + i * kWide));
-    free[i] = hn::Sub(distance[i], hn::LoadU(d, others.width.data() + k + i * kWide));
-    power[i] = hn::Min(hn::Mul(free[i], per_range), most);
-  }
-  exponentiate(d, power);
-  for (std::size_t i = 0; i < kVectors; ++i) {
-    const auto per_metre = hn::Div(hn::Mul(where_touching, power[i]), distance[i]);
-    hn::StoreU(free[i], d, pushes.gap.data() + k + i * kWide);
-    hn::StoreU(hn::IfThenElseZero(hn::Le(free[i], negligible), per_metre), d,
-               pushes.per_metre.data() + k + i * kWide);
-  }
-}
-
 /// By `strength` (of any unit) where the two just touch, e times less each `range` (m) farther; by nothing
 /// where that is too little to matter.
 HWY_INLINE void push(double strength, double range, const Others& others, Pushes& pushes) {
-  constexpr std::size_t kAtOnce = 4;
+  const Wide d;
+  const auto negligible = hn::Set(d, kNegligibleRanges * range), where_touching = hn::Set(d, strength);
+  const auto per_range = hn::Set(d, -1.0 / range), most = hn::Set(d, kMostExponent);
   pushes.resize(others.dx.size());
-  std::size_t k = 0;
-  for (; k + kAtOnce * kWide <= others.end(); k += kAtOnce * kWide)
-    push_some<kAtOnce>(strength, range, others, k, pushes);
-  for (; k < others.end(); k += kWide) push_some<1>(strength, range, others, k, pushes);
+  double *const gap = pushes.gap.data(), *const per_metre = pushes.per_metre.data();
+  for (std::size_t first = 0; first < others.end(); first += kAtOnce * kWide) {
+    WideReals distance[kAtOnce], power[kAtOnce];
+    for (std::size_t i = 0, k = first; i < kAtOnce; ++i, k += kWide) {
+      distance[i] = hn::Sqrt(others.square(k));
+      const auto free = hn::Sub(distance[i], hn::LoadU(d, others.width.data() + k));
+      power[i] = hn::Min(hn::Mul(free, per_range), most);
+      hn::StoreU(free, d, gap + k);
+    }
+    exponentiate(d, power);
+    for (std::size_t i = 0, k = first; i < kAtOnce; ++i, k += kWide) {
+      const auto its = hn::Div(hn::Mul(where_touching, power[i]), distance[i]);
+      hn::StoreU(hn::IfThenElseZero(hn::Le(hn::LoadU(d, gap + k), negligible), its), d, per_metre + k);
+    }
+  }
 }
 
-/// How all near him push the agent away, or turn him.
+/// How all near him push the agent away, or turn him. As many as there mostly are without asking how many
+/// there are, which no processor foretells.
 HWY_INLINE Vec repulsion(const Others& others, const Pushes& pushes, const Near& near) {
+  constexpr std::size_t kMostly = 16;
   const D d;
   FourSums x, y;
-  for (std::size_t i = near.first; i < near.first + near.size; i += kFour)
+  const double *const dx = others.dx.data() + near.first, *const dy = others.dy.data() + near.first,
+                      *const per_metre = pushes.per_metre.data() + near.first;
+  const auto add_four = [&](std::size_t i) HWY_ATTR {
     for (std::size_t p = 0; p < kParts; ++p) {
       const std::size_t k = i + p * kLanes;
-      const Reals scale = hn::LoadU(d, pushes.per_metre.data() + k);
-      x.add(p, hn::Mul(scale, hn::LoadU(d, others.dx.data() + k)));
-      y.add(p, hn::Mul(scale, hn::LoadU(d, others.dy.data() + k)));
+      const Mask is = hn::FirstN(d, k < near.size ? near.size - k : 0);
+      const Reals scale = hn::LoadU(d, per_metre + k);
+      x.add(p, hn::IfThenElseZero(is, hn::Mul(scale, hn::LoadU(d, dx + k))));
+      y.add(p, hn::IfThenElseZero(is, hn::Mul(scale, hn::LoadU(d, dy + k))));
     }
+  };
+  for (std::size_t i = 0; i < kMostly; i += kFour) add_four(i);
+  for (std::size_t i = kMostly; i < near.size; i += kFour) add_four(i);
   return {-x.total(), -y.total()};
 }
 
