@@ -66,6 +66,9 @@ class Barriers {
     return clear;
   }
 
+  /// Asks for the memory that `clear` will read of `p`.
+  void prefetch(const Vec& p) const { clearance_.prefetch(p); }
+
   /// Whether the straight way from `p` to `q` meets a segment, be it by touching. Exact.
   bool block(const Vec& p, const Vec& q) const;
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "broadphase/box_index.h"
+#include "sim/crowd/prefetch.h"
 #include "sim/crowd/region.h"
 
 namespace throng {
@@ -21,16 +22,26 @@ class Clearance {
 
   /// m: nothing is nearer to `p`. 0 outside the bounds. O(1).
   double at(const Vec& p) const {
-    const Vec place = (p - low_) * per_cell_;
-    if (!(place.x() >= 0.0 && place.y() >= 0.0 && place.x() < columns_ && place.y() < rows_)) return 0.0;
-    const auto row = static_cast<std::size_t>(place.y()), column = static_cast<std::size_t>(place.x());
-    return clear_[row * static_cast<std::size_t>(columns_) + column];
+    std::size_t cell;
+    return locate(p, cell) ? clear_[cell] : 0.0;
+  }
+
+  /// Asks for the memory that `at` will read of `p`.
+  void prefetch(const Vec& p) const {
+    if (std::size_t cell; locate(p, cell)) throng::prefetch(&clear_[cell]);
   }
 
   static constexpr double kMostCells = 65536.0;
 
  private:
   void spread();
+  bool locate(const Vec& p, std::size_t& cell) const {
+    const Vec place = (p - low_) * per_cell_;
+    if (!(place.x() >= 0.0 && place.y() >= 0.0 && place.x() < columns_ && place.y() < rows_)) return false;
+    const auto row = static_cast<std::size_t>(place.y()), column = static_cast<std::size_t>(place.x());
+    cell = row * static_cast<std::size_t>(columns_) + column;
+    return true;
+  }
 
   Vec low_{0.0, 0.0};
   double per_cell_ = 0.0;  // 1/m

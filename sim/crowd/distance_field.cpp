@@ -63,24 +63,6 @@ void DistanceField::mark_broken() {
     }
 }
 
-void DistanceField::prefetch(const Vec& p) const {
-  Cell cell;
-  if (!locate(p, cell)) return;
-  __builtin_prefetch(&distance_[cell.node]);
-  __builtin_prefetch(&distance_[cell.node + static_cast<std::size_t>(plan_->columns)]);
-}
-
-bool DistanceField::locate(const Vec& p, Cell& cell) const {
-  const Vec at = (p - plan_->origin) * per_cell_;
-  if (!(at.x() >= 0.0 && at.y() >= 0.0 && at.x() < plan_->columns - 1 && at.y() < plan_->rows - 1))
-    return false;
-  const auto x = static_cast<int>(at.x()), y = static_cast<int>(at.y());
-  cell = {
-      static_cast<std::size_t>(y) * static_cast<std::size_t>(plan_->columns) + static_cast<std::size_t>(x),
-      at.x() - x, at.y() - y};
-  return true;
-}
-
 double DistanceField::distance(const Vec& p) const {
   Cell cell;
   if (contains(goal_, p)) return 0.0;
@@ -93,13 +75,6 @@ double DistanceField::distance(const Vec& p) const {
   const std::size_t low = cell.node, high = low + static_cast<std::size_t>(plan_->columns);
   return (1.0 - cell.v) * ((1.0 - cell.u) * at(low) + cell.u * at(low + 1)) +
          cell.v * ((1.0 - cell.u) * at(high) + cell.u * at(high + 1));
-}
-
-Vec DistanceField::downhill(const Cell& cell) const {
-  const std::size_t node = cell.node, above = node + static_cast<std::size_t>(plan_->columns);
-  const float low[] = {at(node), at(node + 1)}, high[] = {at(above), at(above + 1)};
-  return {(1.0 - cell.v) * (low[0] - low[1]) + cell.v * (high[0] - high[1]),
-          (1.0 - cell.u) * (low[0] - high[0]) + cell.u * (low[1] - high[1])};
 }
 
 std::size_t DistanceField::nearest_way(const Vec& p, const Cell& cell, double nearest,
@@ -120,12 +95,10 @@ std::size_t DistanceField::nearest_way(const Vec& p, const Cell& cell, double ne
 }
 
 Vec DistanceField::direction(const Vec& p) const {
+  Vec down;
+  if (slope(p, down)) return unit(down);
   Cell cell;
   if (!locate(p, cell)) return {0.0, 0.0};
-  if (is_whole(cell.node)) {
-    const Vec slope = downhill(cell);
-    if (slope.squaredNorm() > 0.01 * plan_->cell * plan_->cell) return unit(slope);
-  }
   if (contains(goal_, p)) return {0.0, 0.0};
   double distance = kUnreached;
   const std::size_t node = nearest_way(p, cell, plan_->cell, distance);

@@ -7,6 +7,7 @@
 
 #include "sim/crowd/barriers.h"
 #include "sim/crowd/floor_plan.h"
+#include "sim/crowd/prefetch.h"
 #include "sim/crowd/region.h"
 
 namespace throng {
@@ -24,6 +25,15 @@ class DistanceField {
 
   /// m, from `p` to the goal; infinite where no way leads there. O(1).
   double distance(const Vec& p) const;
+
+  /// The same as `direction`, of some length above 0, in little time. False where that is no whole answer:
+  /// near barriers and in the goal.
+  bool slope(const Vec& p, Vec& down) const {
+    Cell cell;
+    if (!locate(p, cell) || !is_whole(cell.node)) return false;
+    down = downhill(cell);
+    return down.squaredNorm() > 0.01 * plan_->cell * plan_->cell;
+  }
 
   /// Unit vector along the shortest way; zero in the goal, and where no way leads there. O(1) away from
   /// barriers.
@@ -55,5 +65,30 @@ class DistanceField {
   /// memory says both.
   std::vector<float> distance_;
 };
+
+inline bool DistanceField::locate(const Vec& p, Cell& cell) const {
+  const Vec at = (p - plan_->origin) * per_cell_;
+  if (!(at.x() >= 0.0 && at.y() >= 0.0 && at.x() < plan_->columns - 1 && at.y() < plan_->rows - 1))
+    return false;
+  const auto x = static_cast<int>(at.x()), y = static_cast<int>(at.y());
+  cell = {
+      static_cast<std::size_t>(y) * static_cast<std::size_t>(plan_->columns) + static_cast<std::size_t>(x),
+      at.x() - x, at.y() - y};
+  return true;
+}
+
+inline Vec DistanceField::downhill(const Cell& cell) const {
+  const std::size_t node = cell.node, above = node + static_cast<std::size_t>(plan_->columns);
+  const float low[] = {at(node), at(node + 1)}, high[] = {at(above), at(above + 1)};
+  return {(1.0 - cell.v) * (low[0] - low[1]) + cell.v * (high[0] - high[1]),
+          (1.0 - cell.u) * (low[0] - high[0]) + cell.u * (low[1] - high[1])};
+}
+
+inline void DistanceField::prefetch(const Vec& p) const {
+  Cell cell;
+  if (!locate(p, cell)) return;
+  throng::prefetch(&distance_[cell.node]);
+  throng::prefetch(&distance_[cell.node + static_cast<std::size_t>(plan_->columns)]);
+}
 
 }  // namespace throng

@@ -105,12 +105,13 @@ Heading Journeys::heading(const State& state, Row row, std::uint32_t group) cons
   if (!is_decided(state, row)) return {Vec(0.0, 0.0), 0.0};
   const Leg& leg = scene_.crowd.groups[group].journey[state.crowd.stage[row]];
   if (leg.kind == Leg::Kind::queue) return queues_.heading(state, row);
-  const auto way = [&] { return ways_.to(scene_.crowd.goal(leg, state.crowd.option[row])).direction(p); };
-  if (state.crowd.place[row] == 0) return {way(), kFree};
+  const DistanceField& way = ways_.to(scene_.crowd.goal(leg, state.crowd.option[row]));
+  if (Vec down; state.crowd.place[row] == 0 && way.slope(p, down)) return {down, kFree, down.squaredNorm()};
+  if (state.crowd.place[row] == 0) return {way.direction(p), kFree};
   const Vec& spot = state.crowd.spot[row];
   const double distance = (spot - p).norm();
   if (is_off_spot(state, row) && barriers_.block(p, spot))  // pushed behind a wall
-    if (const Vec round = way(); round != Vec(0.0, 0.0)) return {round, kFree};
+    if (const Vec round = way.direction(p); round != Vec(0.0, 0.0)) return {round, kFree};
   return straight_to(p, spot, distance);
 }
 

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <map>
 
 #include "sim/crowd/entrance.h"
+#include "sim/crowd/prefetch.h"
 #include "sim/crowd/row_order.h"
 #include "sim/crowd/stuck.h"
 #include "sim/simulation_error.h"
@@ -73,8 +75,8 @@ Walk::Walk(const Scene& scene)
 }
 
 void Walk::Ranks::resize(std::size_t n) {
-  for (std::vector<double>* all :
-       {&x, &y, &velocity_x, &velocity_y, &towards_x, &towards_y, &radius, &desired_speed, &id, &clear})
+  for (std::vector<double>* all : {&x, &y, &velocity_x, &velocity_y, &towards_x, &towards_y, &radius,
+                                   &desired_speed, &id, &clear, &square})
     all->resize(n + CrowdView::kPadding);
   model.resize(n);
 }
@@ -112,7 +114,7 @@ void Walk::prefetch(const State& state, std::size_t place) const {
         static_cast<const void*>(&state.position[row]), static_cast<const void*>(&state.velocity[row]),
         static_cast<const void*>(&crowd.stage[i]), static_cast<const void*>(&crowd.option[i]),
         static_cast<const void*>(&crowd.place[i]), static_cast<const void*>(&crowd.stand_step[i])})
-    __builtin_prefetch(each);
+    throng::prefetch(each);
 }
 
 void Walk::rank(const State& state, std::size_t place) {
@@ -121,20 +123,29 @@ void Walk::rank(const State& state, std::size_t place) {
   const std::uint32_t model = model_[its.group];
   const Vec &p = state.position[row], &v = state.velocity[row];
   const std::size_t i = cells_.row()[place];
-  auto [towards, distance] = journeys_->heading(state, i, its.group);
-  if (stand_at_will_[model] && journeys_->has_settled(state, i, distance))
-    towards = Vec(0.0, 0.0), distance = 0.0;  // the very place would have others turn him for ever
+  auto [towards, distance, square] = journeys_->heading(state, i, its.group);
+  if (stand_at_will_[model] && journeys_->has_settled(state, i, distance))  // else others turn him for ever
+    towards = Vec(0.0, 0.0), distance = 0.0, square = 1.0;
   const double now = static_cast<double>(state.step) * scene_.time.dt;
   const double stood = time_stood(scene_, state, i);
   if (stood >= kHesitation && state.crowd.place[i] == 0 && towards != Vec(0.0, 0.0))
-    towards = in_doubt(scene_, state, state.id[row], towards, stood);
+    towards = in_doubt(scene_, state, state.id[row], towards / std::sqrt(square), stood), square = 1.0;
   ranks_.x[place] = p.x(), ranks_.y[place] = p.y();
   ranks_.velocity_x[place] = v.x(), ranks_.velocity_y[place] = v.y();
   ranks_.towards_x[place] = towards.x(), ranks_.towards_y[place] = towards.y();
+  ranks_.square[place] = square;
   ranks_.model[place] = model, ranks_.radius[place] = its.radius;
   ranks_.desired_speed[place] = now < its.start ? 0.0 : std::min(its.desired_speed, distance / kSettle);
   ranks_.id[place] = state.id[row];
   ranks_.clear[place] = (seen_ ? *seen_ : barriers_).clear(p);
+}
+
+/// Roots and quotients of many at once, each of which takes its time.
+void Walk::make_unit(std::size_t begin, std::size_t end) {
+  for (std::size_t place = begin; place < end; ++place) {
+    const double length = std::sqrt(ranks_.square[place]);
+    ranks_.towards_x[place] /= length, ranks_.towards_y[place] /= length;
+  }
 }
 
 void Walk::look(State& state, Workers& workers) {
@@ -145,11 +156,16 @@ void Walk::look(State& state, Workers& workers) {
   sort(state);
   ranks_.resize(n), known_.resize(n);
   workers.for_ranges(n, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t place = begin; place < end; ++place) {
-      prefetch(state, std::min(place + 2 * kAgentsAhead, end - 1));
-      const std::size_t ahead = std::min(place + kAgentsAhead, end - 1);
-      journeys_->prefetch(state, cells_.row()[ahead], known(state, row(ahead)).group);
-      rank(state, place);
+    for (std::size_t first = begin; first < end; first += kAgentsAhead) {
+      const std::size_t last = std::min(first + kAgentsAhead, end);
+      for (std::size_t place = first; place < last; ++place) {
+        prefetch(state, std::min(place + 2 * kAgentsAhead, end - 1));
+        const std::size_t ahead = std::min(place + kAgentsAhead, end - 1);
+        journeys_->prefetch(state, cells_.row()[ahead], known(state, row(ahead)).group);
+        barriers_.prefetch(state.position[row(ahead)]);
+        rank(state, place);
+      }
+      make_unit(first, last);
     }
   });
 }

@@ -50,6 +50,7 @@ class Walk {
   /// Of the agents, by place in the cells.
   struct Ranks {
     std::vector<double> x, y, velocity_x, velocity_y, towards_x, towards_y, radius, desired_speed, id, clear;
+    std::vector<double> square;        // of how long `towards` is, before it is made a unit vector
     std::vector<std::uint32_t> model;  // row of models_
 
     void resize(std::size_t n);
@@ -66,6 +67,7 @@ class Walk {
   const Known& known(const State& state, std::size_t row);
   void prefetch(const State& state, std::size_t place) const;
   void rank(const State& state, std::size_t place);
+  void make_unit(std::size_t begin, std::size_t end);
   void measure(State& state);
   bool is_due(const State& state, std::size_t group) const;
   bool bring_in(State& state, std::size_t group);

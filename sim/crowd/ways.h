@@ -15,8 +15,9 @@ namespace throng {
 
 /// Where an agent wants to walk.
 struct Heading {
-  Vec towards{0.0, 0.0};  ///< unit vector; zero: nowhere
+  Vec towards{0.0, 0.0};  ///< once divided by its length, that is; zero: nowhere
   double distance;        ///< m, to where it wants to stand; infinite: to no place
+  double square = 1.0;    ///< of how long `towards` is
 };
 
 inline constexpr double kFree = std::numeric_limits<double>::infinity();

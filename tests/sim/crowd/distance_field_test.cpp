@@ -53,6 +53,25 @@ TEST(DistanceField, LeadsToTheNearestPointOfAWideGoal) {
     EXPECT_NEAR((f.field.direction({3, y}) - Vec(1, 0)).norm(), 0.0, 1e-3);
 }
 
+TEST(DistanceField, SlopesWhereItIsWholeAlongItsDirection) {
+  const Field f(box(0, 0, 10, 10), box(9, 0, 10, 1), 0.1, 0.05, {{{{5, 0}, {5, 8}}, false}});
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> place(0.0, 10.0);
+  int whole = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Vec p(place(random), place(random));
+    Vec down;
+    if (!f.field.slope(p, down)) continue;
+    ++whole;
+    EXPECT_EQ(Vec(down / std::sqrt(down.squaredNorm())), f.field.direction(p)) << p.transpose();
+  }
+  EXPECT_GT(whole, 900);
+  Vec down;
+  EXPECT_FALSE(f.field.slope({9.5, 0.5}, down)) << "in the goal";
+  EXPECT_FALSE(f.field.slope({5.01, 4.0}, down)) << "beside the wall";
+  EXPECT_FALSE(f.field.slope({-1.0, 4.0}, down)) << "outside";
+}
+
 TEST(DistanceField, GoesRoundAThinWall) {
   const Field f(box(0, 0, 10, 10), box(9, 0, 10, 1), 0.1, 0.05, {{{{5, 0}, {5, 8}}, false}});
   EXPECT_NEAR(f.field.distance({1, 1}), std::hypot(4, 7) + std::hypot(4, 7), 0.3) << "three cells";
