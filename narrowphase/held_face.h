@@ -25,8 +25,8 @@ struct HeldFace {
   std::size_t reference = 0, incident = 0;  ///< edges of the reference's shape and of the other
 };
 
-/// What may be held of a and b whose manifold is `m`: none where a corner or a wall is among them, or where
-/// the least movement would change it. Expects 2 vertices or more in each. Allocates nothing. O(n m), as a
+/// What may be held of a and b whose manifold is `m`: none where a corner, a disc or a wall is among them, or
+/// where the least movement would change it. Expects 2 vertices or more in each. Allocates nothing. O(n m), as a
 /// scan that looks at each edge by itself.
 HeldFace hold(const Convex& a, const Convex& b, const Pose& b_in_a, const Manifold& m);
 

@@ -162,12 +162,12 @@ HWY_INLINE Ends deepest(const Clips& c) {
           hn::IfThenElse(c.tail_is_deepest, set(EndOf::tail), set(EndOf::head))};
 }
 
-/// How far the incident edge, as a face, would keep the reference outside; at least.
-HWY_INLINE Reals rival(const Clips& c, const HeldBlock& h, std::size_t k) {
-  const Vecs along = c.head - c.tail, face_head = load(h.face_head_x + k, h.face_head_y + k);
-  const Vecs outward{along.y, hn::Neg(along.x)};
-  return hn::Mul(load(h.per_length + k),
-                 hn::Min(dot(outward, c.origin - c.tail), dot(outward, face_head - c.tail)));
+/// How far the incident edge, as a face, would keep the reference outside; at most, as other vertices of the
+/// reference may lie deeper than its two. By the edge's own normal: of a short one the ends say too little.
+HWY_INLINE Reals rival(const Clips& c, const HeldBlock& h, std::size_t k, const Poses& incident) {
+  const Vecs outward = incident.rotate(load(h.incident_normal_x + k, h.incident_normal_y + k));
+  const Vecs face_head = load(h.face_head_x + k, h.face_head_y + k);
+  return hn::Min(dot(outward, c.origin - c.tail), dot(outward, face_head - c.tail));
 }
 
 HWY_INLINE Reals effective_mass(const WideParts& a, const WideParts& b, const Vecs& arm_a, const Vecs& arm_b,
@@ -239,9 +239,9 @@ HWY_INLINE Stretch stretch(const HeldBlock& h, std::size_t k, const Clips& c, Re
 
 /// Whether a search would describe the contact on this face, and not by two corners: where it is the widest,
 /// or was the reference and no rival is wider by what that takes.
-HWY_INLINE Mask stays(const HeldBlock& h, std::size_t k, Mask was_reference, const Clips& c, const Stretch& s,
-                      const Ways& w) {
-  const Reals zero = hn::Zero(D()), much = load(h.much + k), other = rival(c, h, k);
+HWY_INLINE Mask stays(const HeldBlock& h, std::size_t k, Mask was_reference, const Clips& c,
+                      const Poses& incident, const Stretch& s, const Ways& w) {
+  const Reals zero = hn::Zero(D()), much = load(h.much + k), other = rival(c, h, k, incident);
   const Reals level = hn::Sub(hn::Add(c.separation, much), w.rounding);
   const Reals one_gap = hn::IfThenElse(s.first_is_near, s.first.gap, s.second.gap);
   const Reals least_gap =
@@ -277,11 +277,12 @@ void answer_some(HeldBlock& h, HeldTalk& talk, std::size_t k, const PlacedPart* 
   if (hn::AllFalse(d, face)) return store(hn::IfThenElse(apart, hn::Zero(d), set(-1.0)), talk.count + k);
 
   const Mask of_b = hn::Ne(load(h.of_b + k), hn::Zero(d));
-  const Clips c = clip(h, k, choose(of_b, inverse(b_in_a), b_in_a));
+  const Poses incident = choose(of_b, inverse(b_in_a), b_in_a);
+  const Clips c = clip(h, k, incident);
   const Stretch s = stretch(h, k, c, w.reach);
   const Mask beyond = hn::Gt(c.separation, hn::Add(w.enough, w.rounding));
   const Mask slow = hn::Lt(hn::Add(a.pace, b.pace), set(fast));
-  const Mask described = hn::Or(beyond, hn::And(slow, stays(h, k, was_reference, c, s, w)));
+  const Mask described = hn::Or(beyond, hn::And(slow, stays(h, k, was_reference, c, incident, s, w)));
   const Mask known = hn::And(hn::And(face, hn::Le(w.movement, load(h.most + k))), described);
   store(count(apart, beyond, known, s), talk.count + k);
 

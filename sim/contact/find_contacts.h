@@ -120,7 +120,7 @@ class ContactFinder {
   std::vector<std::uint8_t> may_be_held_;  // of each collider; empty where nothing is
   std::vector<PlacedPart> placed_;         // likewise
   HeldFaces held_;
-  int rests_ = 0, held_for_ = 0;  // finds for which nothing will be held yet, or since all was searched
+  int rests_ = 0, in_vain_ = 0;  // finds for which nothing will be held yet; in which most was searched
   std::vector<Touch> touches_;
   std::vector<narrowphase::Manifold> manifolds_;    // of each touch that held_ doesn't know
   std::vector<std::uint8_t> points_;                // how many each has: who seats reads no more of them

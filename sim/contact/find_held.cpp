@@ -18,20 +18,23 @@ namespace {
 
 constexpr std::size_t kMostVertices = 32;  // to hold a face looks at each vertex of each edge
 constexpr double kWorthwhile = 8.0;        // steps that it must hold for
-constexpr int kRest = 240;                 // finds
+constexpr int kRest = 240;                 // finds for which nothing is held
+constexpr int kMostInVain = 8;             // finds in a row of which most was searched
 constexpr double kSlow = 0.1;  // of the smaller radius: who moves more in so many steps isn't held
 
 }  // namespace
 
 /// Where most pairs must be searched anyway, as all fall or are stirred, holding costs more than it saves.
+/// Not where that is so for a moment, as in a step that is taken again and looks farther.
 bool ContactFinder::is_worth_holding() {
   if (rests_ > 0) {
     --rests_;
     return false;
   }
-  if (held_for_++ < 2 || 4 * held_.known() >= 3 * held_.named()) return true;
+  in_vain_ = 4 * held_.known() < 3 * held_.named() ? in_vain_ + 1 : 0;
+  if (in_vain_ < kMostInVain) return true;
   held_.forget_all();
-  held_for_ = 0, rests_ = kRest;
+  in_vain_ = 0, rests_ = kRest;
   return false;
 }
 

@@ -33,10 +33,9 @@ void set_face(HeldBlock& block, std::size_t i, const HeldFace& held, const Conve
   block.head_x[i] = tip.x(), block.head_y[i] = tip.y();
   block.tail_x[i] = tail.x(), block.tail_y[i] = tail.y();
   block.tail_first[i] = held.incident < head;
-  const double length = (tip - tail).norm();
-  block.per_length[i] = 1.0 / length;
-  block.much[i] = narrowphase::kMuchWider * std::min((end - origin).norm(), length);
-  block.radius_reference[i] = reference.radius, block.radius_incident[i] = other.radius;
+  const Vec& incident_normal = other.normals[held.incident];
+  block.incident_normal_x[i] = incident_normal.x(), block.incident_normal_y[i] = incident_normal.y();
+  block.much[i] = narrowphase::kMuchWider * std::min((end - origin).norm(), (tip - tail).norm());
 }
 
 }  // namespace
@@ -164,9 +163,9 @@ void HeldFaces::hold(std::uint32_t lane, const HeldFace& held, const Convex& a, 
   own.at_x[i] = held.b_in_a.position.x(), own.at_y[i] = held.b_in_a.position.y();
   own.cos[i] = held.b_in_a.cos, own.sin[i] = held.b_in_a.sin;
   own.lever[i] = held.lever, own.most[i] = held.most;
-  own.radius_reference[i] = a.radius, own.radius_incident[i] = b.radius;
-  if (held.kind == HeldFace::Kind::apart) return;
   const Convex &reference = held.of_b ? b : a, &other = held.of_b ? a : b;
+  own.radius_reference[i] = reference.radius, own.radius_incident[i] = other.radius;
+  if (held.kind == HeldFace::Kind::apart) return;
   set_face(own, i, held, reference, other);
   notes_[lane].names = narrowphase::end_names(reference, held.reference, other, held.incident, held.of_b);
 }

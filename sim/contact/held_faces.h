@@ -36,7 +36,7 @@ struct alignas(64) HeldBlock {
   Row normal_x, normal_y;                            ///< the reference's
   Row head_x, head_y, tail_x, tail_y;                ///< m, ends of the incident edge
   Row tail_first;                                    ///< 1 where its tail has the lower index
-  Row per_length;                                    ///< 1/m, of the incident edge
+  Row incident_normal_x, incident_normal_y;          ///< the incident edge's
   Row much;                                          ///< m, by which a rival must be wider
   Row radius_reference, radius_incident;             ///< m
   Row shift_x, shift_y;                              ///< m, to the image of b

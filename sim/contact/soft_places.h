@@ -11,8 +11,9 @@ namespace throng {
 
 /// Where soft contacts keep bodies: in strips across the longer side of where they are, one disc or so wide,
 /// and in these one after the other, as they stand when a step begins. Those who touch are at most two strips
-/// apart then, so that what is at hand can go through a whole substep before the next strips come. Few bodies
-/// keep their rows.
+/// apart then, so that what is at hand can go through a whole substep before the next strips come; but for a
+/// seam across the strips, whose first and last ones touch, so that nothing is done before all is at hand.
+/// Few bodies keep their rows.
 class SoftPlaces {
  public:
   /// Of bodies in rows, and a last row of obstacles, which keeps its place. Expects finite positions.

@@ -77,8 +77,10 @@ struct Near {
 };
 
 constexpr std::size_t kAtOnce = 12;  // vectors, whose exponentials are computed in the time of one another
-constexpr std::size_t kBehind = (kAtOnce + 1) * kWide;  // numbers of room behind the last one, of no meaning
-constexpr std::size_t kTogether = 32;                   // agents, whose others fit into the nearest cache
+constexpr std::size_t kMostly = 16;  // so many agents are near at the most, mostly
+constexpr std::size_t kBehind =
+    std::max((kAtOnce + 1) * kWide, kMostly);  // numbers of room behind the last one, of no meaning
+constexpr std::size_t kTogether = 32;          // agents, whose others fit into the nearest cache
 
 /// What a model is told of others: `who`: also at which places they are.
 enum class Tell { where, who };
@@ -241,7 +243,6 @@ HWY_INLINE void push(double strength, double range, const Others& others, Pushes
 /// How all near him push the agent away, or turn him. As many as there mostly are without asking how many
 /// there are, which no processor foretells.
 HWY_INLINE Vec repulsion(const Others& others, const Pushes& pushes, const Near& near) {
-  constexpr std::size_t kMostly = 16;
   const D d;
   FourSums x, y;
   const double *const dx = others.dx.data() + near.first, *const dy = others.dy.data() + near.first,
