@@ -26,8 +26,8 @@ struct HeldFace {
 };
 
 /// What may be held of a and b whose manifold is `m`: none where a corner, a disc or a wall is among them, or
-/// where the least movement would change it. Expects 2 vertices or more in each. Allocates nothing. O(n m), as a
-/// scan that looks at each edge by itself.
+/// where the least movement would change it. Expects 2 vertices or more in each. Allocates nothing. O(n m),
+/// as a scan that looks at each edge by itself.
 HeldFace hold(const Convex& a, const Convex& b, const Pose& b_in_a, const Manifold& m);
 
 /// m: an upper bound of how far any vertex of the one has moved in the frame of the other, up to rounding.
