@@ -10,7 +10,7 @@
 namespace throng {
 namespace {
 
-const char* const kPolygons =
+const char* const kHeldPolygons =
     "sleep = false\ngravity = [0, -9.81]\ntime = { dt = 0.016, until = 60, substeps = 3 }\n"
     "[materials.default]\nfriction = 0.5\n"
     "[shapes]\n"
@@ -60,13 +60,14 @@ class HeldFacesOnEachTarget : public ::testing::TestWithParam<std::int64_t> {
 
 TEST_P(HeldFacesOnEachTarget, HaveTheBitsOfASearchInAPile) {
   const std::size_t known = expect_bits_of_a_search(
-      scene_from(kPolygons + all_placed("[[0, 0], [6, 12]]") + "[domain]\nbox = [[0, 0], [6, 12]]\n"), 500);
+      scene_from(kHeldPolygons + all_placed("[[0, 0], [6, 12]]") + "[domain]\nbox = [[0, 0], [6, 12]]\n"),
+      500);
   EXPECT_GT(known, 5'000u);
 }
 
 TEST_P(HeldFacesOnEachTarget, HaveTheBitsOfASearchAcrossASeam) {
   const std::size_t known = expect_bits_of_a_search(
-      scene_from(kPolygons + all_placed("[[0, 1], [6, 11]]") +
+      scene_from(kHeldPolygons + all_placed("[[0, 1], [6, 11]]") +
                  "[[walls]]\nsegment = [[-3, 0.5], [9, 0.5]]\n[domain]\nperiodic = [[0, 0], [6, 24]]\n"),
       500);
   EXPECT_GT(known, 5'000u);
@@ -74,7 +75,7 @@ TEST_P(HeldFacesOnEachTarget, HaveTheBitsOfASearchAcrossASeam) {
 
 TEST_P(HeldFacesOnEachTarget, HaveTheBitsOfASearchOnWhatTurns) {
   const std::size_t known = expect_bits_of_a_search(
-      scene_from(kPolygons + all_placed("[[0, 2], [6, 12]]") + "[domain]\nbox = [[0, 0], [6, 12]]\n" +
+      scene_from(kHeldPolygons + all_placed("[[0, 2], [6, 12]]") + "[domain]\nbox = [[0, 0], [6, 12]]\n" +
                  "[[bodies]]\nshape = \"seven\"\nat = [3, 1]\nkind = \"kinematic\"\nspin = 0.2\n"),
       1500);
   EXPECT_GT(known, 20'000u);
@@ -84,7 +85,7 @@ TEST_P(HeldFacesOnEachTarget, HaveTheBitsOfASearchOnWhatTurns) {
 TEST_P(HeldFacesOnEachTarget, HaveTheBitsOfASearchBesideBodiesInParts) {
   const std::size_t known = expect_bits_of_a_search(
       scene_from(
-          kPolygons +
+          kHeldPolygons +
           std::string("corner = { polygon = [[0, 0], [0.9, 0], [0.9, 0.3], [0.3, 0.3], "
                       "[0.3, 0.9], [0, 0.9]] }\n") +
           all_placed("[[0, 0], [6, 14]]") +
@@ -100,15 +101,16 @@ TEST_P(HeldFacesOnEachTarget, HaveTheBitsOfASearchWhereEdgesAreTiny) {
       "cut = { polygon = [[-0.4, -0.4], [0.39999, -0.4], [0.4, -0.39999], [0.4, 0.4], "
       "[0.00001, 0.40001], [-0.4, 0.4]] }\n";
   const std::size_t known = expect_bits_of_a_search(
-      scene_from(kPolygons + cut + placed("cut", "[[0, 0], [6, 14]]") + placed("cut", "[[0, 0], [6, 14]]") +
-                 placed("box", "[[0, 0], [6, 14]]") + "[domain]\nbox = [[0, 0], [6, 14]]\n"),
+      scene_from(kHeldPolygons + cut + placed("cut", "[[0, 0], [6, 14]]") +
+                 placed("cut", "[[0, 0], [6, 14]]") + placed("box", "[[0, 0], [6, 14]]") +
+                 "[domain]\nbox = [[0, 0], [6, 14]]\n"),
       900);
   EXPECT_GT(known, 500u);
 }
 
-const auto name_of = [](const auto& target) { return std::string(hwy::TargetName(target.param)); };
+const auto held_target_name = [](const auto& target) { return std::string(hwy::TargetName(target.param)); };
 INSTANTIATE_TEST_SUITE_P(, HeldFacesOnEachTarget, ::testing::ValuesIn(hwy::SupportedAndGeneratedTargets()),
-                         name_of);
+                         held_target_name);
 
 /// Two unit squares, of which the second stood there when they were searched.
 class TwoSquares {
@@ -195,8 +197,8 @@ TEST(HeldFaces, KnowsThoseApartUntilTheyMayBeWithinReach) {
 
 /// A heap that falls asleep, whose islands leave the loop, and that somebody comes down on later.
 TEST(HeldFaces, HaveTheBitsOfASearchWhereBodiesSleepAndWake) {
-  std::string text = kPolygons + all_placed("[[0, 0], [6, 12]]") + "[domain]\nbox = [[0, 0], [6, 400]]\n" +
-                     "[[bodies]]\nshape = \"box\"\nat = [3, 390]\n";
+  std::string text = kHeldPolygons + all_placed("[[0, 0], [6, 12]]") +
+                     "[domain]\nbox = [[0, 0], [6, 400]]\n" + "[[bodies]]\nshape = \"box\"\nat = [3, 390]\n";
   text.replace(text.find("sleep = false"), 13, "sleep = true");
   const Scene scene = scene_from(text);
   Trial holds(scene), searches(scene);
@@ -219,9 +221,9 @@ TEST(HeldFaces, HaveTheBitsOfASearchWhereBodiesSleepAndWake) {
 
 TEST(HeldFaces, AreTheSameForAnyNumberOfThreads) {
   const Scene scene = scene_from(
-      kPolygons + std::string("[[bodies]]\nshape = \"box\"\nplace = { lattice = { origin = [0.5, 0.4], "
-                              "spacing = [0.85, 0.8], size = [60, 40] } }\n"
-                              "[domain]\nbox = [[0, 0], [52, 60]]\n"));
+      kHeldPolygons + std::string("[[bodies]]\nshape = \"box\"\nplace = { lattice = { origin = [0.5, 0.4], "
+                                  "spacing = [0.85, 0.8], size = [60, 40] } }\n"
+                                  "[domain]\nbox = [[0, 0], [52, 60]]\n"));
   Trial one(scene, 1), two(scene, 2);
   for (int i = 0; i < 40; ++i) {
     one.steps(1), two.steps(1);
