@@ -73,13 +73,13 @@ void meet(const Flying* discs, std::uint32_t* near, std::size_t count, const Vec
   for (std::size_t k = 0; k < kLanes; ++k) near[count + k] = looker.disc;
   for (;;) {
     const WideMeeting wide = first_of_lanes(discs, near, count, shift, pull, looker);
+    // Before the least is asked for, which of infinite times is not what it should be on each target.
+    if (hn::AllFalse(d, hn::Lt(wide.time, hn::Set(d, first.time)))) return;
     const Reals time = hn::MinOfLanes(d, wide.time);
-    const double soonest = hn::GetLane(time);
-    if (!(soonest < first.time)) return;
     const Reals at = hn::MinOfLanes(d, hn::IfThenElse(hn::Eq(wide.time, time), wide.at, hn::Set(d, kNever)));
     std::uint32_t& other = near[static_cast<std::size_t>(hn::GetLane(at))];
     if (other != looker.spared) {
-      first = {soonest, other};
+      first = {hn::GetLane(time), other};
       return;
     }
     other = looker.disc;  // rounding lets them near each other, hardly ever
