@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "sim/contact/first_loads.h"
@@ -21,9 +22,8 @@ namespace {
 
 constexpr double kContactHertz = 0.18;  // of the substep's rate: stiffer, tall pyramids tremble
 constexpr double kContactDamping = 20.0;
-constexpr double kLearning = 1.0 / 300.0;  // a substep: learnt faster, tall pyramids swing
-constexpr double kAjar = 2.0;              // of the way that gravity gives in a substep, g h²
-constexpr double kPushOut = 2.0;           // radii a second: the fastest that overlap is undone
+constexpr double kAjar = 2.0;       // of the way that gravity gives in a substep, g h²
+constexpr double kPushOut = 2.0;    // radii a second: the fastest that overlap is undone
 constexpr int kElasticSweeps = 64;  // of bounces in a substep: what still meets then ends without bounce,
 constexpr int kBounceSweeps = 8;    // where each takes energy sooner, as dense clusters do anyway
 constexpr double kRestSpeed = 2.0;  // slower than what gravity gives in so many substeps, a contact rests
@@ -125,6 +125,19 @@ void relax(Workspace& work, bool periodic) {
   resist_rolling(work);
 }
 
+/// How those contacts learn whose bodies stand as high as these do now.
+Learning learning(const Scene& scene, const Workspace& work) {
+  const Vec up = -scene.gravity.normalized();
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  work.sleepers.bodies().for_each([&](std::uint32_t i) {
+    const double height = up.dot(work.bodies[i].position);
+    lowest = std::min(lowest, height), highest = std::max(highest, height);
+  });
+  const double layers = 1.0 + std::max(highest - lowest, 0.0) / (2.0 * work.mean_radius);
+  const double weight = scene.gravity.norm() * work.solver.h;
+  return learning_in(layers, weight, work.solver.h, scene.time.substeps, work.mean_radius);
+}
+
 void learn(Workspace& work) {
   work.workers.for_each(work.finder.parts().groups(), [&](std::size_t group) {
     learn(work.contacts.discs.blocks(group), work.bodies, work.solver.learning);
@@ -217,12 +230,10 @@ Workspace::Workspace(const Scene& scene, const Plan& plan, int threads)
     bodies[i].inverse_inertia = 1.0 / inertia(scene, i);
   }
   const double h = plan.substep;
-  const double radius = mean_radius(candidates.colliders());
+  mean_radius = throng::mean_radius(candidates.colliders());
   const Softness spring = softness(kContactHertz / h, kContactDamping, h);
-  const Learning learning{std::min(kLearning * scene.time.substeps, 1.0),
-                          plan.gravity ? h * scene.gravity.norm() : 0.0, radius * kLearning / h};
   const double ajar = plan.gravity ? kAjar * scene.gravity.norm() * h * h : 0.0;
-  solver = {h, spring, learning, kPushOut * radius, plan.friction, ajar, finder.fast()};
+  solver = {h, spring, {}, kPushOut * mean_radius, plan.friction, ajar, finder.fast()};
 }
 
 /// Agents choose their velocity and walk.
@@ -274,6 +285,7 @@ void push(const Scene& scene, const Plan& plan, State& state, Workspace& work, S
     work.finder.find(work.candidates, state, work.bodies, work.contacts, work.workers);
     clock.lap(work.times.find_contacts);
   }
+  if (plan.gravity && plan.contacts()) work.solver.learning = learning(scene, work);
   if (state.step == 0 && plan.gravity && plan.contacts()) find_first_loads(scene, plan, work);
   for (int i = 0; i < scene.time.substeps; ++i) {
     const bool backward = (state.step * scene.time.substeps + i) % 2 == 1;

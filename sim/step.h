@@ -40,6 +40,7 @@ struct Workspace {
   ContactFinder finder;
   Contacts contacts;
   std::vector<SolverBody> bodies;  ///< a row per body, and one for all obstacles for each group of contacts
+  double mean_radius;              ///< m, of what may touch
   SolverSettings solver;
   Walk crowd;
   Sensing sensing;

@@ -15,7 +15,7 @@ void clear_point(FaceBlock::Point& p, std::size_t lane) {
 void clear_lane(FaceBlock& block, std::size_t lane, std::uint32_t nobody) {
   block.a[lane] = block.b[lane] = nobody;
   for (FaceBlock::Row* row :
-       {&block.normal_x, &block.normal_y, &block.friction, &block.turns_a, &block.turns_b})
+       {&block.normal_x, &block.normal_y, &block.friction, &block.round_a, &block.round_b})
     (*row)[lane] = 0.0;
   clear_point(block.points[0], lane), clear_point(block.points[1], lane);
 }
@@ -24,7 +24,7 @@ void clear_lane(FaceBlock& block, std::size_t lane, std::uint32_t nobody) {
 void fill_lane(FaceBlock& block, std::size_t lane, const PointContact& contact) {
   block.normal_x[lane] = contact.normal.x(), block.normal_y[lane] = contact.normal.y();
   block.friction[lane] = contact.friction;
-  block.turns_a[lane] = contact.turns_a, block.turns_b[lane] = contact.turns_b;
+  block.round_a[lane] = contact.round_a, block.round_b[lane] = contact.round_b;
 }
 
 void fill_point(FaceBlock::Point& point, std::size_t lane, const PointContact& contact) {
@@ -82,7 +82,7 @@ void FaceBlocks::fill(std::size_t i, const HeldBlock& held, std::size_t lane, do
   const std::size_t to = seat_[i].lane % BlockOrder::kWidth;
   block.normal_x[to] = held.contact_normal_x[lane], block.normal_y[to] = held.contact_normal_y[lane];
   block.friction[to] = friction;
-  block.turns_a[to] = block.turns_b[to] = 1.0;
+  block.round_a[to] = block.round_b[to] = 0.0;
   for (std::size_t p = 0; p < block.count; ++p)
     fill_point(block.points[p], to, held.points[p], lane, impulses[p]);
 }

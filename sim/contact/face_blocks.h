@@ -31,7 +31,7 @@ struct alignas(64) FaceBlock {
 
   std::uint32_t a[BlockOrder::kWidth], b[BlockOrder::kWidth];  ///< rows of the bodies
   Row normal_x, normal_y, friction;
-  Row turns_a, turns_b;  ///< 1 where the arm turns with the body, 0 for a disc
+  Row round_a, round_b;  ///< m, as in PointContact
   std::size_t count;     ///< points of each face
   Point points[2];
 };

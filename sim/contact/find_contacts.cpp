@@ -23,17 +23,11 @@ using narrowphase::Reference;
 
 namespace {
 
+constexpr double kHits = 4.0;  // substeps
+
 /// The face that described the contact of a and b in the last step.
 Reference reference(const ContactImpulse* kept, const Convex& a, const Convex& b) {
   return kept ? narrowphase::reference(kept->feature, a, b) : Reference{};
-}
-
-/// The mass that bodies a and b show to an impulse along `direction` at those arms.
-double effective_mass(const SolverBody& a, const SolverBody& b, const Vec& arm_a, const Vec& arm_b,
-                      const Vec& direction) {
-  const double turn_a = cross(arm_a, direction), turn_b = cross(arm_b, direction);
-  return 1.0 / (a.inverse_mass + b.inverse_mass + a.inverse_inertia * turn_a * turn_a +
-                b.inverse_inertia * turn_b * turn_b);
 }
 
 using narrowphase::PlacedConvex;
@@ -54,27 +48,35 @@ Manifold on_outline_of_b(Manifold m, const PlacedConvex& a, const PlacedConvex& 
   return m;
 }
 
+/// m, the radius of a disc; 0 for a polygon.
+double rounding(const Colliders& colliders, std::uint32_t row) {
+  return is_disc(colliders, row) ? colliders.radius[row] : colliders.shape[row]->radius;
+}
+
 const Rim& rim(const Colliders& colliders, std::uint32_t row) {
   static const Rim alone;
   return colliders.rim.empty() ? alone : colliders.rims[colliders.rim[row]];
 }
 
-/// Fills in what one point of a manifold adds. `radius_a`, `radius_b`: of discs, whose arms are exact.
+/// Fills in what one point of a manifold adds. The point is midway between the surfaces.
 void place(PointContact& contact, const ManifoldPoint& point, const SolverBody& a, const SolverBody& b,
-           const Vec& shift, double radius_a, double radius_b) {
+           const Vec& shift, bool about_a, bool about_b) {
   const Vec& n = contact.normal;
-  contact.first_a = contact.turns_a > 0.0 ? Vec(point.point - a.position) : Vec(radius_a * n);
-  contact.first_b = contact.turns_b > 0.0 ? Vec(point.point - (b.position + shift)) : Vec(-radius_b * n);
-  contact.gap = point.separation - n.dot((b.position - a.position) + (contact.first_b - contact.first_a));
-  contact.normal_mass = effective_mass(a, b, contact.first_a, contact.first_b, n);
-  contact.tangent_mass = effective_mass(a, b, contact.first_a, contact.first_b, tangent(n));
+  const double half = 0.5 * point.separation;
+  const Vec to_a = point.point - a.position, to_b = point.point - (b.position + shift);
+  const bool round_a = contact.round_a > 0.0, round_b = contact.round_b > 0.0;
+  contact.first_a = about_a ? Vec(0.0, 0.0) : round_a ? Vec(to_a - (contact.round_a + half) * n) : to_a;
+  contact.first_b = about_b ? Vec(0.0, 0.0) : round_b ? Vec(to_b + (contact.round_b + half) * n) : to_b;
+  contact.arm_a = contact.first_a + contact.round_a * n,
+  contact.arm_b = contact.first_b - contact.round_b * n;
+  contact.gap = point.separation - n.dot((b.position - a.position) + (contact.arm_b - contact.arm_a));
+  contact.normal_mass = effective_mass(a, b, contact.arm_a, contact.arm_b, n);
+  contact.tangent_mass = effective_mass(a, b, contact.arm_a, contact.arm_b, tangent(n));
 }
 
-/// Who is faster gets farther than a tenth of the smallest radius in a substep.
+/// Who is faster hits, and doesn't just rest: than what gravity gives in some substeps.
 double fast_speed(const Scene& scene, const Plan& plan) {
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const double radius : scene.bodies.radius) smallest = std::min(smallest, radius);
-  return 0.1 * smallest / plan.substep;
+  return plan.gravity ? kHits * scene.gravity.norm() * plan.substep : 0.0;
 }
 
 }  // namespace
@@ -177,8 +179,8 @@ void ContactFinder::describe(const Colliders& colliders, const Obstacles& obstac
   const auto [row_a, row_b] = touch.pair;
   contact.normal = normal;
   contact.a = colliders.body[row_a], contact.b = other_row(colliders, touch);
-  contact.turns_a = is_disc(colliders, row_a) ? 0.0 : 1.0;
-  contact.turns_b = !touch.obstacle && is_disc(colliders, row_b) ? 0.0 : 1.0;
+  contact.round_a = rounding(colliders, row_a);
+  contact.round_b = touch.obstacle ? 0.0 : rounding(colliders, row_b);
   const Surface& surface = this->surface(
       contact.a, touch.obstacle ? obstacles.material[row_b] : scene_.bodies.material[contact.b]);
   contact.friction = surface.friction;
@@ -194,7 +196,7 @@ bool ContactFinder::closes_fast(std::span<const PointContact> face,
                                 std::span<const SolverBody> bodies) const {
   const SolverBody &a = bodies[face[0].a], &b = bodies[face[0].b];
   return std::ranges::any_of(face, [&](const PointContact& c) {
-    const Vec velocity = b.velocity + b.spin * tangent(c.first_b) - a.velocity - a.spin * tangent(c.first_a);
+    const Vec velocity = b.velocity + b.spin * tangent(c.arm_b) - a.velocity - a.spin * tangent(c.arm_a);
     return velocity.dot(c.normal) < -fast_;
   });
 }
@@ -243,11 +245,11 @@ std::span<PointContact> ContactFinder::face(const Candidates& candidates, std::s
   const Colliders& colliders = candidates.colliders();
   const auto& [pair, obstacle, shift, lane] = touches_[touch];
   const Manifold& m = manifolds_[touch];
-  const double radius_a = colliders.radius[pair.a], radius_b = obstacle ? 0.0 : colliders.radius[pair.b];
+  const bool about_a = is_disc(colliders, pair.a), about_b = !obstacle && is_disc(colliders, pair.b);
   const auto count = static_cast<std::size_t>(m.count);
   for (std::size_t p = 0; p < count; ++p) {
     describe(colliders, candidates.obstacles(), touches_[touch], m.normal, points[p]);
-    place(points[p], m.points[p], bodies[points[p].a], bodies[points[p].b], shift, radius_a, radius_b);
+    place(points[p], m.points[p], bodies[points[p].a], bodies[points[p].b], shift, about_a, about_b);
   }
   const std::span<PointContact> face(points.data(), count);
   points[0].fast = points[1].fast = count == 2 && !(points[0].restitution > 0.0) && closes_fast(face, bodies);

@@ -108,10 +108,9 @@ class Momentum {
   double age_ = -1.0;  // rounds since the way turned back
 };
 
-/// `weight`: m/s, what gravity gives in a substep.
-void take_as_preload(LoadedContact& load, double weight) {
-  const double own = weight * load.mass;
-  const bool bears = load.normal > kNothing * own && load.normal < Learning::kMost * own;
+void take_as_preload(LoadedContact& load, const Learning& learning) {
+  const double own = learning.weight * load.mass;
+  const bool bears = load.normal > kNothing * own && load.normal < learning.most * own;
   *load.contact.normal_mass = load.mass;
   *load.contact.preload = *load.contact.normal_impulse = bears ? load.normal : 0.0;
   *load.contact.tangent_impulse = bears ? load.tangent : 0.0;
@@ -135,7 +134,7 @@ void find_first_loads(Contacts& contacts, const Parts& parts, std::span<SolverBo
   do {
     sweep_both_ways(contacts, parts, bodies, rigid(settings), kick, period, workers);
   } while (momentum.extrapolate(loads) && ++round < kMostRounds);
-  for (LoadedContact& load : loads) take_as_preload(load, weight);
+  for (LoadedContact& load : loads) take_as_preload(load, settings.learning);
   std::ranges::copy(given, bodies.begin());
 }
 

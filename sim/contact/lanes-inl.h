@@ -218,10 +218,10 @@ HWY_INLINE Reals press(Reals& impulse, Reals preload, Reals mass, Reals velocity
 /// Learning, in lanes. `slow`: where the two bodies don't pass each other.
 HWY_INLINE Reals learnt(const Learning& learning, Reals preload, Reals load, Reals mass, Mask slow) {
   const D d;
-  const Reals most = hn::Mul(hn::Set(d, Learning::kMost), hn::Mul(mass, hn::Set(d, learning.weight)));
+  const Reals most = hn::Mul(hn::Set(d, learning.most), hn::Mul(mass, hn::Set(d, learning.weight)));
   const Mask learns = hn::And(hn::Lt(load, most), slow);
   const Reals missing = hn::IfThenElseZero(
-      learns, hn::Max(hn::Sub(hn::Mul(hn::Set(d, Learning::kLearnt), load), preload), hn::Zero(d)));
+      learns, hn::Max(hn::Sub(hn::Mul(hn::Set(d, 1.0 - learning.left), load), preload), hn::Zero(d)));
   return hn::Min(hn::Add(preload, hn::Mul(hn::Set(d, learning.share), missing)), load);
 }
 

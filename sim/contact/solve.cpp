@@ -17,13 +17,6 @@ Softness softness(double hertz, double damping, double h) {
   return {omega / a1, a2 * a3, a3};
 }
 
-double Learning::operator()(double preload, double normal_impulse, double normal_mass,
-                            double speed_squared) const {
-  const bool learns = normal_impulse < kMost * (normal_mass * weight) && speed_squared < slow * slow;
-  const double missing = learns ? std::max(kLearnt * normal_impulse - preload, 0.0) : 0.0;
-  return std::min(preload + share * missing, normal_impulse);
-}
-
 namespace {
 
 /// How the two kinds of contact reach their bodies: the velocity of b against a at the contact, and impulses
@@ -75,8 +68,25 @@ PointArms arms(const PointContact& contact) {
   return {contact};
 }
 
-double separation(const ContactBase& c, const SolverBody& a, const SolverBody& b) {
+double separation(const DiscContact& c, const SolverBody& a, const SolverBody& b) {
   return c.offset + c.normal.dot(b.position - a.position);
+}
+
+/// How far an arm's end gets along the normal in a turn by one radian, to first order.
+double rise(const Vec& arm, const PointContact& c) {
+  return cross(arm, c.normal);
+}
+
+/// To first order in what the bodies have turned in the substep.
+double separation(const PointContact& c, const SolverBody& a, const SolverBody& b) {
+  const double way = c.normal.dot(b.position - a.position);
+  return (c.offset + way) + (rise(c.arm_b, c) * b.turn - rise(c.arm_a, c) * a.turn);
+}
+
+/// As the arms are now.
+void feel_again(PointContact& contact, const SolverBody& a, const SolverBody& b) {
+  contact.normal_mass = effective_mass(a, b, contact.arm_a, contact.arm_b, contact.normal);
+  contact.tangent_mass = effective_mass(a, b, contact.arm_a, contact.arm_b, tangent(contact.normal));
 }
 
 /// What a sweep asks of a contact: a normal velocity of at least -bias, more or less softly.
@@ -147,7 +157,7 @@ void push_apart_all(std::span<Contact> contacts, std::span<SolverBody> bodies,
                     const SolverSettings& settings) {
   for_each_in_turn(contacts, settings.backward, [&](Contact& contact) {
     SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
-    respond(contact, a, b, wish_at(contact, separation(contact, a, b), settings), settings.friction);
+    respond(contact, a, b, wish_at(contact, contact.separation, settings), settings.friction);
   });
 }
 
@@ -208,6 +218,17 @@ bool is_fast(const PointContact& contact) {
   return contact.fast;
 }
 
+/// The speed with which two part that meet at `speed` (m/s, below 0) while `s` (m) apart, after `fall` (m/s),
+/// what gravity does between them in the substep. As if they went on to the surface, bounced there, and came
+/// back to where they are: the flight's energy is that of the parabola on which substeps lie, at their
+/// middle. Not above 0 where they wouldn't get back: they arrive at the surface.
+double parting_speed(double restitution, double speed, double s, double fall, double h) {
+  if (restitution == 1.0) return -speed - fall;
+  const double middle = speed + 0.5 * fall, drop = -2.0 * s * fall / h;
+  const double after = restitution * restitution * (middle * middle + drop) - drop;
+  return after > 0.0 ? std::sqrt(after) - 0.5 * fall : 0.0;
+}
+
 /// The velocity that a bounce adds along the normal (m/s); 0 where the two don't meet in this substep. What
 /// doesn't bounce and is fast arrives at the other's surface.
 template <class Contact>
@@ -217,9 +238,10 @@ double rebound(const Contact& contact, const SolverBody& a, const SolverBody& b,
   const double speed = arms(contact).normal_velocity(a, b);
   if (!(speed < -(bounces ? rule.threshold : rule.fast))) return 0.0;
   const double fall = relative_kick(contact, a, b, rule.kick);
-  const double s = separation(contact, a, b);
+  const double s = contact.separation;
   if (!(s + rule.h * (speed + fall) < 0.0)) return 0.0;
-  return -((1.0 + contact.restitution) * speed + fall) - (bounces ? 0.0 : std::max(s, 0.0) / rule.h);
+  const double parts = bounces ? parting_speed(contact.restitution, speed, s, fall, rule.h) : 0.0;
+  return (parts > 0.0 ? parts : -std::max(s, 0.0) / rule.h - fall) - speed;
 }
 
 /// Holds the two spins together, by a torque's impulse (N m s) up to `limit`.
@@ -274,10 +296,17 @@ double speed_squared(const ContactBase& contact, std::span<const SolverBody> bod
   return (bodies[contact.b].velocity - bodies[contact.a].velocity).squaredNorm();
 }
 
-/// The vector after a turn by a small angle: two terms of sine and cosine, exact to its cube.
-Vec turned(const Vec& v, double angle) {
-  return v + angle * tangent(v) - 0.5 * angle * angle * v;
-}
+/// A turn of unit length, by the angle less a twelfth of its cube: longer arms would put energy in.
+struct Turn {
+  double cosine, sine;
+
+  explicit Turn(double angle) {
+    const double quarter = 0.25 * angle * angle, scale = 1.0 / (1.0 + quarter);
+    cosine = (1.0 - quarter) * scale, sine = angle * scale;
+  }
+
+  Vec operator()(const Vec& v) const { return cosine * v + sine * tangent(v); }
+};
 
 }  // namespace
 
@@ -288,14 +317,19 @@ void prepare(std::span<DiscContact> contacts, std::span<const SolverBody> bodies
     const double distance = std::sqrt(nearest.squaredNorm());
     contact.normal = distance > 0.0 ? Vec(nearest / distance) : Vec(1.0, 0.0);
     contact.offset = contact.normal.dot(nearest - between) - (contact.radius_a + contact.radius_b);
+    contact.separation = separation(contact, bodies[contact.a], bodies[contact.b]);
   }
 }
 
 void prepare(std::span<PointContact> contacts, std::span<const SolverBody> bodies) {
   for (PointContact& contact : contacts) {
-    contact.arm_a = turned(contact.first_a, contact.turns_a * bodies[contact.a].turn);
-    contact.arm_b = turned(contact.first_b, contact.turns_b * bodies[contact.b].turn);
-    contact.offset = contact.gap + contact.normal.dot(contact.arm_b - contact.arm_a);
+    const SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
+    contact.arm_a = Turn(a.turn)(contact.first_a) + contact.round_a * contact.normal;
+    contact.arm_b = Turn(b.turn)(contact.first_b) - contact.round_b * contact.normal;
+    if (std::max(std::abs(a.turn), std::abs(b.turn)) > kFarTurn) feel_again(contact, a, b);
+    const double offset = contact.gap + contact.normal.dot(contact.arm_b - contact.arm_a);
+    contact.separation = offset + contact.normal.dot(b.position - a.position);
+    contact.offset = offset - (rise(contact.arm_b, contact) * b.turn - rise(contact.arm_a, contact) * a.turn);
   }
 }
 

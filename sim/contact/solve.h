@@ -4,6 +4,7 @@
 #include <span>
 
 #include "sim/contact/contact.h"
+#include "sim/contact/learning.h"
 
 /// Sequential impulses (Catto 2005) over all contacts, in their order or against it: one sweep of Gauss and
 /// Seidel a call.

@@ -31,6 +31,13 @@ struct Pair {
                    hn::Mul(a.spin, load(p.arm_ax + k)));
   }
 
+  /// How far a turn as the bodies' takes the arms' ends apart, along the normal and to first order.
+  HWY_INLINE Reals risen(const FaceBlock::Point& p, std::size_t k, const Place& at_a,
+                         const Place& at_b) const {
+    return hn::Sub(hn::Mul(cross(load(p.arm_bx + k), load(p.arm_by + k), nx, ny), at_b.turn),
+                   hn::Mul(cross(load(p.arm_ax + k), load(p.arm_ay + k), nx, ny), at_a.turn));
+  }
+
   HWY_INLINE void apply(const FaceBlock::Point& p, std::size_t k, Reals x, Reals y) {
     a.velocity_x = hn::Sub(a.velocity_x, hn::Mul(a.inverse_mass, x));
     a.velocity_y = hn::Sub(a.velocity_y, hn::Mul(a.inverse_mass, y));
@@ -73,24 +80,71 @@ HWY_INLINE bool respond(FaceBlock::Point& p, std::size_t k, Pair& pair, Reals ro
   return true;
 }
 
-/// The vector after a turn by a small angle, as in solve.cpp.
-HWY_INLINE void turn(Reals x, Reals y, Reals angle, double* turned_x, double* turned_y) {
-  const Reals shrink = hn::Mul(hn::Mul(hn::Set(D(), 0.5), angle), angle);
-  store(hn::Sub(hn::Sub(x, hn::Mul(angle, y)), hn::Mul(shrink, x)), turned_x);
-  store(hn::Sub(hn::Add(y, hn::Mul(angle, x)), hn::Mul(shrink, y)), turned_y);
+/// As in solve.cpp.
+struct Turn {
+  Reals cosine, sine;
+
+  explicit HWY_INLINE Turn(Reals angle) {
+    const Reals one = hn::Set(D(), 1.0);
+    const Reals quarter = hn::Mul(hn::Mul(hn::Set(D(), 0.25), angle), angle);
+    const Reals scale = hn::Div(one, hn::Add(one, quarter));
+    cosine = hn::Mul(hn::Sub(one, quarter), scale), sine = hn::Mul(angle, scale);
+  }
+
+  HWY_INLINE Reals x(Reals x, Reals y) const { return hn::Sub(hn::Mul(cosine, x), hn::Mul(sine, y)); }
+  HWY_INLINE Reals y(Reals x, Reals y) const { return hn::Add(hn::Mul(cosine, y), hn::Mul(sine, x)); }
+};
+
+/// What the points of a face share in `start`.
+struct Poses {
+  Turn a, b;
+  Place at_a, at_b;
+  Reals round_ax, round_ay, round_bx, round_by;  ///< m, what doesn't turn of the arms
+  Mask far;                                      ///< where one of them has turned far
+
+  HWY_INLINE Poses(const FaceBlock& c, std::size_t k, const Pair& pair, const Place& place_a,
+                   const Place& place_b)
+      : a(place_a.turn), b(place_b.turn), at_a(place_a), at_b(place_b) {
+    const Reals on_a = load(c.round_a + k), on_b = load(c.round_b + k);
+    round_ax = hn::Mul(on_a, pair.nx), round_ay = hn::Mul(on_a, pair.ny);
+    round_bx = hn::Mul(on_b, pair.nx), round_by = hn::Mul(on_b, pair.ny);
+    far = hn::Gt(hn::Max(hn::Abs(at_a.turn), hn::Abs(at_b.turn)), hn::Set(D(), kFarTurn));
+  }
+
+  HWY_INLINE void place_arms(FaceBlock::Point& p, std::size_t k) const {
+    const Reals ax = load(p.first_ax + k), ay = load(p.first_ay + k);
+    const Reals bx = load(p.first_bx + k), by = load(p.first_by + k);
+    store(hn::Add(a.x(ax, ay), round_ax), p.arm_ax + k), store(hn::Add(a.y(ax, ay), round_ay), p.arm_ay + k);
+    store(hn::Sub(b.x(bx, by), round_bx), p.arm_bx + k), store(hn::Sub(b.y(bx, by), round_by), p.arm_by + k);
+  }
+};
+
+/// The mass that is felt along (x, y), as in contact.h.
+HWY_INLINE Reals effective_mass(const FaceBlock::Point& p, std::size_t k, const Pair& pair, Reals x,
+                                Reals y) {
+  const Reals turn_a = cross(load(p.arm_ax + k), load(p.arm_ay + k), x, y);
+  const Reals turn_b = cross(load(p.arm_bx + k), load(p.arm_by + k), x, y);
+  const Reals inverse = hn::Add(hn::Add(pair.a.inverse_mass, pair.b.inverse_mass),
+                                hn::Mul(hn::Mul(pair.turns_easily_a, turn_a), turn_a));
+  return hn::Div(hn::Set(D(), 1.0), hn::Add(inverse, hn::Mul(hn::Mul(pair.turns_easily_b, turn_b), turn_b)));
+}
+
+HWY_INLINE void feel_again(FaceBlock::Point& p, std::size_t k, const Pair& pair, Mask far) {
+  const Reals normal = effective_mass(p, k, pair, pair.nx, pair.ny);
+  const Reals tangent = effective_mass(p, k, pair, hn::Neg(pair.ny), pair.nx);
+  store(hn::IfThenElse(far, normal, load(p.normal_mass + k)), p.normal_mass + k);
+  store(hn::IfThenElse(far, tangent, load(p.tangent_mass + k)), p.tangent_mass + k);
 }
 
 /// Arms and offset at the bodies' present positions, and what the last sweep left, once more.
-HWY_INLINE void start(FaceBlock::Point& p, std::size_t k, const FaceBlock& c, Pair& pair, const Place& a,
-                      const Place& b) {
-  turn(load(p.first_ax + k), load(p.first_ay + k), hn::Mul(load(c.turns_a + k), a.turn), p.arm_ax + k,
-       p.arm_ay + k);
-  turn(load(p.first_bx + k), load(p.first_by + k), hn::Mul(load(c.turns_b + k), b.turn), p.arm_bx + k,
-       p.arm_by + k);
+HWY_INLINE void start(FaceBlock::Point& p, std::size_t k, Pair& pair, const Poses& poses) {
+  const Place &a = poses.at_a, &b = poses.at_b;
+  poses.place_arms(p, k);
+  if (!hn::AllFalse(D(), poses.far)) feel_again(p, k, pair, poses.far);
   const Reals offset =
       hn::Add(load(p.gap + k), dot(pair.nx, pair.ny, hn::Sub(load(p.arm_bx + k), load(p.arm_ax + k)),
                                    hn::Sub(load(p.arm_by + k), load(p.arm_ay + k))));
-  store(offset, p.offset + k);
+  store(hn::Sub(offset, pair.risen(p, k, a, b)), p.offset + k);
   store(hn::Add(offset, dot(pair.nx, pair.ny, hn::Sub(b.x, a.x), hn::Sub(b.y, a.y))), p.separation + k);
   const Reals impulse = load(p.normal_impulse + k);
   const Mask pressing = hn::Gt(impulse, hn::Zero(D()));
@@ -104,7 +158,8 @@ void prepare_and_start(std::span<FaceBlock> blocks, SolverBody* bodies) {
   for_each_part(blocks, bodies, [=](FaceBlock& c, std::size_t k) HWY_ATTR {
     const Place a = place(bodies, c.a + k), b = place(bodies, c.b + k);
     Pair bound = pair(c, k, bodies, a, b);
-    for (FaceBlock::Point& point : std::span(c.points, c.count)) start(point, k, c, bound, a, b);
+    const Poses poses(c, k, bound, a, b);
+    for (FaceBlock::Point& point : std::span(c.points, c.count)) start(point, k, bound, poses);
     keep(bound, c, k, bodies);
   });
 }
@@ -137,7 +192,7 @@ void relax(std::span<FaceBlock> blocks, SolverBody* bodies, const SolverSettings
     for (std::size_t i = 0; i < c.count; ++i) {
       FaceBlock::Point& point = c.points[backward ? c.count - 1 - i : i];
       const Mask pressing = hn::Ne(load(point.normal_impulse + k), hn::Zero(d));
-      const Reals separation = hn::Add(load(point.offset + k), way);
+      const Reals separation = hn::Add(hn::Add(load(point.offset + k), way), bound.risen(point, k, a, b));
       const Mask apart = is_apart(separation, load(point.preload + k), ajar);
       const WideWish wish{hn::IfThenElseZero(apart, hn::Mul(separation, rate)), hn::Set(d, 1.0), hn::Zero(d)};
       changed |= respond(point, k, bound, load(c.friction + k), wish, pressing, friction);

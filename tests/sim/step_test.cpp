@@ -224,5 +224,37 @@ TEST(Step, ABodyThatGetsInfinitelyFarWithinAStepEndsTheRunByName) {
   }
 }
 
+/// On a blade that turns about the origin by w, a disc goes outwards as r = r0 cosh(w t) + c sinh(w t), and
+/// across as fast as the blade, w r, but for what a step's normal is late.
+TEST(Step, ATurningBladePushesADiscAsFastAsItTurns) {
+  Trial run("time = { dt = 0.01, until = 9 }\n" + material(0, 0) +
+            "[shapes]\nball = { disc = { radius = 0.1 } }\n"
+            "blade = { polygon = [[-4, -0.01], [4, -0.01], [4, 0.01], [-4, 0.01]] }\n"
+            "[[bodies]]\nshape = \"blade\"\nkind = \"kinematic\"\nat = [0, 0]\nspin = 1\n" +
+            ball(1, 0.11, 0, 1));
+  run.steps(100);
+  const Vec along(std::cos(run.state.angle[0]), std::sin(run.state.angle[0]));
+  const Vec &place = run.state.position[1], &velocity = run.state.velocity[1];
+  const double r = place.dot(along), across = tangent(along).dot(velocity);
+  EXPECT_NEAR(across, r, 0.03);
+  EXPECT_NEAR(r, std::cosh(1.0) + 0.11 * std::sinh(1.0), 0.005);
+  EXPECT_NEAR(tangent(along).dot(place), 0.11, 2e-3);
+}
+
+/// The disc that turns about its body's centre stays as thick as it is.
+TEST(Step, AWheelOfDiscsRollsAtTheHeightOfItsRim) {
+  Trial run("gravity = [0, -10]\ntime = { dt = 0.02, until = 9 }\n" + material(0, 0.5) +
+            "[shapes]\nball = { discs = [[-0.5, 0, 0.2], [0.5, 0, 0.2]] }\n"
+            "[[walls]]\nsegment = [[-99, 0], [99, 0]]\n" +
+            ball(0, 0.7, 0, 0, 60));
+  double deepest = 0.0;
+  for (int i = 0; i < 20; ++i) {
+    run.steps(1);
+    for (const double side : {-0.5, 0.5})
+      deepest = std::max(deepest, 0.2 - (run.state.position[0].y() + side * std::sin(run.state.angle[0])));
+  }
+  EXPECT_LT(deepest, 0.03);
+}
+
 }  // namespace
 }  // namespace throng

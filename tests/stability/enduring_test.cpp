@@ -111,5 +111,24 @@ TEST(Enduring, AWallThatCrushesEndsInOverlapNotInNonsense) {
   EXPECT_GT(overlap(run.scene, run.state).max, 0.1);
 }
 
+/// Boxes between a press and wall segments turn by a radian and more in a step.
+TEST(Enduring, BoxesThatArePressedAgainstSegmentsStayWithinReason) {
+  for (int draw = 0; draw < 8; ++draw) {
+    std::string text =
+        "sleep = false\ngravity = [0, -9.81]\ntime = { dt = 0.016666666666666666, until = 9 }\n"
+        "[materials.default]\nfriction = 0.6\n[shapes]\n"
+        "press = { polygon = [[-3.8, -0.5], [3.8, -0.5], [3.8, 0.5], [-3.8, 0.5]] }\n"
+        "box = { polygon = [[-0.15, -0.15], [0.15, -0.15], [0.15, 0.15], [-0.15, 0.15]] }\n"
+        "[[walls]]\npolyline = [[-4, 40], [-4, 0], [4, 0], [4, 40]]\n"
+        "[[bodies]]\nshape = \"press\"\nat = [0, 5]\nkind = \"kinematic\"\nvelocity = [0, -0.5]\n";
+    for (int i = 0; i < 20; ++i)
+      text += "[[bodies]]\nshape = \"box\"\nat = [" + std::to_string(-2.0 + 0.8 * (i % 5)) + ", " +
+              std::to_string(0.5 + 0.8 * (i / 5)) + "]\nangle = " + std::to_string(2.1 * i + draw) + "\n";
+    Trial run(text);
+    run.steps(528);  // the press has come down to 0.1 m above the floor
+    for (std::size_t i = 1; i < 21; ++i) EXPECT_LT(run.state.velocity[i].norm(), 300.0) << draw;
+  }
+}
+
 }  // namespace
 }  // namespace throng

@@ -138,5 +138,22 @@ TEST(Standing, HeavyBesideLight) {
   EXPECT_LT(overlap(run.scene, run.state).max, 0.005);
 }
 
+/// A heap of 240 layers between smooth walls, which bear nothing, comes to rest and doesn't swing on as a
+/// whole; and what it bears has hardly pressed its discs into each other.
+TEST(Standing, AHeapOfHundredsOfLayersComesToRest) {
+  Trial run(
+      "seed = 1\nsleep = false\ngravity = [0, -9.81]\n"
+      "time = { dt = 0.016666666666666666, until = 60, substeps = 7 }\n"
+      "domain = { box = [[0, 0], [5, 360]] }\n[materials.default]\nfriction = 0\n"
+      "[materials.sand]\nfriction = 0.5\n[shapes]\ngrain = { disc = { radius = { uniform = [0.3, 0.5] } } }\n"
+      "[[bodies]]\nshape = \"grain\"\nmaterial = \"sand\"\ncount = 1450\n"
+      "place = { random = { within = [[0, 0], [5, 350]], gap = 0.01 } }\n");
+  run.steps(3600);
+  double fastest = 0.0;
+  for (const Vec& velocity : run.state.velocity) fastest = std::max(fastest, velocity.norm());
+  EXPECT_LT(fastest, 0.1);
+  EXPECT_LT(overlap(run.scene, run.state).max, 0.015);
+}
+
 }  // namespace
 }  // namespace throng

@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint32_t kSolverBodies = 90;  // the last stands for all obstacles
 const Vec kPeriod(12.0, 11.0);
 /// By which some contacts learn, and others bear too much or pass each other.
-constexpr Learning kLearning{0.3, 5e-4, 2.0};
+constexpr Learning kLearning{0.3, 5e-4, 2.0, 0.2, 1000.0};
 
 /// What both ways begin with.
 class Blocks : public ::testing::TestWithParam<std::int64_t> {
@@ -41,7 +41,7 @@ class Blocks : public ::testing::TestWithParam<std::int64_t> {
     SolverBody result{};
     if (row + 1 == kSolverBodies) return result;
     result.position = row == 4 ? bodies_[3].position : Vec(uniform(0.0, 12.0), uniform(0.0, 11.0));
-    result.velocity = vec(2.0), result.spin = uniform(-3.0, 3.0), result.turn = uniform(-0.1, 0.1);
+    result.velocity = vec(2.0), result.spin = uniform(-3.0, 3.0), result.turn = uniform(-0.2, 0.2);
     const bool moves = row % 7 != 0;
     result.inverse_mass = moves ? uniform(0.1, 10.0) : 0.0;
     result.inverse_inertia = moves ? uniform(0.1, 10.0) : 0.0;
@@ -70,7 +70,7 @@ class Blocks : public ::testing::TestWithParam<std::int64_t> {
 
   SolverSettings settings(bool friction) const {
     // Half of what overlaps is so deep that the speed is limited.
-    return {0.0025, softness(0.18 / 0.0025, 10.0, 0.0025), {0.0, 0.0, 0.0}, 1.0, friction, 0.03, 1e9};
+    return {0.0025, softness(0.18 / 0.0025, 10.0, 0.0025), Learning{}, 1.0, friction, 0.03, 1e9};
   }
 
   void move(std::vector<SolverBody>& bodies) const {
@@ -107,7 +107,7 @@ class Blocks : public ::testing::TestWithParam<std::int64_t> {
     int learn = 0, bear_too_much = 0, pass = 0;
     for (const Contact& c : contacts) {
       if (!(c.normal_impulse > 0.0)) continue;
-      const bool much = c.normal_impulse >= Learning::kMost * c.normal_mass * kLearning.weight;
+      const bool much = c.normal_impulse >= kLearning.most * c.normal_mass * kLearning.weight;
       const bool fast = (bodies_[c.b].velocity - bodies_[c.a].velocity).norm() >= kLearning.slow;
       learn += !much && !fast, bear_too_much += much && !fast, pass += fast && !much;
     }
@@ -233,12 +233,14 @@ class FaceBlocksOnEachTarget : public Blocks {
       choose(point);
       const double angle = uniform(-3.0, 3.0);
       point.normal = {std::cos(angle), std::sin(angle)};
-      point.turns_a = random_() % 4 ? 1.0 : 0.0, point.turns_b = random_() % 4 ? 1.0 : 0.0;
+      point.round_a = random_() % 4 ? 0.0 : uniform(0.1, 0.5);
+      point.round_b = random_() % 4 ? 0.0 : uniform(0.1, 0.5);
       for (std::uint64_t n = 1 + random_() % 2; n > 0; --n) {
         point.first_a = vec(1.0), point.first_b = vec(1.0);
-        point.gap =
-            uniform(-0.1, 0.1) - point.normal.dot(bodies_[point.b].position - bodies_[point.a].position +
-                                                  point.first_b - point.first_a);
+        point.gap = uniform(-0.1, 0.1) -
+                    point.normal.dot(bodies_[point.b].position - bodies_[point.a].position + point.first_b -
+                                     point.first_a) +
+                    point.round_a + point.round_b;
         point.normal_impulse *= uniform(0.5, 1.0);
         result.push_back(point);
       }

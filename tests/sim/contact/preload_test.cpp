@@ -16,7 +16,7 @@ namespace {
 constexpr double kLoad = 1.0;
 
 TEST(Preload, IsLearntFromBelowAndForgottenAtOnce) {
-  const Learning learn{0.5, 0.01, 0.1};
+  const Learning learn{0.5, 0.01, 0.1, 0.2, 1000.0};
   EXPECT_DOUBLE_EQ(learn(0.0, kLoad, 1.0, 0.0), 0.4);
   EXPECT_DOUBLE_EQ(learn(0.4, kLoad, 1.0, 0.0), 0.6);
   EXPECT_DOUBLE_EQ(learn(0.9, kLoad, 1.0, 0.0), 0.9);
@@ -97,7 +97,7 @@ TEST(FirstLoads, LeaveWhoFliesAsHeFlies) {
 
 /// What bears no load yet closes its gaps at once.
 TEST(Preload, KeepsASpringThatHardlyOpens) {
-  const SolverSettings settings{0.01, softness(18.0, 20.0, 0.01), {0.0, 0.0, 0.0}, 1.0, false, 1e-3, 1e9};
+  const SolverSettings settings{0.01, softness(18.0, 20.0, 0.01), Learning{}, 1.0, false, 1e-3, 1e9};
   for (const bool loaded : {false, true})
     for (const double gap : {0.9e-3, 1.1e-3}) {
       std::vector<SolverBody> bodies(2);
