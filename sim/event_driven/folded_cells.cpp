@@ -60,16 +60,18 @@ void FoldedCells::remove(std::uint32_t disc, std::size_t slot) {
   Slot& first = first_[slot];
   const std::size_t place =
       static_cast<std::size_t>(std::ranges::find(first.disc, disc) - first.disc.begin());
-  std::uint32_t* link = &more_[slot];
   --first.count;
-  if (place >= kFirst) {
-    while (*link != disc) link = &next_[*link];
-    *link = next_[disc];
-  } else if (*link != kNobody) {
+  if (first.count < kFirst) [[likely]] {
+    first.disc[place] = first.disc[first.count];
+    return;
+  }
+  std::uint32_t* link = &more_[slot];
+  if (place < kFirst) {
     first.disc[place] = *link;
     *link = next_[*link];
   } else {
-    first.disc[place] = first.disc[first.count];
+    while (*link != disc) link = &next_[*link];
+    *link = next_[disc];
   }
 }
 

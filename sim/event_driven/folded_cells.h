@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sim/colliders.h"
+#include "sim/crowd/prefetch.h"
 #include "sim/event_driven/huge_pages.h"
 #include "sim/scene.h"
 
@@ -75,7 +76,7 @@ class FoldedCells {
     if (!inside(cell)) return;
     for (const std::int64_t row : {-1, 0, 1}) {
       const Slot* const middle = &first_[slot({{cell.at[0], cell.at[1] + row}})];
-      __builtin_prefetch(middle - 1), __builtin_prefetch(middle + 1);
+      prefetch(middle - 1), prefetch(middle + 1);
     }
   }
 

@@ -10,6 +10,7 @@
 
 #include "narrowphase/disc_flight.h"
 #include "sim/contact/strike.h"
+#include "sim/crowd/prefetch.h"
 #include "sim/input_error.h"
 #include "sim/periodic.h"
 #include "sim/simulation_error.h"
@@ -18,9 +19,10 @@ namespace throng {
 
 namespace {
 
-constexpr std::uint32_t kMostStill = 1000;          // collisions in a row that lead nowhere
-constexpr std::size_t kFetch = 8, kFetchCells = 4;  // events before they are needed
-constexpr std::uint32_t kEventsPerLook = 1 << 14;   // between two looks at what wants the run to end
+constexpr std::uint32_t kMostStill = 1000;                          // collisions in a row that lead nowhere
+constexpr std::size_t kFetch = 8, kFetchCells = 6, kFetchNear = 3;  // events before they are needed
+constexpr std::size_t kManyDiscs = 30'000;         // as many or more don't fit into the nearest caches
+constexpr std::uint32_t kEventsPerLook = 1 << 14;  // between two looks at what wants the run to end
 
 std::vector<std::uint32_t> dynamic_rows(const Bodies& bodies) {
   std::vector<std::uint32_t> rows;
@@ -82,11 +84,12 @@ void HardDiscs::place_discs() {
   discs_.reserve(bodies_.size()), next_.reserve(bodies_.size());
   for (const std::uint32_t row : bodies_) {
     discs_.push_back({place_in(scene_.domain, bodies.position[row]), bodies.velocity[row], 0.0,
-                      bodies.radius[row], bodies.spin[row]});
+                      bodies.radius[row], bodies.spin[row], 0, row});
     next_.push_back({.cell = cell(row), .inverse_mass = 1.0 / mass(scene_, row)});
     cells_.add(static_cast<std::uint32_t>(discs_.size() - 1), cells_.slot(next_.back().cell));
   }
   cells_.list(obstacles_, slack(largest_radius(bodies, bodies_)));
+  bodies_ = {};
 }
 
 /// Id of a body, or what else it is.
@@ -137,8 +140,7 @@ bool HardDiscs::run_until(double time, std::vector<ContactRow>& rows, bool (*sto
     if (stop && events % kEventsPerLook == 0 && stop()) return false;
     const double now = soonest_.time();
     const std::uint32_t disc = soonest_.row();
-    fetch(soonest_.row_after(kFetch));
-    fetch_cells(soonest_.row_after(kFetchCells));
+    fetch_ahead();
     const Next& next = next_[disc];
     if (next.crossing <= next.collision)
       cross(disc);
@@ -150,9 +152,9 @@ bool HardDiscs::run_until(double time, std::vector<ContactRow>& rows, bool (*sto
   return true;
 }
 
-/// Memory takes its time to answer: what will be needed of the disc is sent for.
+/// What will be needed of the disc.
 void HardDiscs::fetch(std::uint32_t disc) const {
-  __builtin_prefetch(&next_[disc], 1), __builtin_prefetch(&discs_[disc], 1);
+  prefetch(&next_[disc]), prefetch(&discs_[disc]);
   soonest_.fetch(disc);
 }
 
@@ -162,8 +164,35 @@ void HardDiscs::fetch_cells(std::uint32_t disc) const {
   Cell cell = next.cell;
   cell.at[next.axis] += next.crossing <= next.collision ? next.step : 0;
   cells_.fetch(cell);
-  if (is_disc(next.other))
-    __builtin_prefetch(&discs_[next.other], 1), __builtin_prefetch(&next_[next.other], 1);
+  if (is_disc(next.other)) prefetch(&discs_[next.other]), prefetch(&next_[next.other]);
+}
+
+/// Memory takes its time to answer: what will be needed is sent for. Of two who meet each has an entry, and
+/// with one event both have passed: of entries none is left out.
+void HardDiscs::fetch_ahead() {
+  const std::size_t passed = soonest_.passed(), last = std::min(passed - std::min(sent_, passed), kFetchNear);
+  for (std::size_t back = last; back-- > 0;) {
+    fetch(soonest_.row_after(kFetch - back));
+    if (discs_.size() < kManyDiscs) continue;
+    fetch_cells(soonest_.row_after(kFetchCells - back));
+    fetch_near(soonest_.row_after(kFetchNear - back));
+  }
+  sent_ = passed;
+}
+
+/// Those round its cell, of which it will look at most, and the lists round whom it meets.
+void HardDiscs::fetch_near(std::uint32_t disc) {
+  const Next& next = next_[disc];
+  Cell cell = next.cell;
+  const bool crosses = next.crossing <= next.collision;
+  cell.at[next.axis] += crosses ? next.step : 0;
+  if (!crosses && is_disc(next.other)) cells_.fetch(next_[next.other].cell);
+  if (!cells_.inside(cell)) return;
+  Range range;
+  if (crosses) range.first[next.axis] = range.last[next.axis] = next.step;
+  const std::size_t count = cells_.copy_near(cell, range.first, range.last, near_.data());
+  if (count == FoldedCells::kCrowded) return;
+  for (const std::uint32_t one : std::span(near_).first(count)) prefetch(&discs_[one]);
 }
 
 /// Into the next cell: three more cells are near, and other obstacles.

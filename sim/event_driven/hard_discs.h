@@ -67,7 +67,7 @@ class HardDiscs {
 
   void place_discs();
   void refuse_overlaps();
-  std::uint32_t body(std::uint32_t disc) const { return bodies_[disc]; }
+  std::uint32_t body(std::uint32_t disc) const { return discs_[disc].body; }
   bool is_disc(std::uint32_t other) const { return other < discs_.size(); }
   const Surface& surface(std::uint32_t disc, std::uint32_t other) const;
   std::string name(std::uint32_t other) const;
@@ -104,8 +104,10 @@ class HardDiscs {
   void foresee_discs(std::uint32_t disc, double now, const Range& range, std::uint32_t collided);
   void set(std::uint32_t disc);
 
+  void fetch_ahead();
   void fetch(std::uint32_t disc) const;
   void fetch_cells(std::uint32_t disc) const;
+  void fetch_near(std::uint32_t disc);
   void cross(std::uint32_t disc);
   void collide(std::uint32_t disc, double now, std::vector<ContactRow>& rows);
   double advance(std::uint32_t disc, double now);
@@ -120,11 +122,12 @@ class HardDiscs {
   const Vec pull_;    // m/s²
   const Vec period_;  // m
   const Obstacles obstacles_;
-  std::vector<std::uint32_t> bodies_;  // row of each disc, cell by cell: neighbours stand near one another
+  std::vector<std::uint32_t> bodies_;  // those that fly, until they are placed: neighbours near one another
   FoldedCells cells_;
   std::vector<Flying, HugePages<Flying>> discs_;
   std::vector<Next, HugePages<Next>> next_;
   Soonest soonest_;
+  std::size_t sent_ = 0;             // entries passed when it was last sent for what is needed next
   std::vector<std::uint32_t> near_;  // discs of the last search
   Collisions collisions_;
 };

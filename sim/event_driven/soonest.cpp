@@ -10,6 +10,7 @@ namespace {
 constexpr std::size_t kSample = 1000;  // rows, at least, that say how long an epoch is to be
 constexpr double kOfEpoch = 0.75;      // of the rows are due in it
 constexpr double kOfDay = 2.0;         // rows are due on a day
+constexpr std::size_t kAhead = 12;     // entries before it is needed, what a row says is sent for
 
 }  // namespace
 
@@ -31,7 +32,7 @@ void Soonest::insert(const Entry& entry) {
 /// Begins days until enough events are in sight.
 void Soonest::look_ahead() {
   soon_.erase(soon_.begin(), soon_.begin() + static_cast<std::ptrdiff_t>(first_));
-  first_ = 0;
+  erased_ += first_, first_ = 0;
   while (soon_.size() < kInSight) {
     if (static_cast<double>(begun_) < days_of_epoch_)
       begin_day();
@@ -49,12 +50,16 @@ void Soonest::begin_day() {
     if (!is_left(entry)) soon_.push_back(entry);
   day.clear();
   std::sort(soon_.begin() + sorted, soon_.end());
+  for (const Entry& entry : days_[begun_ % kDays]) fetch(entry.row);
 }
 
 void Soonest::open_page() {
   std::vector<Entry>& page = pages_[begun_ / kDays];
-  for (const Entry& entry : page)
-    if (!is_left(entry)) days_[static_cast<std::size_t>(day_of(entry.time)) % kDays].push_back(entry);
+  for (std::size_t i = 0; i < page.size(); ++i) {
+    if (i + kAhead < page.size()) fetch(page[i + kAhead].row);
+    if (const Entry& entry = page[i]; !is_left(entry))
+      days_[static_cast<std::size_t>(day_of(entry.time)) % kDays].push_back(entry);
+  }
   page.clear();
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "sim/crowd/prefetch.h"
 #include "sim/event_driven/huge_pages.h"
 
 namespace throng {
@@ -37,16 +38,20 @@ class Soonest {
   /// Whose that is. Expects that time() was asked after the last set(), and isn't kNever.
   std::uint32_t row() const { return soon_[first_].row; }
 
-  /// Who seems to be due `events` later: most likely right for less than kInSight. Expects as row().
-  std::uint32_t row_after(std::size_t events) const {
-    return soon_[std::min(first_ + events, soon_.size() - 1)].row;
+  /// Whose the entry is that stands `entries` behind: for less than kInSight most likely who will be due, or
+  /// who was to be and got another time. Expects as row().
+  std::uint32_t row_after(std::size_t entries) const {
+    return soon_[std::min(first_ + entries, soon_.size() - 1)].row;
   }
 
+  /// How many entries stood before row()'s, since the beginning.
+  std::size_t passed() const { return erased_ + first_; }
+
   /// Sends for what set() needs of the row.
-  void fetch(std::uint32_t row) const { __builtin_prefetch(&due_[row], 1); }
+  void fetch(std::uint32_t row) const { prefetch(&due_[row]); }
 
  private:
-  static constexpr std::size_t kDays = 256;    // of a page
+  static constexpr std::size_t kDays = 1024;   // of a page
   static constexpr std::size_t kInSight = 12;  // events that are in order, at least, while there are as many
 
   struct Entry {
@@ -82,7 +87,7 @@ class Soonest {
   std::size_t begun_ = 0;                         // days
   std::vector<std::vector<Entry>> pages_, days_;  // those that are due on days to come; of the open page
   std::vector<Entry> soon_;                       // on days that have begun; ascending from first_ on
-  std::size_t first_ = 0;
+  std::size_t first_ = 0, erased_ = 0;
   std::vector<double> sample_;  // s
 };
 

@@ -97,5 +97,18 @@ TEST(Soonest, SeesWhoIsDueAfter) {
   for (std::size_t later = 0; later < 10; ++later) EXPECT_EQ(both.soonest.row_after(later), order[later]);
 }
 
+TEST(Soonest, CountsTheEntriesThatItPasses) {
+  Both both(40);
+  for (std::size_t row = 0; row < 40; ++row) both.set(row, static_cast<double>(row));
+  for (std::size_t row = 0; row < 20; ++row) {
+    both.check(static_cast<int>(row));
+    EXPECT_EQ(both.soonest.passed(), row);
+    both.set(row, 100.0);
+  }
+  both.set(20, 100.0), both.set(21, 100.0);
+  both.check(22);
+  EXPECT_EQ(both.soonest.passed(), 22u) << "two at once";
+}
+
 }  // namespace
 }  // namespace throng
