@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -26,6 +27,7 @@ struct StageTimes {
   double find_pairs = 0.0, collide = 0.0, find_contacts = 0.0, solve = 0.0, store = 0.0;  ///< s
   double look = 0.0, steer = 0.0, walk = 0.0, leave = 0.0, appear = 0.0;                  ///< s, of crowds
   double sleep = 0.0, sense = 0.0;                                                        ///< s
+  std::int64_t steps = 0;                                                                 ///< begun
 };
 
 /// What a step needs besides the state and may forget: buffers, and indexes of what never moves.

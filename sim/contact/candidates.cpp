@@ -19,6 +19,10 @@ constexpr double kSkin = 0.1;  // of the radius, at most
 
 /// How far pairs are looked for that several steps of flights shall share.
 constexpr double kShared = 0.75;  // of the radius
+
+/// So few are sooner compared with one another than sorted into cells.
+constexpr std::size_t kFewColliders = 32;
+
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 std::vector<broadphase::Extent> extents(const Obstacles& obstacles) {
@@ -81,6 +85,7 @@ void Candidates::pair_up(const State& state, Rows colliders) {
 
 void Candidates::find_pairs_of(Rows colliders) {
   const broadphase::Period* period = plan_.periodic ? &period_ : nullptr;
+  if (colliders.are_all() && colliders.size() <= kFewColliders) return compare_all(period);
   if (colliders.are_all()) return disc_pairs_.find(centre_, reach_, period, pairs_, colliders_.movable);
   some_centres_.clear(), some_reaches_.clear(), some_movable_.clear();
   colliders.for_each([&](std::uint32_t row) {
@@ -89,6 +94,17 @@ void Candidates::find_pairs_of(Rows colliders) {
   });
   disc_pairs_.find(some_centres_, some_reaches_, period, pairs_, some_movable_);
   for (broadphase::Pair& pair : pairs_) pair = {colliders[pair.a], colliders[pair.b]};
+}
+
+/// As DiscPairs does.
+void Candidates::compare_all(const broadphase::Period* period) {
+  pairs_.clear();
+  for (std::uint32_t a = 0; a < colliders_.size(); ++a)
+    for (std::uint32_t b = a + 1; b < colliders_.size(); ++b) {
+      const double reach = reach_[a] + reach_[b];
+      const bool near = broadphase::squared_distance(centre_[a], centre_[b], period) <= reach * reach;
+      if (near && (colliders_.movable[a] || colliders_.movable[b])) pairs_.push_back({a, b});
+    }
 }
 
 void Candidates::place(const State& state, double dt, Rows colliders) {

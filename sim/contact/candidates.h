@@ -107,6 +107,7 @@ class Candidates {
   void place_one(const State& state, std::uint32_t collider);
   void wrap_centre(std::uint32_t collider);
   void find_pairs_of(Rows colliders);
+  void compare_all(const broadphase::Period* period);
   Vec wrap(std::uint32_t collider) const;
   void drop_own_parts();
   void find_obstacle_pairs();

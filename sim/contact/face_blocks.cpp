@@ -52,7 +52,10 @@ void FaceBlocks::start(std::size_t bodies, std::size_t groups) {
   groups_.resize(groups);
   for (std::size_t i = 0; i < groups; ++i) {
     groups_[i].order.start(bodies);
-    groups_[i].nobody = static_cast<std::uint32_t>(bodies - groups + i);
+    const auto nobody = static_cast<std::uint32_t>(bodies - groups + i);
+    if (groups_[i].nobody != nobody)
+      for (FaceBlock& block : groups_[i].blocks) block.used = BlockOrder::kWidth;
+    groups_[i].nobody = nobody;
   }
   seat_.clear();
 }
@@ -91,8 +94,9 @@ void FaceBlocks::finish(std::size_t group) {
   Group& own = groups_[group];
   for (std::size_t i = 0; i < own.order.blocks(); ++i) {
     if (own.order.filled(i) == 0) own.blocks[i].count = 0;
-    for (std::size_t lane = own.order.filled(i); lane < BlockOrder::kWidth; ++lane)
+    for (std::size_t lane = own.order.filled(i); lane < own.blocks[i].used; ++lane)
       clear_lane(own.blocks[i], lane, own.nobody);
+    own.blocks[i].used = own.order.filled(i);
   }
 }
 

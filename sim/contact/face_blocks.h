@@ -31,8 +31,9 @@ struct alignas(64) FaceBlock {
 
   std::uint32_t a[BlockOrder::kWidth], b[BlockOrder::kWidth];  ///< rows of the bodies
   Row normal_x, normal_y, friction;
-  Row round_a, round_b;  ///< m, as in PointContact
-  std::size_t count;     ///< points of each face
+  Row round_a, round_b;                   ///< m, as in PointContact
+  std::size_t count;                      ///< points of each face
+  std::size_t used = BlockOrder::kWidth;  ///< lanes from there on are clear
   Point points[2];
 };
 

@@ -304,6 +304,7 @@ void ContactFinder::fill_searched(const Candidates& candidates, std::span<const 
 /// Those of fast faces, where no surface bounces.
 void ContactFinder::list_fast(const Candidates& candidates, std::span<const SolverBody> bodies,
                               std::vector<PointContact>& bounces) const {
+  if (std::ranges::find(is_fast_, 1) == is_fast_.end()) return;
   std::array<PointContact, 2> points;
   for (auto fast = is_fast_.begin(); (fast = std::find(fast, is_fast_.end(), 1)) != is_fast_.end(); ++fast) {
     const auto face =

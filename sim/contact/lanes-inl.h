@@ -44,13 +44,23 @@ HWY_INLINE void ask_for_bodies(const Block& block, const Body* bodies) {
   for (const std::uint32_t b : block.b) hwy::Prefetch(bodies + b);
 }
 
-/// Calls f(block, first lane) for all lanes of all blocks, or from the last block on.
+/// Whether nobody has a contact in the lanes from k on that are solved at once.
+template <class Block>
+HWY_INLINE bool is_empty(const Block& block, std::size_t k) {
+  std::size_t lane = k;
+  while (lane < k + kLanes && block.a[lane] == block.b[lane]) ++lane;
+  return lane == k + kLanes;
+}
+
+/// Calls f(block, first lane) for all lanes of all blocks that have contacts, or from the last block on.
 template <class Block, class F>
 HWY_INLINE void for_each_part(std::span<Block> blocks, const SolverBody* bodies, bool backward, F f) {
   const std::size_t last = blocks.size() - 1;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     if (i + kAhead < blocks.size()) ask_for_bodies(blocks[backward ? last - i - kAhead : i + kAhead], bodies);
-    for (std::size_t k = 0; k < BlockOrder::kWidth; k += kLanes) f(blocks[backward ? last - i : i], k);
+    Block& block = blocks[backward ? last - i : i];
+    for (std::size_t k = 0; k < BlockOrder::kWidth; k += kLanes)
+      if (!is_empty(block, k)) f(block, k);
   }
 }
 template <class Block, class F>

@@ -144,17 +144,17 @@ HWY_EXPORT(learn);
 }  // namespace
 
 void prepare_and_start(std::span<DiscBlock> blocks, std::span<SolverBody> bodies, const Vec* period) {
-  HWY_DYNAMIC_DISPATCH(prepare_and_start)(blocks, bodies.data(), period);
+  if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(prepare_and_start)(blocks, bodies.data(), period);
 }
 void push_apart(std::span<DiscBlock> blocks, std::span<SolverBody> bodies, const SolverSettings& settings) {
-  HWY_DYNAMIC_DISPATCH(push_apart)(blocks, bodies.data(), settings);
+  if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(push_apart)(blocks, bodies.data(), settings);
 }
 void relax(std::span<DiscBlock> blocks, std::span<SolverBody> bodies, const SolverSettings& settings,
            bool periodic) {
-  HWY_DYNAMIC_DISPATCH(relax)(blocks, bodies.data(), settings, periodic);
+  if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(relax)(blocks, bodies.data(), settings, periodic);
 }
 void learn(std::span<DiscBlock> blocks, std::span<const SolverBody> bodies, const Learning& learning) {
-  HWY_DYNAMIC_DISPATCH(learn)(blocks, bodies.data(), learning);
+  if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(learn)(blocks, bodies.data(), learning);
 }
 
 }  // namespace throng

@@ -232,16 +232,16 @@ HWY_EXPORT(learn);
 }  // namespace
 
 void prepare_and_start(std::span<FaceBlock> blocks, std::span<SolverBody> bodies) {
-  HWY_DYNAMIC_DISPATCH(prepare_and_start)(blocks, bodies.data());
+  if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(prepare_and_start)(blocks, bodies.data());
 }
 void push_apart(std::span<FaceBlock> blocks, std::span<SolverBody> bodies, const SolverSettings& settings) {
-  HWY_DYNAMIC_DISPATCH(push_apart)(blocks, bodies.data(), settings);
+  if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(push_apart)(blocks, bodies.data(), settings);
 }
 void relax(std::span<FaceBlock> blocks, std::span<SolverBody> bodies, const SolverSettings& settings) {
-  HWY_DYNAMIC_DISPATCH(relax)(blocks, bodies.data(), settings);
+  if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(relax)(blocks, bodies.data(), settings);
 }
 void learn(std::span<FaceBlock> blocks, std::span<const SolverBody> bodies, const Learning& learning) {
-  HWY_DYNAMIC_DISPATCH(learn)(blocks, bodies.data(), learning);
+  if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(learn)(blocks, bodies.data(), learning);
 }
 
 }  // namespace throng

@@ -30,6 +30,18 @@ TEST(Step, TimeIsTheNumberOfStepsTimesTheirLength) {
   EXPECT_EQ(run.state.step, 7);
 }
 
+/// Of few bodies one step of many is measured, and stands for them.
+TEST(Step, ItsStagesTakeTime) {
+  for (const int steps : {1, 1000}) {
+    Trial run(std::string("time = { dt = 0.01, until = 100 }\n") + kDisc + ball(0, 0, 0, 0) +
+              ball(3, 0, 0, 0));
+    run.steps(steps);
+    EXPECT_EQ(run.work.times.steps, steps);
+    EXPECT_GT(run.work.times.find_pairs, 0.0) << steps;
+    EXPECT_GT(run.work.times.solve, 0.0) << steps;
+  }
+}
+
 TEST(Step, AnObliqueImpactObeysCoulomb) {
   // Against a wall, with I = m r² / 2: either it slides all the while, or it grips (notes in any mechanics
   // text).

@@ -102,6 +102,31 @@ TEST_P(Domains, HoldTheObstaclesThatBodiesMayTouch) {
   EXPECT_GT(must, 5u);
 }
 
+/// Those of so few that each is compared with each, and those that a grid finds among one more, far away.
+TEST(Candidates, AreTheSameWhoeverIsFarAway) {
+  for (const std::string domain : {"", "domain = { periodic = [[0, 0], [60, 60]] }\n"}) {
+    const std::string few =
+        domain +
+        "[shapes]\nball = { disc = { radius = { uniform = [0.1, 0.3] } } }\n"
+        "[[bodies]]\nshape = \"ball\"\ncount = 22\nvelocity = { maxwell = 2 }\nplace = { random = { within = "
+        "[[0, 0], [3, 3]] } }\n"
+        "[[bodies]]\nshape = \"ball\"\ncount = 8\nkind = \"static\"\nplace = { random = { within = [[0, 0], "
+        "[3, 3]] } }\n"
+        "[[bodies]]\nshape = \"ball\"\nkind = \"static\"\nat = [30, 30]\n"
+        "[[bodies]]\nshape = \"ball\"\nkind = \"static\"\nat = [30.1, 30]\n";
+    const auto pairs_of = [](const std::string& text) {
+      const Scene scene = scene_from(text);
+      const Plan plan = plan_for(scene);
+      Candidates candidates(scene, plan);
+      candidates.find(initial_state(scene), 0.2);
+      return std::vector<Pair>(candidates.pairs().begin(), candidates.pairs().end());
+    };
+    const std::vector<Pair> pairs = pairs_of(few);
+    EXPECT_GT(pairs.size(), 10u);
+    EXPECT_EQ(pairs, pairs_of(few + "[[bodies]]\nshape = \"ball\"\nkind = \"static\"\nat = [40, 40]\n"));
+  }
+}
+
 /// Once only the middle of a bar counted: its ends were seen when they were in the wall already.
 TEST(Candidates, ReachAsFarAsCornersTurn) {
   Scene scene = scene_from(crowd("{ box = [[0, 0], [20, 20]] }"));
