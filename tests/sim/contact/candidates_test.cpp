@@ -110,20 +110,23 @@ TEST(Candidates, AreTheSameWhoeverIsFarAway) {
         "[shapes]\nball = { disc = { radius = { uniform = [0.1, 0.3] } } }\n"
         "[[bodies]]\nshape = \"ball\"\ncount = 22\nvelocity = { maxwell = 2 }\nplace = { random = { within = "
         "[[0, 0], [3, 3]] } }\n"
-        "[[bodies]]\nshape = \"ball\"\ncount = 8\nkind = \"static\"\nplace = { random = { within = [[0, 0], "
-        "[3, 3]] } }\n"
-        "[[bodies]]\nshape = \"ball\"\nkind = \"static\"\nat = [30, 30]\n"
-        "[[bodies]]\nshape = \"ball\"\nkind = \"static\"\nat = [30.1, 30]\n";
-    const auto pairs_of = [](const std::string& text) {
+        "[[bodies]]\nshape = \"ball\"\ncount = 8\nkind = \"kinematic\"\nplace = { random = { within = "
+        "[[0, 0], [3, 3]] } }\n"
+        "[[bodies]]\nshape = \"ball\"\nkind = \"kinematic\"\nat = [30, 30]\n"
+        "[[bodies]]\nshape = \"ball\"\nkind = \"kinematic\"\nat = [30.1, 30]\n";
+    std::vector<std::size_t> sizes;
+    const auto pairs_of = [&](const std::string& text) {
       const Scene scene = scene_from(text);
       const Plan plan = plan_for(scene);
       Candidates candidates(scene, plan);
       candidates.find(initial_state(scene), 0.2);
+      sizes.push_back(candidates.colliders().size());
       return std::vector<Pair>(candidates.pairs().begin(), candidates.pairs().end());
     };
     const std::vector<Pair> pairs = pairs_of(few);
     EXPECT_GT(pairs.size(), 10u);
-    EXPECT_EQ(pairs, pairs_of(few + "[[bodies]]\nshape = \"ball\"\nkind = \"static\"\nat = [40, 40]\n"));
+    EXPECT_EQ(pairs, pairs_of(few + "[[bodies]]\nshape = \"ball\"\nkind = \"kinematic\"\nat = [40, 40]\n"));
+    EXPECT_EQ(sizes, (std::vector<std::size_t>{32, 33}));
   }
 }
 
