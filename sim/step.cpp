@@ -53,11 +53,12 @@ void by_parts(Workspace& work, F f) {
   work.workers.for_each(parts.count(), [&](std::size_t part) { f(parts.rows(part)); });
 }
 
+/// No velocity is -0: FaceBlocks' lanes without a face would make it 0.
 void load(const State& state, Rows awake, std::span<SolverBody> bodies) {
   awake.for_each([&](std::uint32_t i) {
     bodies[i].position = state.position[i];
-    bodies[i].velocity = state.velocity[i];
-    bodies[i].spin = state.spin[i];
+    bodies[i].velocity = state.velocity[i].array() + 0.0;
+    bodies[i].spin = state.spin[i] + 0.0;
     bodies[i].turn = 0.0;
   });
 }

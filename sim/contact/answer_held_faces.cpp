@@ -8,6 +8,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include <algorithm>
+
 #include "sim/contact/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -183,20 +185,20 @@ struct WideContacts {
   const WideParts &a, &b;
   Vecs image_of_b, normal, between;
 
-  HWY_INLINE void write(HeldBlock& h, std::size_t i, std::size_t k, const Clips& c, const Poses& frame,
-                        const Ends& end) const {
+  /// Zero, and so without mass, where there is none.
+  HWY_INLINE void write(FaceBlock::Point& p, std::size_t k, Mask is, const HeldBlock& h, const Clips& c,
+                        const Poses& frame, const Ends& end) const {
     const Reals radius = load(h.radius_reference + k), incident_radius = load(h.radius_incident + k);
     const Reals separation = hn::Sub(end.gap, hn::Add(radius, incident_radius));
     const Reals middle = hn::Mul(set(0.5), hn::Sub(hn::Add(end.gap, radius), incident_radius));
     const Vecs point = frame * ((c.origin + end.along * c.tangent) + middle * c.normal);
     const Vecs first_a = point - a.pose.position, first_b = point - image_of_b;
-    HeldBlock::Point& p = h.points[i];
-    store(end.which, p.end + k);
-    store(first_a.x, p.first_ax + k), store(first_a.y, p.first_ay + k);
-    store(first_b.x, p.first_bx + k), store(first_b.y, p.first_by + k);
-    store(hn::Sub(separation, dot(normal, between + (first_b - first_a))), p.gap + k);
-    store(effective_mass(a, b, first_a, first_b, normal), p.normal_mass + k);
-    store(effective_mass(a, b, first_a, first_b, turned_left(normal)), p.tangent_mass + k);
+    const auto store_if = [=](Reals v, double* row) HWY_ATTR { store(hn::IfThenElseZero(is, v), row + k); };
+    store_if(first_a.x, p.first_ax), store_if(first_a.y, p.first_ay);
+    store_if(first_b.x, p.first_bx), store_if(first_b.y, p.first_by);
+    store_if(hn::Sub(separation, dot(normal, between + (first_b - first_a))), p.gap);
+    store_if(effective_mass(a, b, first_a, first_b, normal), p.normal_mass);
+    store_if(effective_mass(a, b, first_a, first_b, turned_left(normal)), p.tangent_mass);
   }
 };
 
@@ -255,15 +257,16 @@ HWY_INLINE Mask stays(const HeldBlock& h, std::size_t k, Mask was_reference, con
   return hn::AndNot(at_corner, hn::And(within, hn::Or(wider, hn::And(was_reference, as_wide))));
 }
 
-HWY_INLINE Reals count(Mask apart, Mask beyond, Mask known, const Stretch& s) {
+/// Of who is known; -1 for others.
+HWY_INLINE Reals count(Mask apart, Mask known, Mask first, Mask second) {
   const Reals zero = hn::Zero(D()), one = set(1.0);
-  const Reals near =
-      hn::Add(hn::IfThenElseZero(s.first_is_near, one), hn::IfThenElseZero(s.second_is_near, one));
-  const Reals found = hn::IfThenElse(hn::Or(apart, beyond), zero, near);
-  return hn::IfThenElse(hn::Or(apart, known), found, set(-1.0));
+  const Reals found = hn::Add(hn::IfThenElseZero(first, one), hn::IfThenElseZero(second, one));
+  return hn::IfThenElse(apart, zero, hn::IfThenElse(known, found, set(-1.0)));
 }
 
-void answer_some(HeldBlock& h, HeldTalk& talk, std::size_t k, const PlacedPart* parts, double fast) {
+/// `solved`: where the contacts are solved, or null.
+void answer_some(HeldBlock& h, HeldTalk& talk, FaceBlock* solved, std::size_t k, const PlacedPart* parts,
+                 double fast) {
   const D d;
   const Reals asked = load(talk.asked + k);
   if (hn::AllTrue(d, are(asked, Wanted::nothing))) return store(set(-1.0), talk.count + k);
@@ -284,23 +287,30 @@ void answer_some(HeldBlock& h, HeldTalk& talk, std::size_t k, const PlacedPart* 
   const Mask slow = hn::Lt(hn::Add(a.pace, b.pace), set(fast));
   const Mask described = hn::Or(beyond, hn::And(slow, stays(h, k, was_reference, c, incident, s, w)));
   const Mask known = hn::And(hn::And(face, hn::Le(w.movement, load(h.most + k))), described);
-  store(count(apart, beyond, known, s), talk.count + k);
+  const Mask touches = hn::AndNot(beyond, known);
+  const Mask one = hn::And(touches, hn::Or(s.first_is_near, s.second_is_near));
+  const Mask two = hn::And(touches, hn::And(s.first_is_near, s.second_is_near));
+  store(count(apart, known, one, two), talk.count + k);
+  const Ends first = choose(s.first_is_near, s.first, s.second);
+  store(first.which, h.end[0] + k), store(s.second.which, h.end[1] + k);
+  if (!solved) return;
 
   const Poses frame = choose(of_b, image, a.pose);
   const Vecs outward = choose(of_b, Vecs{hn::Neg(c.normal.x), hn::Neg(c.normal.y)}, c.normal);
   const WideContacts contacts{a, b, image.position, frame.rotate(outward), b.pose.position - a.pose.position};
-  store(contacts.normal.x, h.contact_normal_x + k), store(contacts.normal.y, h.contact_normal_y + k);
-  const Ends first = choose(s.first_is_near, s.first, s.second);
-  contacts.write(h, 0, k, c, frame, first);
-  if (!hn::AllFalse(d, hn::And(s.first_is_near, s.second_is_near)))
-    contacts.write(h, 1, k, c, frame, s.second);
+  store(hn::IfThenElseZero(one, contacts.normal.x), solved->normal_x + k);
+  store(hn::IfThenElseZero(one, contacts.normal.y), solved->normal_y + k);
+  contacts.write(solved->points[0], k, one, h, c, frame, first);
+  if (solved->count == 2) contacts.write(solved->points[1], k, two, h, c, frame, s.second);
 }
 
-void answer_all(std::span<HeldBlock> blocks, HeldTalk* talks, const PlacedPart* parts, double fast) {
+void answer_all(std::span<HeldBlock> blocks, HeldTalk* talks, const PlacedPart* parts, double fast,
+                std::span<FaceBlock> faces) {
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     if (i + kAhead < blocks.size()) ask_for_bodies(blocks[i + kAhead], parts);
+    FaceBlock* const solved = i < faces.size() ? &faces[i] : nullptr;
     for (std::size_t k = 0; k < BlockOrder::kWidth; k += kLanes)
-      answer_some(blocks[i], talks[i], k, parts, fast);
+      answer_some(blocks[i], talks[i], solved, k, parts, fast);
   }
 }
 
@@ -315,9 +325,11 @@ namespace {
 HWY_EXPORT(answer_all);
 }  // namespace
 
-void HeldFaces::answer(std::size_t begin, std::size_t end, std::span<const PlacedPart> parts, double fast) {
+void HeldFaces::answer(std::size_t begin, std::size_t end, std::span<const PlacedPart> parts, double fast,
+                       std::span<FaceBlock> faces) {
   HWY_DYNAMIC_DISPATCH(answer_all)
-  (std::span(blocks_).subspan(begin, end - begin), talks_.data() + begin, parts.data(), fast);
+  (std::span(blocks_).subspan(begin, end - begin), talks_.data() + begin, parts.data(), fast,
+   faces.subspan(std::min(begin, faces.size())));
 }
 
 }  // namespace throng

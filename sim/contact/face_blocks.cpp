@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "sim/contact/face_blocks.h"
 
+#include <hwy/cache_control.h>
+
+#include <algorithm>
+
 namespace throng {
 
 namespace {
+
+constexpr std::size_t kFewSpare = 8, kSpareShare = 32;  // blocks to be squeezed in
+constexpr std::size_t kBehind = 3;  // blocks from what must come before to what is squeezed in
 
 void clear_point(FaceBlock::Point& p, std::size_t lane) {
   for (FaceBlock::Row* row : {&p.arm_ax, &p.arm_ay, &p.arm_bx, &p.arm_by, &p.offset, &p.separation,
@@ -36,74 +43,126 @@ void fill_point(FaceBlock::Point& point, std::size_t lane, const PointContact& c
   point.gap[lane] = contact.gap;
 }
 
-void fill_point(FaceBlock::Point& to, std::size_t lane, const HeldBlock::Point& from, std::size_t of,
-                const BlockImpulses& impulses) {
-  to.normal_mass[lane] = from.normal_mass[of], to.tangent_mass[lane] = from.tangent_mass[of];
-  to.normal_impulse[lane] = impulses.normal, to.tangent_impulse[lane] = impulses.tangent;
-  to.preload[lane] = impulses.preload;
-  to.first_ax[lane] = from.first_ax[of], to.first_ay[lane] = from.first_ay[of];
-  to.first_bx[lane] = from.first_bx[of], to.first_by[lane] = from.first_by[of];
-  to.gap[lane] = from.gap[of];
-}
-
 }  // namespace
 
 void FaceBlocks::start(std::size_t bodies, std::size_t groups) {
   groups_.resize(groups);
   for (std::size_t i = 0; i < groups; ++i) {
     groups_[i].order.start(bodies);
-    const auto nobody = static_cast<std::uint32_t>(bodies - groups + i);
-    if (groups_[i].nobody != nobody)
-      for (FaceBlock& block : groups_[i].blocks) block.used = BlockOrder::kWidth;
-    groups_[i].nobody = nobody;
+    groups_[i].room.clear(), groups_[i].sequence.clear(), groups_[i].first = 0;
+    groups_[i].nobody = static_cast<std::uint32_t>(bodies - groups + i);
   }
-  seat_.clear();
+  seat_.clear(), room_.clear(), taken_.clear(), rank_.clear(), squeezed_.clear(), all_room_ = 0;
 }
 
-void FaceBlocks::seat(std::size_t i, std::size_t points, std::uint32_t a, bool a_moves, std::uint32_t b,
-                      bool b_moves, std::size_t group) {
+std::uint32_t FaceBlocks::seat(std::size_t points, std::uint32_t a, bool a_moves, std::uint32_t b,
+                               bool b_moves, std::size_t group) {
   Group& own = groups_[group];
   const std::uint32_t lane = own.order.place(a, a_moves, b, b_moves, points - 1);
-  if (own.blocks.size() < own.order.blocks()) own.blocks.resize(own.order.blocks());
-  FaceBlock& block = own.blocks[lane / BlockOrder::kWidth];
-  block.count = points;
+  own.room.resize(own.order.blocks());
+  own.room[lane / BlockOrder::kWidth] = static_cast<std::uint8_t>(points);
+  return lane;
+}
+
+void FaceBlocks::finish() {
+  for (Group& own : groups_) {
+    own.first = room_.size();
+    for (const std::uint8_t room : own.room) {
+      own.sequence.push_back(static_cast<std::uint32_t>(room_.size()));
+      room_.push_back(room), all_room_ += BlockOrder::kWidth * room;
+    }
+  }
+  const std::size_t spare = kFewSpare + room_.size() / kSpareShare;
+  room_.resize(room_.size() + spare, 0), rank_.resize(room_.size()), taken_.assign(lanes(), 0);
+  if (blocks_.size() < room_.size()) blocks_.resize(room_.size());
+  for (const Group& own : groups_) {
+    set_ranks(own, 0);
+    for (std::size_t i = 0; i < own.order.blocks(); ++i) {
+      FaceBlock& block = blocks_[own.first + i];
+      block.count = own.room[i];
+      for (std::size_t lane = own.order.filled(i); lane < BlockOrder::kWidth; ++lane)
+        clear_lane(block, lane, own.nobody);
+    }
+  }
+}
+
+void FaceBlocks::set_ranks(const Group& group, std::size_t first) {
+  for (std::size_t i = first; i < group.sequence.size(); ++i)
+    rank_[group.sequence[i]] = static_cast<std::uint32_t>(i);
+}
+
+std::uint32_t FaceBlocks::squeeze_in(std::size_t points, std::size_t group, std::size_t first,
+                                     std::size_t end) {
+  if (first > end) return kNone;
+  for (Squeezed& one : squeezed_)
+    if (one.group == group && one.filled < BlockOrder::kWidth && room_[one.block] == points &&
+        first <= rank_[one.block] && rank_[one.block] < end)
+      return static_cast<std::uint32_t>(one.block * BlockOrder::kWidth + one.filled++);
+  return add_squeezed(points, group, first + std::min(kBehind, (end - first) / 2));
+}
+
+std::uint32_t FaceBlocks::add_squeezed(std::size_t points, std::size_t group, std::size_t rank) {
+  Group& own = groups_[group];
+  const std::size_t block = groups_.back().first + groups_.back().room.size() + squeezed_.size();
+  if (block == room_.size()) return kNone;
+  const auto number = static_cast<std::uint32_t>(block);
+  squeezed_.push_back({number, static_cast<std::uint32_t>(group), 1});
+  own.sequence.insert(own.sequence.begin() + static_cast<std::ptrdiff_t>(rank), number);
+  set_ranks(own, rank);
+  room_[block] = static_cast<std::uint8_t>(points), all_room_ += BlockOrder::kWidth * points;
+  blocks_[block].count = points;
+  for (std::size_t lane = 0; lane < BlockOrder::kWidth; ++lane) clear_lane(blocks_[block], lane, own.nobody);
+  return static_cast<std::uint32_t>(block * BlockOrder::kWidth);
+}
+
+void FaceBlocks::name(std::uint32_t lane, std::uint32_t a, std::uint32_t b) {
+  FaceBlock& block = blocks_[lane / BlockOrder::kWidth];
   block.a[lane % BlockOrder::kWidth] = a, block.b[lane % BlockOrder::kWidth] = b;
-  for (std::uint16_t p = 0; p < points; ++p) seat_[i + p] = {lane, static_cast<std::uint16_t>(group), p};
+}
+
+void FaceBlocks::take(std::uint32_t lane, std::size_t points) {
+  assert(points <= room(lane));
+  for (std::size_t p = points; p < taken_[lane]; ++p)
+    clear_point(blocks_[lane / BlockOrder::kWidth].points[p], lane % BlockOrder::kWidth);
+  taken_[lane] = static_cast<std::uint8_t>(points);
+  for (std::uint32_t p = 0; p < points; ++p) seat_.push_back({lane, p});
+}
+
+void FaceBlocks::leave(std::uint32_t lane, std::size_t group) {
+  take(lane, 0);
+  name(lane, groups_[group].nobody, groups_[group].nobody);
 }
 
 void FaceBlocks::fill(std::size_t i, std::span<const PointContact> face) {
-  FaceBlock& block = groups_[seat_[i].group].blocks[seat_[i].lane / BlockOrder::kWidth];
-  const std::size_t lane = seat_[i].lane % BlockOrder::kWidth;
-  assert(face.size() == block.count);
-  fill_lane(block, lane, face[0]);
-  for (std::size_t p = 0; p < face.size(); ++p) fill_point(block.points[p], lane, face[p]);
+  FaceBlock& block = this->block(i);
+  fill_lane(block, at(i), face[0]);
+  for (std::size_t p = 0; p < face.size(); ++p) fill_point(block.points[p], at(i), face[p]);
 }
 
-void FaceBlocks::fill(std::size_t i, const HeldBlock& held, std::size_t lane, double friction,
-                      const std::array<BlockImpulses, 2>& impulses) {
-  FaceBlock& block = groups_[seat_[i].group].blocks[seat_[i].lane / BlockOrder::kWidth];
-  const std::size_t to = seat_[i].lane % BlockOrder::kWidth;
-  block.normal_x[to] = held.contact_normal_x[lane], block.normal_y[to] = held.contact_normal_y[lane];
-  block.friction[to] = friction;
-  block.round_a[to] = block.round_b[to] = 0.0;
-  for (std::size_t p = 0; p < block.count; ++p)
-    fill_point(block.points[p], to, held.points[p], lane, impulses[p]);
+void FaceBlocks::set_polygons(std::uint32_t lane, double friction) {
+  FaceBlock& block = blocks_[lane / BlockOrder::kWidth];
+  const std::size_t at = lane % BlockOrder::kWidth;
+  block.friction[at] = friction, block.round_a[at] = block.round_b[at] = 0.0;
 }
 
-void FaceBlocks::finish(std::size_t group) {
-  Group& own = groups_[group];
-  for (std::size_t i = 0; i < own.order.blocks(); ++i) {
-    if (own.order.filled(i) == 0) own.blocks[i].count = 0;
-    for (std::size_t lane = own.order.filled(i); lane < own.blocks[i].used; ++lane)
-      clear_lane(own.blocks[i], lane, own.nobody);
-    own.blocks[i].used = own.order.filled(i);
-  }
+void FaceBlocks::set_impulses(std::size_t i, const BlockImpulses& impulses) {
+  FaceBlock::Point& p = block(i).points[seat_[i].point];
+  p.normal_impulse[at(i)] = impulses.normal, p.tangent_impulse[at(i)] = impulses.tangent;
+  p.preload[at(i)] = impulses.preload;
+}
+
+void FaceBlocks::fetch_impulses(std::uint32_t lane) const {
+  const FaceBlock& block = blocks_[lane / BlockOrder::kWidth];
+  for (std::size_t p = 0; p < room(lane); ++p)
+    for (const auto* row :
+         {&block.points[p].normal_impulse, &block.points[p].tangent_impulse, &block.points[p].preload})
+      hwy::Prefetch(row);
 }
 
 BlockContact FaceBlocks::contact(std::size_t i) {
-  FaceBlock& block = groups_[seat_[i].group].blocks[seat_[i].lane / BlockOrder::kWidth];
+  FaceBlock& block = this->block(i);
   FaceBlock::Point& point = block.points[seat_[i].point];
-  const std::size_t lane = seat_[i].lane % BlockOrder::kWidth;
+  const std::size_t lane = at(i);
   return {block.a[lane],
           block.b[lane],
           &point.normal_mass[lane],
@@ -115,7 +174,7 @@ BlockContact FaceBlocks::contact(std::size_t i) {
 PointContact FaceBlocks::operator[](std::size_t i) const {
   const FaceBlock& block = this->block(i);
   const FaceBlock::Point& p = point(i);
-  const std::size_t lane = seat_[i].lane % BlockOrder::kWidth;
+  const std::size_t lane = at(i);
   PointContact contact;
   contact.a = block.a[lane], contact.b = block.b[lane];
   contact.normal = {block.normal_x[lane], block.normal_y[lane]};

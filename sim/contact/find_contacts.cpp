@@ -92,37 +92,58 @@ void ContactFinder::find(const Candidates& candidates, const State& state, std::
                          Contacts& contacts, Workers& workers) {
   contacts.start(bodies.size(), parts_.groups());
   sort_out(candidates, contacts);
-  discs_.find(candidates, state, bodies, parts_, std::exchange(moved_, false), contacts.disc_key,
-              contacts.discs);
+  const bool moved = std::exchange(moved_, false);
+  discs_.find(candidates, state, bodies, parts_, moved, contacts.disc_key, contacts.discs);
   if (plan_.restitution)
     for (const std::uint64_t key : contacts.disc_key)
       contacts.disc_bounces.push_back(discs_.contact_of(candidates.colliders(), pair_of(key), bodies));
-  find_touches(candidates, state, bodies, contacts, workers);
+  find_touches(candidates, state, bodies, moved, contacts, workers);
   if (plan_.rolling) find_rolls(scene_, plan_, candidates, state, bodies, contacts);
 }
 
 void ContactFinder::find_touches(const Candidates& candidates, const State& state,
-                                 std::span<const SolverBody> bodies, Contacts& contacts, Workers& workers) {
-  if (touches_.empty()) return;
-  manifolds_.resize(touches_.size()), points_.resize(touches_.size()), group_.resize(touches_.size());
-  if (plan_.polygons && !plan_.restitution && is_worth_holding())
-    answer_held(candidates, state, bodies, workers);
+                                 std::span<const SolverBody> bodies, bool moved, Contacts& contacts,
+                                 Workers& workers) {
+  FaceBlocks& faces = contacts.faces;
+  if (touches_.empty() && faces.lanes() == 0) return;
+  const bool held = std::exchange(holds_, plan_.polygons && !plan_.restitution && is_worth_holding());
+  if (holds_ != held) book_.forget_all(), held_.forget_all();
+  if (holds_ && may_be_held_.empty()) find_who_may_be_held(candidates.colliders());
+  name_lanes(faces);
+  if (holds_) ask_held(candidates, state, bodies, workers), answer_held(faces, workers);
+  search(candidates, state, bodies, workers);
+  ++age_;
+  if (moved || holds_ != held || !all_sit_well(candidates.colliders(), faces)) {
+    seat_anew(candidates.colliders(), bodies.size(), faces, workers);
+    if (holds_) answer_held(faces, workers);
+    age_ = 0;
+  } else {
+    for (const std::uint32_t block : held_again_)
+      held_.answer(block, block + 1, placed_, fast_, faces.all_blocks());
+  }
+  take_seats(faces);
+  fill_faces(candidates, state, bodies, contacts, workers);
+  if (!plan_.restitution) list_fast(candidates, bodies, contacts.point_bounces);
+}
+
+void ContactFinder::search(const Candidates& candidates, const State& state,
+                           std::span<const SolverBody> bodies, Workers& workers) {
+  manifolds_.resize(touches_.size()), points_.resize(touches_.size());
   workers.for_ranges(touches_.size(), [&](std::size_t begin, std::size_t end) {
+    if (begin == end) return;
     KeptImpulses memory(state.point_contacts, touches_[begin].key());
     for (std::size_t i = begin; i < end; ++i) {
-      group_[i] = group_of(candidates.colliders(), touches_[i]);
       if (is_known(touches_[i])) {
         points_[i] = held_.points(touches_[i].lane);
         continue;
       }
       manifolds_[i] = manifold(candidates, state, touches_[i], memory.find(touches_[i].key()));
       points_[i] = static_cast<std::uint8_t>(manifolds_[i].count);
-      if (touches_[i].lane != HeldFaces::kNone) hold(candidates, state, bodies, i);
+      if (!touches_[i].held) continue;
+      held_.ask_nothing(touches_[i].lane);  // of what is held from now on
+      hold(candidates, state, bodies, i);
     }
   });
-  seat_faces(candidates.colliders(), contacts, workers);
-  fill_faces(candidates, state, bodies, contacts, workers);
-  if (!plan_.restitution) list_fast(candidates, bodies, contacts.point_bounces);
 }
 
 /// Pairs of two discs have their contacts' keys then; what else there is must be looked at.
@@ -209,41 +230,16 @@ std::uint32_t ContactFinder::other_row(const Colliders& colliders, const Touch& 
              : colliders.body[row_b];
 }
 
-/// In the order of touches, each group by itself: what a lane then holds may come in any.
-void ContactFinder::seat_faces(const Colliders& colliders, Contacts& contacts, Workers& workers) {
-  first_point_.resize(touches_.size()), seated_.resize(parts_.groups());
-  for (auto& touches : seated_) touches.clear();
-  std::uint32_t points = 0;
-  for (std::uint32_t i = 0; i < touches_.size(); ++i) {
-    first_point_[i] = points, points += points_[i];
-    if (points_[i] > 0) seated_[group_[i]].push_back(i);
-  }
-  contacts.faces.resize(points);
-  workers.for_each(parts_.groups(), [&](std::size_t group) { seat_group(colliders, group, contacts.faces); });
-}
-
-void ContactFinder::seat_group(const Colliders& colliders, std::size_t group, FaceBlocks& faces) const {
-  for (const std::uint32_t i : seated_[group]) {
-    const Touch& touch = touches_[i];
-    const std::uint32_t a = colliders.body[touch.pair.a], b = other_row(colliders, touch);
-    const bool a_moves = colliders.movable[touch.pair.a];
-    const bool b_moves = !touch.obstacle && colliders.movable[touch.pair.b];
-    faces.seat(first_point_[i], points_[i], a, a_moves, b, b_moves, group);
-  }
-  faces.finish(group);
-}
-
-std::uint8_t ContactFinder::group_of(const Colliders& colliders, const Touch& touch) const {
+std::size_t ContactFinder::group_of(const Colliders& colliders, const Touch& touch) const {
   const std::uint32_t a = colliders.body[touch.pair.a];
-  return static_cast<std::uint8_t>(touch.obstacle ? parts_.group(a)
-                                                  : parts_.group(a, colliders.body[touch.pair.b]));
+  return touch.obstacle ? parts_.group(a) : parts_.group(a, colliders.body[touch.pair.b]);
 }
 
 /// The points of a touch's manifold, without impulses.
 std::span<PointContact> ContactFinder::face(const Candidates& candidates, std::span<const SolverBody> bodies,
                                             std::size_t touch, std::array<PointContact, 2>& points) const {
   const Colliders& colliders = candidates.colliders();
-  const auto& [pair, obstacle, shift, lane] = touches_[touch];
+  const auto& [pair, obstacle, shift, held, lane] = touches_[touch];
   const Manifold& m = manifolds_[touch];
   const bool about_a = is_disc(colliders, pair.a), about_b = !obstacle && is_disc(colliders, pair.b);
   const auto count = static_cast<std::size_t>(m.count);
@@ -263,13 +259,14 @@ void ContactFinder::fill_faces(const Candidates& candidates, const State& state,
   if (plan_.restitution) contacts.point_bounces.resize(size);
   is_fast_.assign(touches_.size(), 0);
   workers.for_ranges(touches_.size(), [&](std::size_t begin, std::size_t end) {
+    if (begin == end) return;
     KeptImpulses memory(state.point_contacts, touches_[begin].key());
     std::array<PointContact, 2> points;  // here, as to make it takes longer than to fill it
     for (std::size_t i = begin; i < end; ++i) {
-      fetch_held(i, end);
+      fetch_held(i, end, contacts.faces);
       if (points_[i] == 0) continue;
       if (is_known(touches_[i]))
-        fill_held(candidates.colliders(), i, memory, contacts);
+        fill_held(i, memory, contacts);
       else
         fill_searched(candidates, bodies, i, memory, points, contacts);
     }
@@ -316,7 +313,8 @@ void ContactFinder::list_fast(const Candidates& candidates, std::span<const Solv
 void Contacts::start(std::size_t bodies, std::size_t groups) {
   discs.groups() == groups ? discs.clear() : discs.start(bodies, groups);
   disc_key.clear(), disc_bounces.clear();
-  faces.start(bodies, groups), point_key.clear(), point_feature.clear(), point_bounces.clear();
+  faces.groups() == groups ? faces.clear() : faces.start(bodies, groups);
+  point_key.clear(), point_feature.clear(), point_bounces.clear();
   disc_rolls.clear(), point_rolls.clear();
 }
 

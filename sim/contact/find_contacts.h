@@ -15,6 +15,7 @@
 #include "sim/contact/kept_impulses.h"
 #include "sim/contact/parts.h"
 #include "sim/contact/roll.h"
+#include "sim/contact/seat_book.h"
 #include "sim/rows.h"
 #include "sim/workers.h"
 
@@ -67,42 +68,61 @@ class ContactFinder {
  private:
   struct Touch {  // candidates of which one is no disc about its body's centre
     broadphase::Pair pair;
-    bool obstacle;                          // the pair's b is an obstacle
-    Vec shift;                              // m, to the image of b that is nearest to a
-    std::uint32_t lane = HeldFaces::kNone;  // of held_
+    bool obstacle;                         // the pair's b is an obstacle
+    Vec shift;                             // m, to the image of b that is nearest to a
+    bool held = false;                     // has a lane of held_
+    std::uint32_t lane = SeatBook::kNone;  // there, and of the solver's faces where it sits there
 
     std::uint64_t key() const;
   };
 
+  struct Neighbour {
+    std::uint64_t key;
+    std::uint32_t a, b;  // bodies that move
+    std::uint32_t group, lane;
+  };
+
   void find_touches(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
-                    Contacts& contacts, Workers& workers);
+                    bool moved, Contacts& contacts, Workers& workers);
+  void search(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
+              Workers& workers);
   void sort_out(const Candidates& candidates, Contacts& contacts);
   narrowphase::Manifold manifold(const Candidates& candidates, const State& state, const Touch& touch,
                                  const ContactImpulse* kept) const;
-  bool is_known(const Touch& touch) const {
-    return touch.lane != HeldFaces::kNone && held_.knows(touch.lane);
-  }
-  void answer_held(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
-                   Workers& workers);
+  bool is_known(const Touch& touch) const { return touch.held && held_.knows(touch.lane); }
+  void ask_held(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
+                Workers& workers);
+  void answer_held(FaceBlocks& faces, Workers& workers);
   bool is_worth_holding();
+
   void find_who_may_be_held(const Colliders& colliders);
-  void name_lanes();
+  void name_lanes(FaceBlocks& faces);
+  void hold_seats(const Colliders& colliders, FaceBlocks& faces);
   PlacedPart place_part(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
                         std::uint32_t collider) const;
   void hold(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
             std::size_t touch);
-  void fetch_held(std::size_t touch, std::size_t end) const;
-  void fill_held(const Colliders& colliders, std::size_t touch, KeptImpulses& memory, Contacts& contacts);
+  void fetch_held(std::size_t touch, std::size_t end, const FaceBlocks& faces) const;
+  void fill_held(std::size_t touch, KeptImpulses& memory, Contacts& contacts);
   std::uint32_t other_row(const Colliders& colliders, const Touch& touch) const;
-  void seat_faces(const Colliders& colliders, Contacts& contacts, Workers& workers);
-  void seat_group(const Colliders& colliders, std::size_t group, FaceBlocks& faces) const;
-  std::uint8_t group_of(const Colliders& colliders, const Touch& touch) const;
+  bool all_sit_well(const Colliders& colliders, FaceBlocks& faces);
+  bool seat_newcomers(const Colliders& colliders, FaceBlocks& faces);
+  Neighbour neighbour(const Colliders& colliders, const Touch& touch) const;
+  void list_neighbours(const Colliders& colliders, const FaceBlocks& faces);
+  bool squeeze_in(const Colliders& colliders, FaceBlocks& faces, std::uint32_t touch);
+  void take_seats(FaceBlocks& faces);
+  void seat_anew(const Colliders& colliders, std::size_t bodies, FaceBlocks& faces, Workers& workers);
+  void seat_group(const Colliders& colliders, std::size_t group, FaceBlocks& faces);
+  std::size_t group_of(const Colliders& colliders, const Touch& touch) const;
   void fill_faces(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
                   Contacts& contacts, Workers& workers);
   void fill_searched(const Candidates& candidates, std::span<const SolverBody> bodies, std::size_t touch,
                      KeptImpulses& memory, std::array<PointContact, 2>& points, Contacts& contacts);
   std::span<std::uint32_t> names(std::size_t touch, Contacts& contacts) const;
   const Surface& surface(std::uint32_t body, std::uint32_t other_material) const;
+  const Surface& surface_of(const Colliders& colliders, broadphase::Pair pair) const {
+    return surface(colliders.body[pair.a], scene_.bodies.material[colliders.body[pair.b]]);
+  }
   void list_fast(const Candidates& candidates, std::span<const SolverBody> bodies,
                  std::vector<PointContact>& bounces) const;
   bool closes_fast(std::span<const PointContact> face, std::span<const SolverBody> bodies) const;
@@ -120,12 +140,21 @@ class ContactFinder {
   std::vector<std::uint8_t> may_be_held_;  // of each collider; empty where nothing is
   std::vector<PlacedPart> placed_;         // likewise
   HeldFaces held_;
+  bool holds_ = false;
+  std::size_t named_ = 0;  // pairs that may be held
+  SeatBook book_;
+  std::vector<std::uint32_t> newcomers_;   // touches that have no seat yet, or one without room
+  std::vector<std::uint8_t> is_newcomer_;  // of each body, for a while: it is one of theirs
+  std::vector<Neighbour> neighbours_;      // with seats, of these bodies
+  std::vector<std::uint32_t> held_again_;  // blocks of held_ in which one of them sits now
+  int age_ = 0;                            // finds that these seats served
   int rests_ = 0, in_vain_ = 0;  // finds for which nothing will be held yet; in which most was searched
   std::vector<Touch> touches_;
   std::vector<narrowphase::Manifold> manifolds_;    // of each touch that held_ doesn't know
   std::vector<std::uint8_t> points_;                // how many each has: who seats reads no more of them
-  std::vector<std::uint8_t> group_;                 // of each touch
   std::vector<std::vector<std::uint32_t>> seated_;  // of each group: the touches with points
+  std::vector<std::uint32_t> seat_;                 // of each touch, while they are made anew
+  std::vector<HeldFaces::Move> moves_;              // likewise, of those that are held
   std::vector<std::uint32_t> first_point_;          // of each touch: how many come before
   std::vector<std::uint8_t> is_fast_;               // of each touch
 };

@@ -31,9 +31,8 @@ bool ContactFinder::is_worth_holding() {
     --rests_;
     return false;
   }
-  in_vain_ = 4 * held_.known() < 3 * held_.named() ? in_vain_ + 1 : 0;
+  in_vain_ = 4 * held_.known() < 3 * named_ ? in_vain_ + 1 : 0;
   if (in_vain_ < kMostInVain) return true;
-  held_.forget_all();
   in_vain_ = 0, rests_ = kRest;
   return false;
 }
@@ -46,14 +45,6 @@ void ContactFinder::find_who_may_be_held(const Colliders& colliders) {
     const std::size_t vertices = is_disc(colliders, row) ? 0 : colliders.shape[row]->vertices.size();
     may_be_held_.push_back(alone && vertices > 2 && vertices <= kMostVertices);
   }
-}
-
-void ContactFinder::name_lanes() {
-  held_.start();
-  for (Touch& touch : touches_)
-    if (!touch.obstacle && may_be_held_[touch.pair.a] && may_be_held_[touch.pair.b])
-      touch.lane = held_.lane_of(touch.key(), touch.pair);
-  held_.finish();
 }
 
 PlacedPart ContactFinder::place_part(const Candidates& candidates, const State& state,
@@ -69,57 +60,70 @@ PlacedPart ContactFinder::place_part(const Candidates& candidates, const State& 
           body.inverse_mass, body.inverse_inertia, reach,  pace};
 }
 
-void ContactFinder::answer_held(const Candidates& candidates, const State& state,
-                                std::span<const SolverBody> bodies, Workers& workers) {
-  if (may_be_held_.empty()) find_who_may_be_held(candidates.colliders());
-  name_lanes();
+void ContactFinder::ask_held(const Candidates& candidates, const State& state,
+                             std::span<const SolverBody> bodies, Workers& workers) {
   const Rows rows = candidates.rows();
   workers.for_ranges(rows.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       if (may_be_held_[rows[i]]) placed_[rows[i]] = place_part(candidates, state, bodies, rows[i]);
   });
   workers.for_ranges(touches_.size(), [&](std::size_t begin, std::size_t end) {
+    if (begin == end) return;
     KeptImpulses memory(state.point_contacts, touches_[begin].key());
     for (std::size_t i = begin; i < end; ++i) {
-      if (touches_[i].lane == HeldFaces::kNone) continue;
+      if (!touches_[i].held) continue;
       const ContactImpulse* kept = memory.find(touches_[i].key());
       held_.ask(touches_[i].lane, kept ? &kept->feature : nullptr,
                 plan_.periodic ? &touches_[i].shift : nullptr);
     }
   });
-  workers.for_ranges(held_.blocks(),
-                     [&](std::size_t begin, std::size_t end) { held_.answer(begin, end, placed_, fast_); });
 }
 
-/// What comes some touches later, a block of lanes at a time.
-void ContactFinder::fetch_held(std::size_t touch, std::size_t end) const {
+void ContactFinder::answer_held(FaceBlocks& faces, Workers& workers) {
+  workers.for_ranges(held_.blocks(), [&](std::size_t begin, std::size_t end) {
+    held_.answer(begin, end, placed_, fast_, faces.all_blocks());
+  });
+}
+
+/// Lanes follow their faces to new seats.
+void ContactFinder::hold_seats(const Colliders& colliders, FaceBlocks& faces) {
+  moves_.clear();
+  for (std::size_t i = 0; i < touches_.size(); ++i)
+    if (touches_[i].held) moves_.push_back({touches_[i].pair, touches_[i].lane, seat_[i]});
+  held_.move(faces.all_blocks().size(), moves_);
+  auto move = moves_.begin();
+  for (std::size_t i = 0; i < touches_.size(); ++i) {
+    if (!touches_[i].held) continue;
+    seat_[i] = (move++)->to;
+    if (points_[i] > 0) faces.set_polygons(seat_[i], surface_of(colliders, touches_[i].pair).friction);
+  }
+}
+
+/// What comes some touches later.
+void ContactFinder::fetch_held(std::size_t touch, std::size_t end, const FaceBlocks& faces) const {
   constexpr std::size_t kAheadInTouches = 12;
   const std::size_t later = touch + kAheadInTouches;
-  if (later >= end || touches_[later].lane == HeldFaces::kNone) return;
-  const std::uint32_t block = touches_[later].lane / BlockOrder::kWidth;
-  if (touches_[later - 1].lane / BlockOrder::kWidth != block) held_.fetch(touches_[later].lane);
+  if (later >= end || points_[later] == 0) return;
+  faces.fetch_impulses(touches_[later].lane);
+  if (touches_[later].held) held_.fetch(touches_[later].lane);
 }
 
-void ContactFinder::fill_held(const Colliders& colliders, std::size_t touch, KeptImpulses& memory,
-                              Contacts& contacts) {
-  const auto& [pair, obstacle, shift, lane] = touches_[touch];
+void ContactFinder::fill_held(std::size_t touch, KeptImpulses& memory, Contacts& contacts) {
   const std::size_t first = first_point_[touch];
   const std::span<std::uint32_t> features = names(touch, contacts);
-  for (std::size_t p = 0; p < features.size(); ++p) features[p] = held_.feature(lane, p);
-  std::array<BlockImpulses, 2> impulses{};
-  for (std::size_t p = 0; p < features.size(); ++p)
-    if (const ContactImpulse* kept = memory.find(touches_[touch].key(), features, p))
-      impulses[p] = {kept->normal, kept->tangent, kept->preload};
-  const Surface& surface =
-      this->surface(colliders.body[pair.a], scene_.bodies.material[colliders.body[pair.b]]);
-  contacts.faces.fill(first, held_.block(lane), lane % BlockOrder::kWidth, surface.friction, impulses);
+  for (std::size_t p = 0; p < features.size(); ++p) features[p] = held_.feature(touches_[touch].lane, p);
+  for (std::size_t p = 0; p < features.size(); ++p) {
+    const ContactImpulse* kept = memory.find(touches_[touch].key(), features, p);
+    contacts.faces.set_impulses(
+        first + p, kept ? BlockImpulses{kept->normal, kept->tangent, kept->preload} : BlockImpulses{});
+  }
 }
 
 /// After a search that found the touch's manifold.
 void ContactFinder::hold(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
                          std::size_t touch) {
   const Colliders& colliders = candidates.colliders();
-  const auto& [pair, obstacle, shift, lane] = touches_[touch];
+  const auto& [pair, obstacle, shift, held, lane] = touches_[touch];
   const SolverBody &a = bodies[colliders.body[pair.a]], &b = bodies[colliders.body[pair.b]];
   const double radius_a = colliders.radius[pair.a], radius_b = colliders.radius[pair.b];
   const double steps = kWorthwhile * scene_.time.dt, spin = std::abs(a.spin) + std::abs(b.spin);
@@ -131,10 +135,10 @@ void ContactFinder::hold(const Candidates& candidates, const State& state, std::
   const Manifold& m = manifolds_[touch];
   if (!held_.wants_hold(lane, m.count > 0 ? &m.points[0].feature : nullptr, b_in_a)) return;
   const Convex &shape_a = *colliders.shape[pair.a], &shape_b = *colliders.shape[pair.b];
-  const HeldFace held = narrowphase::hold(shape_a, shape_b, b_in_a, m);
+  const HeldFace face = narrowphase::hold(shape_a, shape_b, b_in_a, m);
   const double enough =
-      held.kind == HeldFace::Kind::apart ? candidates.reach(pair) + shape_a.radius + shape_b.radius : 0.0;
-  held_.hold(lane, held, shape_a, shape_b, enough + steps * (speed + held.lever * spin));
+      face.kind == HeldFace::Kind::apart ? candidates.reach(pair) + shape_a.radius + shape_b.radius : 0.0;
+  held_.hold(lane, face, shape_a, shape_b, enough + steps * (speed + face.lever * spin));
 }
 
 }  // namespace throng

@@ -4,6 +4,7 @@
 #include <hwy/cache_control.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 
 #include "narrowphase/relative.h"
@@ -15,8 +16,6 @@ using narrowphase::HeldFace;
 
 namespace {
 
-constexpr std::size_t kCacheLine = 64;  // bytes
-constexpr std::uint32_t kMostAway = 8;
 constexpr std::uint8_t kSearchesBetween = 16;  // searches
 
 void set_face(HeldBlock& block, std::size_t i, const HeldFace& held, const Convex& reference,
@@ -38,38 +37,16 @@ void set_face(HeldBlock& block, std::size_t i, const HeldFace& held, const Conve
   block.much[i] = narrowphase::kMuchWider * std::min((end - origin).norm(), (tip - tail).norm());
 }
 
+/// All that is held of a pair.
+void copy_rows(const HeldBlock& from, std::size_t of, HeldBlock& to, std::size_t lane) {
+  constexpr std::size_t kRows =
+      (offsetof(HeldBlock, end) - offsetof(HeldBlock, at_x)) / sizeof(HeldBlock::Row);
+  const auto* source = reinterpret_cast<const HeldBlock::Row*>(&from.at_x);
+  auto* target = reinterpret_cast<HeldBlock::Row*>(&to.at_x);
+  for (std::size_t row = 0; row < kRows; ++row) target[row][lane] = source[row][of];
+}
+
 }  // namespace
-
-void HeldFaces::start() {
-  if (4 * moved_in_ > 3 * seats_.size() + 1000) forget_all();
-  std::swap(seats_, last_);
-  seats_.clear(), next_ = 0, named_ = 0;
-}
-
-std::uint32_t HeldFaces::lane_of(std::uint64_t key, broadphase::Pair pair) {
-  while (next_ < last_.size() && last_[next_].key < key) leave_out(last_[next_++]);
-  const bool known = next_ < last_.size() && last_[next_].key == key;
-  const std::uint32_t lane = known ? last_[next_++].lane : take(pair);
-  seats_.push_back({key, lane, 0}), ++named_;
-  return lane;
-}
-
-void HeldFaces::finish() {
-  while (next_ < last_.size()) leave_out(last_[next_++]);
-}
-
-/// Steps that are taken again look for pairs farther off: these come and go.
-void HeldFaces::leave_out(const Seat& seat) {
-  if (seat.away == kMostAway) return release(seat.lane);
-  talk(seat.lane).asked[at(seat.lane)] = static_cast<double>(Wanted::nothing);
-  seats_.push_back({seat.key, seat.lane, seat.away + 1});
-}
-
-/// Lanes in the order of keys walk through memory as bodies do; it doesn't last where many come and go.
-void HeldFaces::forget_all() {
-  seats_.clear(), free_.clear(), blocks_.clear(), talks_.clear(), notes_.clear();
-  lanes_ = 0, named_ = 0, moved_in_ = 0;
-}
 
 std::size_t HeldFaces::known() const {
   std::size_t sum = 0;
@@ -78,31 +55,57 @@ std::size_t HeldFaces::known() const {
   return sum;
 }
 
-std::uint32_t HeldFaces::take(broadphase::Pair pair) {
-  std::uint32_t lane = lanes_;
-  if (free_.empty()) {
-    ++lanes_;
-    if (lanes_ > notes_.size()) {
-      blocks_.push_back({}), talks_.push_back({});
-      std::ranges::fill(talks_.back().count, -1.0);
-      notes_.resize(notes_.size() + BlockOrder::kWidth);
-    }
-  } else {
-    lane = free_.back();
-    free_.pop_back();
-    ++moved_in_;
+/// Lanes that nobody has ask nothing.
+void HeldFaces::grow(std::size_t blocks) {
+  const std::size_t before = talks_.size();
+  if (blocks_.size() < blocks) blocks_.resize(blocks);
+  talks_.resize(blocks), notes_.resize(blocks * BlockOrder::kWidth);
+  for (std::size_t i = before; i < blocks; ++i) std::ranges::fill(talks_[i].count, -1.0);
+}
+
+void HeldFaces::move(std::size_t blocks, std::span<Move> moves) {
+  std::swap(blocks_, last_blocks_), std::swap(talks_, last_talks_), std::swap(notes_, last_notes_);
+  talks_.clear(), notes_.clear();
+  lanes_ = blocks * BlockOrder::kWidth;
+  for (Move& move : moves)
+    if (move.to == kNone) move.to = static_cast<std::uint32_t>(lanes_++);
+  grow((lanes_ + BlockOrder::kWidth - 1) / BlockOrder::kWidth);
+  for (const Move& move : moves) {
+    HeldBlock& own = own_block(move.to);
+    own.a[at(move.to)] = move.pair.a, own.b[at(move.to)] = move.pair.b;
+    if (move.from == kNone) continue;
+    talk(move.to).asked[at(move.to)] = last_talks_[move.from / BlockOrder::kWidth].asked[at(move.from)];
+    notes_[move.to] = last_notes_[move.from];
+    if (notes_[move.to].kind != HeldFace::Kind::none)
+      copy_rows(last_blocks_[move.from / BlockOrder::kWidth], at(move.from), own, at(move.to));
   }
+}
+
+void HeldFaces::move(std::uint32_t from, std::uint32_t to) {
+  const HeldBlock& old = own_block(from);
+  HeldBlock& own = own_block(to);
+  own.a[at(to)] = old.a[at(from)], own.b[at(to)] = old.b[at(from)];
+  copy_rows(old, at(from), own, at(to));
+  notes_[to] = notes_[from];
+  talk(to).asked[at(to)] = talk(from).asked[at(from)];
+  ask_nothing(from);
+}
+
+void HeldFaces::forget_all() {
+  talks_.clear(), notes_.clear();
+  lanes_ = 0;
+}
+
+std::uint32_t HeldFaces::take(broadphase::Pair pair) {
+  const auto lane = static_cast<std::uint32_t>(lanes_++);
+  if (lanes_ > notes_.size()) grow(blocks() + 1);
   HeldBlock& own = own_block(lane);
   own.a[at(lane)] = pair.a, own.b[at(lane)] = pair.b;
-  notes_[lane] = {};
   return lane;
 }
 
-void HeldFaces::release(std::uint32_t lane) {
-  HeldBlock& own = own_block(lane);
-  own.a[at(lane)] = own.b[at(lane)] = 0;
+void HeldFaces::ask_nothing(std::uint32_t lane) {
   talk(lane).asked[at(lane)] = static_cast<double>(Wanted::nothing);
-  free_.push_back(lane);
 }
 
 Wanted HeldFaces::wanted(const Note& note, const std::uint32_t* kept) const {
@@ -126,10 +129,8 @@ void HeldFaces::ask(std::uint32_t lane, const std::uint32_t* kept, const Vec* sh
 }
 
 void HeldFaces::fetch(std::uint32_t lane) const {
-  const HeldBlock& own = block(lane);
-  const auto* first = reinterpret_cast<const char*>(&own.contact_normal_x);
-  const auto* end = reinterpret_cast<const char*>(&own + 1);
-  for (const char* line = first; line < end; line += kCacheLine) hwy::Prefetch(line);
+  hwy::Prefetch(&notes_[lane]);
+  for (const auto& end : block(lane).end) hwy::Prefetch(&end);
 }
 
 bool HeldFaces::wants_hold(std::uint32_t lane, const std::uint32_t* feature,

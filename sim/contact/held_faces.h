@@ -10,6 +10,7 @@
 #include "narrowphase/held_face.h"
 #include "sim/contact/block_order.h"
 #include "sim/contact/contact.h"
+#include "sim/contact/face_blocks.h"
 
 /// Contacts of polygons that have hardly moved since they were searched, as many at a time as the machine has
 /// lanes: without a search, and with the bits that one would give.
@@ -41,12 +42,7 @@ struct alignas(64) HeldBlock {
   Row radius_reference, radius_incident;             ///< m
   Row shift_x, shift_y;                              ///< m, to the image of b
 
-  // What PointContact has, of as many points as there are.
-  Row contact_normal_x, contact_normal_y;
-  struct Point {
-    Row end;  ///< which of narrowphase::EndNames
-    Row first_ax, first_ay, first_bx, first_by, gap, normal_mass, tangent_mass;
-  } points[2];
+  Row end[2];  ///< of each point: which of narrowphase::EndNames
 };
 
 /// Of eight pairs: what is asked in a step, a Wanted, and how many points they have, or -1 for unknown.
@@ -62,30 +58,47 @@ enum class Wanted : std::uint8_t {
   kept,    ///< the face, which was the reference in the last step
 };
 
+/// The lanes of those that have a seat among the solver's faces are the same as there: answers are written to
+/// where they are solved. Those that haven't come behind.
 class HeldFaces {
  public:
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
-  /// Between the two, for all pairs that may be held, with keys that ascend: the lane of each, the same as
-  /// before where it had one. Forgets those that haven't been named for some time. Allocates only to grow.
-  void start();
-  std::uint32_t lane_of(std::uint64_t key, broadphase::Pair pair);
-  void finish();
+  /// A pair that is held, its lane so far, or none, and its seat, or none.
+  struct Move {
+    broadphase::Pair pair;
+    std::uint32_t from, to;
+  };
+
+  /// The seats are now those of so many blocks. Gives the pairs without one lanes behind these, as `to`.
+  /// Forgets those that aren't among them. O(lanes); allocates only to grow.
+  void move(std::size_t blocks, std::span<Move> moves);
+
+  /// The pair has moved to a lane that nobody had.
+  void move(std::uint32_t from, std::uint32_t to);
+
+  /// A lane for a pair of which nothing is known, behind all.
+  std::uint32_t take(broadphase::Pair pair);
+
   void forget_all();
 
-  /// How many pairs were named last, and the contacts of how many are known.
-  std::size_t named() const { return named_; }
+  /// The contacts of how many are known.
   std::size_t known() const;
 
   /// Asks for the contact of the pair, of which the feature `kept` pressed in the last step, or null.
   /// `shift`: to the image of b, or null. Different lanes may be asked about at the same time, as below.
   void ask(std::uint32_t lane, const std::uint32_t* kept, const Vec* shift);
 
-  std::size_t blocks() const { return blocks_.size(); }
+  /// The pair is none that may touch.
+  void ask_nothing(std::uint32_t lane);
 
-  /// Answers what was asked of those blocks. `parts`: a row per collider; `fast` (m/s): pairs that may close
-  /// so fast are left unknown.
-  void answer(std::size_t begin, std::size_t end, std::span<const PlacedPart> parts, double fast);
+  std::size_t blocks() const { return talks_.size(); }
+
+  /// Answers what was asked of those blocks, and describes in `faces`, the first blocks, all but the impulses
+  /// of who is known. `parts`: a row per collider; `fast` (m/s): pairs that may close so fast are left
+  /// unknown.
+  void answer(std::size_t begin, std::size_t end, std::span<const PlacedPart> parts, double fast,
+              std::span<FaceBlock> faces);
 
   /// Whether the contact is known, and then how many points it has, 0 to 2.
   bool knows(std::uint32_t lane) const { return talk(lane).count[at(lane)] >= 0.0; }
@@ -95,13 +108,12 @@ class HeldFaces {
 
   /// Of the i-th point.
   std::uint32_t feature(std::uint32_t lane, std::size_t i) const {
-    return notes_[lane].names[static_cast<std::size_t>(block(lane).points[i].end[at(lane)])];
+    return notes_[lane].names[static_cast<std::size_t>(block(lane).end[i][at(lane)])];
   }
 
-  /// Where the answer stands: in lane % BlockOrder::kWidth.
   const HeldBlock& block(std::uint32_t lane) const { return blocks_[lane / BlockOrder::kWidth]; }
 
-  /// Brings the answer of a pair, which will be looked at soon, near to the processor.
+  /// Brings the features of a pair, which will be looked at soon, near to the processor.
   void fetch(std::uint32_t lane) const;
 
   /// Whether a search of this pair, which found that feature (or nothing: null) where there was no answer
@@ -113,12 +125,6 @@ class HeldFaces {
             const narrowphase::Convex& b, double least);
 
  private:
-  struct Seat {
-    std::uint64_t key;
-    std::uint32_t lane;
-    std::uint32_t away;  // times that it wasn't named since it was
-  };
-
   struct Note {
     std::array<std::uint32_t, 4> names;
     narrowphase::HeldFace::Kind kind;
@@ -131,18 +137,12 @@ class HeldFaces {
   const HeldTalk& talk(std::uint32_t lane) const { return talks_[lane / BlockOrder::kWidth]; }
   bool holds(std::uint32_t lane, std::uint32_t feature, const narrowphase::Pose& b_in_a) const;
   Wanted wanted(const Note& note, const std::uint32_t* kept) const;
-  std::uint32_t take(broadphase::Pair pair);
-  void leave_out(const Seat& seat);
-  void release(std::uint32_t lane);
-  std::vector<HeldBlock> blocks_;
-  std::vector<HeldTalk> talks_;     // of each block: what is looked at more often stands by itself
-  std::vector<Note> notes_;         // of each lane
-  std::vector<Seat> seats_, last_;  // ascending by key
-  std::size_t next_ = 0;            // of the last ones
-  std::vector<std::uint32_t> free_;
-  std::uint32_t lanes_ = 0;  // in use or free
-  std::size_t named_ = 0;
-  std::size_t moved_in_ = 0;  // since the lanes were in the order of keys
+  void grow(std::size_t blocks);
+
+  std::vector<HeldBlock> blocks_, last_blocks_;  // never shrink
+  std::vector<HeldTalk> talks_, last_talks_;  // of each block: what is looked at more often stands by itself
+  std::vector<Note> notes_, last_notes_;      // of each lane
+  std::size_t lanes_ = 0;                     // that are not behind all
 };
 
 }  // namespace throng

@@ -53,18 +53,18 @@ HWY_INLINE bool is_empty(const Block& block, std::size_t k) {
 }
 
 /// Calls f(block, first lane) for all lanes of all blocks that have contacts, or from the last block on.
-template <class Block, class F>
-HWY_INLINE void for_each_part(std::span<Block> blocks, const SolverBody* bodies, bool backward, F f) {
+template <class Blocks, class F>
+HWY_INLINE void for_each_part(Blocks blocks, const SolverBody* bodies, bool backward, F f) {
   const std::size_t last = blocks.size() - 1;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     if (i + kAhead < blocks.size()) ask_for_bodies(blocks[backward ? last - i - kAhead : i + kAhead], bodies);
-    Block& block = blocks[backward ? last - i : i];
+    auto& block = blocks[backward ? last - i : i];
     for (std::size_t k = 0; k < BlockOrder::kWidth; k += kLanes)
       if (!is_empty(block, k)) f(block, k);
   }
 }
-template <class Block, class F>
-HWY_INLINE void for_each_part(std::span<Block> blocks, const SolverBody* bodies, F f) {
+template <class Blocks, class F>
+HWY_INLINE void for_each_part(Blocks blocks, const SolverBody* bodies, F f) {
   for_each_part(blocks, bodies, false, f);
 }
 

@@ -129,7 +129,9 @@ HWY_INLINE Reals effective_mass(const FaceBlock::Point& p, std::size_t k, const 
   return hn::Div(hn::Set(D(), 1.0), hn::Add(inverse, hn::Mul(hn::Mul(pair.turns_easily_b, turn_b), turn_b)));
 }
 
-HWY_INLINE void feel_again(FaceBlock::Point& p, std::size_t k, const Pair& pair, Mask far) {
+/// Where there is a point.
+HWY_INLINE void feel_again(FaceBlock::Point& p, std::size_t k, const Pair& pair, Mask turned) {
+  const Mask far = hn::And(turned, hn::Gt(load(p.normal_mass + k), hn::Zero(D())));
   const Reals normal = effective_mass(p, k, pair, pair.nx, pair.ny);
   const Reals tangent = effective_mass(p, k, pair, hn::Neg(pair.ny), pair.nx);
   store(hn::IfThenElse(far, normal, load(p.normal_mass + k)), p.normal_mass + k);
@@ -154,7 +156,7 @@ HWY_INLINE void start(FaceBlock::Point& p, std::size_t k, Pair& pair, const Pose
              hn::Add(hn::Mul(normal, pair.ny), hn::Mul(tangent, pair.nx)));
 }
 
-void prepare_and_start(std::span<FaceBlock> blocks, SolverBody* bodies) {
+void prepare_and_start(FaceSequence blocks, SolverBody* bodies) {
   for_each_part(blocks, bodies, [=](FaceBlock& c, std::size_t k) HWY_ATTR {
     const Place a = place(bodies, c.a + k), b = place(bodies, c.b + k);
     Pair bound = pair(c, k, bodies, a, b);
@@ -164,7 +166,7 @@ void prepare_and_start(std::span<FaceBlock> blocks, SolverBody* bodies) {
   });
 }
 
-void push_apart(std::span<FaceBlock> blocks, SolverBody* bodies, const SolverSettings& settings) {
+void push_apart(FaceSequence blocks, SolverBody* bodies, const SolverSettings& settings) {
   const Pusher pusher(settings);
   const Mask all = hn::FirstN(D(), kLanes);
   const bool friction = settings.friction, backward = settings.backward;
@@ -180,7 +182,7 @@ void push_apart(std::span<FaceBlock> blocks, SolverBody* bodies, const SolverSet
   });
 }
 
-void relax(std::span<FaceBlock> blocks, SolverBody* bodies, const SolverSettings& settings) {
+void relax(FaceSequence blocks, SolverBody* bodies, const SolverSettings& settings) {
   const Reals rate = hn::Set(D(), 1.0 / settings.h), ajar = hn::Set(D(), settings.ajar);
   const bool friction = settings.friction, backward = settings.backward;
   for_each_part(blocks, bodies, settings.backward, [=](FaceBlock& c, std::size_t k) HWY_ATTR {
@@ -201,8 +203,10 @@ void relax(std::span<FaceBlock> blocks, SolverBody* bodies, const SolverSettings
   });
 }
 
-void learn(std::span<FaceBlock> blocks, const SolverBody* bodies, const Learning& learning) {
+/// A face with room for two points may have one, of which the second has no mass.
+void learn(FaceSequence blocks, const SolverBody* bodies, const Learning& learning) {
   for_each_part(blocks, bodies, [=](FaceBlock& c, std::size_t k) HWY_ATTR {
+    const D d;
     const Mask slow = is_slow(motion(bodies, c.a + k), motion(bodies, c.b + k), learning);
     FaceBlock::Point &first = c.points[0], &second = c.points[1];
     const Reals mass = load(first.normal_mass + k), load_1 = load(first.normal_impulse + k);
@@ -210,9 +214,11 @@ void learn(std::span<FaceBlock> blocks, const SolverBody* bodies, const Learning
       store(learnt(learning, load(first.preload + k), load_1, mass, slow), first.preload + k);
       return;
     }
+    const Mask alone = hn::Eq(load(second.normal_mass + k), hn::Zero(d));
     const Reals load_2 = load(second.normal_impulse + k);
+    const Reals both = hn::Mul(hn::Set(d, 0.5), hn::Add(load_1, load_2));
     const Reals preload = learnt(learning, hn::Max(load(first.preload + k), load(second.preload + k)),
-                                 hn::Mul(hn::Set(D(), 0.5), hn::Add(load_1, load_2)), mass, slow);
+                                 hn::IfThenElse(alone, load_1, both), mass, slow);
     store(hn::Min(preload, load_1), first.preload + k), store(hn::Min(preload, load_2), second.preload + k);
   });
 }
@@ -231,16 +237,16 @@ HWY_EXPORT(relax);
 HWY_EXPORT(learn);
 }  // namespace
 
-void prepare_and_start(std::span<FaceBlock> blocks, std::span<SolverBody> bodies) {
+void prepare_and_start(FaceSequence blocks, std::span<SolverBody> bodies) {
   if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(prepare_and_start)(blocks, bodies.data());
 }
-void push_apart(std::span<FaceBlock> blocks, std::span<SolverBody> bodies, const SolverSettings& settings) {
+void push_apart(FaceSequence blocks, std::span<SolverBody> bodies, const SolverSettings& settings) {
   if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(push_apart)(blocks, bodies.data(), settings);
 }
-void relax(std::span<FaceBlock> blocks, std::span<SolverBody> bodies, const SolverSettings& settings) {
+void relax(FaceSequence blocks, std::span<SolverBody> bodies, const SolverSettings& settings) {
   if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(relax)(blocks, bodies.data(), settings);
 }
-void learn(std::span<FaceBlock> blocks, std::span<const SolverBody> bodies, const Learning& learning) {
+void learn(FaceSequence blocks, std::span<const SolverBody> bodies, const Learning& learning) {
   if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(learn)(blocks, bodies.data(), learning);
 }
 

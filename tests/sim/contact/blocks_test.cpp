@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <random>
+#include <utility>
 
 #include "sim/contact/disc_blocks.h"
 #include "sim/contact/face_blocks.h"
@@ -248,28 +249,78 @@ class FaceBlocksOnEachTarget : public Blocks {
     return result;
   }
 
-  void fill(FaceBlocks& blocks, std::span<const PointContact> points) const {
-    blocks.start(bodies_.size());
-    blocks.resize(points.size());
-    std::vector<std::span<const PointContact>> faces;
-    for (std::size_t i = 0; i < points.size(); i += faces.back().size()) {
+  struct Face {
+    std::span<const PointContact> points;
+    bool seated, kept;  // from the beginning on; until the end
+    std::uint32_t lane = FaceBlocks::kNone;
+  };
+
+  bool moves(std::uint32_t row) const { return bodies_[row].inverse_mass > 0.0; }
+
+  static std::vector<Face> faces_of(std::span<const PointContact> points) {
+    std::vector<Face> faces;
+    for (std::size_t i = 0; i < points.size(); i += faces.back().points.size()) {
       const bool two = i + 1 < points.size() && points[i + 1].normal == points[i].normal;
-      faces.push_back(points.subspan(i, two ? 2 : 1));
-      const auto [a, b] = std::pair(points[i].a, points[i].b);
-      blocks.seat(i, faces.back().size(), a, bodies_[a].inverse_mass > 0.0, b, bodies_[b].inverse_mass > 0.0);
+      faces.push_back({points.subspan(i, two ? 2 : 1), true, true});
+    }
+    return faces;
+  }
+
+  /// Seats those that are seated from the beginning on, with that much room at least.
+  void seat(FaceBlocks& blocks, std::vector<Face>& faces, auto room) const {
+    blocks.start(bodies_.size());
+    for (Face& face : faces) {
+      if (!face.seated) continue;
+      const auto [a, b] = std::pair(face.points[0].a, face.points[0].b);
+      face.lane = blocks.seat(std::max<std::size_t>(face.points.size(), room()), a, moves(a), b, moves(b));
     }
     blocks.finish();
-    std::size_t end = points.size();
-    for (; !faces.empty(); faces.pop_back()) blocks.fill(end -= faces.back().size(), faces.back());
+    for (const Face& face : faces)
+      if (face.seated) blocks.name(face.lane, face.points[0].a, face.points[0].b);
+  }
+
+  /// Fills in those that are kept.
+  static void fill(FaceBlocks& blocks, const std::vector<Face>& faces) {
+    blocks.clear();
+    std::size_t next = 0;
+    for (const Face& face : faces) blocks.take(face.lane, face.kept ? face.points.size() : 0);
+    for (const Face& face : faces)
+      if (face.kept) blocks.fill(next, face.points), next += face.points.size();
+  }
+
+  /// Gives a seat to who has none, if there is a place for it between the others.
+  bool squeeze_in(FaceBlocks& blocks, std::vector<Face>& faces, std::size_t i) const {
+    const auto [a, b] = std::pair(faces[i].points[0].a, faces[i].points[0].b);
+    std::size_t first = 0, end = blocks.blocks().size();
+    for (std::size_t j = 0; j < faces.size(); ++j) {
+      const auto is_shared = [&](std::uint32_t row) { return moves(row) && (row == a || row == b); };
+      if (faces[j].lane == FaceBlocks::kNone) continue;
+      if (!is_shared(faces[j].points[0].a) && !is_shared(faces[j].points[0].b)) continue;
+      if (j < i) first = std::max(first, blocks.rank(faces[j].lane) + 1);
+      if (j > i) end = std::min(end, blocks.rank(faces[j].lane));
+    }
+    faces[i].lane = blocks.squeeze_in(faces[i].points.size(), 0, first, end);
+    if (faces[i].lane != FaceBlocks::kNone) blocks.name(faces[i].lane, a, b);
+    return faces[i].lane != FaceBlocks::kNone;
+  }
+
+  void fill(FaceBlocks& blocks, std::span<const PointContact> points) const {
+    std::vector<Face> faces = faces_of(points);
+    seat(blocks, faces, [] { return 0u; });
+    fill(blocks, faces);
   }
 
   void compare(bool friction) {
-    std::vector<PointContact> one = contacts();
-    std::vector<SolverBody> bodies = bodies_;
-    SolverSettings how = settings(friction);
+    const std::vector<PointContact> one = contacts();
     FaceBlocks blocks;
     fill(blocks, contacts());  // forgotten, and then other lanes are left over
     fill(blocks, one);
+    compare(one, blocks, friction);
+  }
+
+  void compare(std::vector<PointContact> one, FaceBlocks& blocks, bool friction) {
+    std::vector<SolverBody> bodies = bodies_;
+    SolverSettings how = settings(friction);
     expect_some_learn(one);
     learn(one, bodies_, kLearning), learn(blocks.blocks(), bodies, kLearning);
     for (int i = 0; i < 3; ++i) {
@@ -299,6 +350,47 @@ TEST_P(FaceBlocksOnEachTarget, GiveTheBitsOfContactAfterContact) {
 TEST_P(FaceBlocksOnEachTarget, GiveThemWithoutFriction) {
   SCOPED_TRACE("seed " + std::to_string(seed_));
   compare(false);
+}
+
+// Seats with too much room, seats that nobody takes any more, and others between them.
+TEST_P(FaceBlocksOnEachTarget, GiveThemWhicheverSeatsThereAre) {
+  SCOPED_TRACE("seed " + std::to_string(seed_));
+  const std::vector<PointContact> all = contacts();
+  std::vector<Face> faces = faces_of(all);
+  for (Face& face : faces) face.seated = random_() % 10 > 0, face.kept = !face.seated || random_() % 8 > 0;
+  FaceBlocks blocks;
+  seat(blocks, faces, [&] { return random_() % 4 ? 1u : 2u; });
+  std::vector<Face> seated = faces;
+  std::erase_if(seated, [](const Face& face) { return !face.seated; });
+  for (Face& face : seated) face.kept = true;
+  fill(blocks, seated);
+  std::size_t squeezed = 0, out = 0;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    if (faces[i].seated) continue;
+    if (squeeze_in(blocks, faces, i)) blocks.leave(std::exchange(faces[i].lane, FaceBlocks::kNone), 0);
+    ++(squeeze_in(blocks, faces, i) ? squeezed : out);
+  }
+  EXPECT_GT(squeezed, 5u) << "beside " << out;
+  std::erase_if(faces, [](const Face& face) { return face.lane == FaceBlocks::kNone; });
+  fill(blocks, faces);
+  std::vector<PointContact> kept;
+  for (const Face& face : faces)
+    if (face.kept) kept.insert(kept.end(), face.points.begin(), face.points.end());
+  EXPECT_LT(kept.size() + 10, all.size());
+  compare(kept, blocks, true);
+}
+
+TEST_P(FaceBlocksOnEachTarget, SqueezeInNobodyWhereTheOrderForbidsIt) {
+  FaceBlocks blocks;
+  std::vector<Face> faces = faces_of(contacts());
+  seat(blocks, faces, [] { return 0u; });
+  EXPECT_EQ(blocks.squeeze_in(1, 0, 3, 2), FaceBlocks::kNone);
+  const std::uint32_t lane = blocks.squeeze_in(1, 0, 3, 3);
+  EXPECT_EQ(blocks.rank(lane), 3u);
+  EXPECT_EQ(blocks.squeeze_in(1, 0, 3, 4), lane + 1) << "in the same block";
+  EXPECT_NE(blocks.squeeze_in(2, 0, 3, 4), lane + 2) << "which has no room for two points";
+  while (blocks.squeeze_in(1, 0, 3, 3) != FaceBlocks::kNone) continue;
+  EXPECT_EQ(blocks.squeeze_in(1, 0, 3, 3), FaceBlocks::kNone) << "there is no end of them";
 }
 
 std::vector<std::int64_t> targets() {

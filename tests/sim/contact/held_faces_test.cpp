@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
 
+#include <cmath>
+
+#include "sim/contact/seat_book.h"
 #include "tests/sim/trial.h"
 
 namespace throng {
@@ -116,9 +119,7 @@ INSTANTIATE_TEST_SUITE_P(, HeldFacesOnEachTarget, ::testing::ValuesIn(hwy::Suppo
 class TwoSquares {
  public:
   explicit TwoSquares(const Vec& at) {
-    held_.start();
-    lane_ = held_.lane_of(1, {0, 1});
-    held_.finish();
+    lane_ = held_.take({0, 1});
     const narrowphase::Pose b_in_a{at};
     const auto m = narrowphase::manifold(square_, {}, square_, b_in_a, 2.0 * kReach);
     if (m.count > 0) feature_ = m.points[0].feature;
@@ -129,12 +130,23 @@ class TwoSquares {
   int points(const Vec& at, bool pressed = false) {
     const PlacedPart parts[] = {{0.0, 0.0, 1.0, 0.0, 1.0, 6.0, kReach, 0.0},
                                 {at.x(), at.y(), 1.0, 0.0, 1.0, 6.0, kReach, 0.0}};
+    face_.count = 2;
     held_.ask(lane_, pressed ? &feature_ : nullptr, nullptr);
-    held_.answer(0, held_.blocks(), parts, 1.0);
+    held_.answer(0, held_.blocks(), parts, 1.0, std::span(&face_, seated_));
     return held_.knows(lane_) ? held_.points(lane_) : -1;
   }
 
-  const HeldBlock& block() const { return held_.block(lane_); }
+  /// Where the contact is solved: in the first lane.
+  const FaceBlock& face() const { return face_; }
+
+  /// To the seat of some other face, or behind all of them.
+  void move_to_seat(std::uint32_t lane) {
+    HeldFaces::Move move{{0, 1}, lane_, lane};
+    held_.move(1, std::span(&move, 1));
+    lane_ = move.to, seated_ = 1;
+  }
+  void move(std::uint32_t lane) { held_.move(lane_, lane), lane_ = lane; }
+  std::uint32_t lane() const { return lane_; }
 
  private:
   static constexpr double kReach = 0.05;  // m, of each
@@ -142,6 +154,8 @@ class TwoSquares {
   const narrowphase::Convex square_ =
       narrowphase::convex({Vec(-0.5, -0.5), Vec(0.5, -0.5), Vec(0.5, 0.5), Vec(-0.5, 0.5)});
   HeldFaces held_;
+  FaceBlock face_{};
+  std::size_t seated_ = 1;
   std::uint32_t lane_ = 0, feature_ = 0;
 };
 
@@ -149,12 +163,12 @@ class TwoSquares {
 TEST(HeldFaces, DescribesTheFaceOfTwoSquares) {
   TwoSquares squares({0.25, 0.99});
   ASSERT_EQ(squares.points({0.25, 0.99}, true), 2);
-  const HeldBlock& block = squares.block();
-  EXPECT_EQ(block.contact_normal_x[0], 0.0);
-  EXPECT_EQ(block.contact_normal_y[0], 1.0);
+  const FaceBlock& block = squares.face();
+  EXPECT_EQ(block.normal_x[0], 0.0);
+  EXPECT_EQ(block.normal_y[0], 1.0);
   const double x[] = {0.5, -0.25};
   for (int i : {0, 1}) {
-    const HeldBlock::Point& point = block.points[i];
+    const FaceBlock::Point& point = block.points[i];
     EXPECT_NEAR(point.first_ax[0], x[i], 1e-15);
     EXPECT_NEAR(point.first_ay[0], 0.495, 1e-15);
     EXPECT_NEAR(point.first_bx[0], x[i] - 0.25, 1e-15);
@@ -233,45 +247,43 @@ TEST(HeldFaces, AreTheSameForAnyNumberOfThreads) {
   EXPECT_GT(one.work.finder.held().known(), 2'000u);
 }
 
-// So many that nobody named before is, and lanes are far from the order of keys.
-TEST(HeldFaces, BeginAnewWhereLanesAreOutOfOrder) {
-  HeldFaces held;
-  const auto name = [&](std::uint64_t from) {
-    held.start();
-    std::uint32_t first = 0;
-    for (std::uint64_t key = from; key < from + 3'000; ++key) {
-      const std::uint32_t lane = held.lane_of(key, {0, 1});
-      if (key == from) first = lane;
-    }
-    held.finish();
-    return first;
-  };
-  EXPECT_EQ(name(0), 0u);
-  for (int i = 0; i < 10; ++i) name(10'000);  // the others' lanes are free then
-  EXPECT_NE(name(20'000), 0u);
-  for (int i = 0; i < 10; ++i) name(30'000);
-  EXPECT_EQ(name(30'000), 0u) << "in the order of keys";
+// Where nothing pushes, a velocity of -0 would become 0 in some seats and not in others.
+TEST(HeldFaces, MeetNoVelocityOfMinusZero) {
+  std::string text = kHeldPolygons + std::string("[[bodies]]\nshape = \"box\"\nat = [3, 1]\n");
+  text.replace(text.find("gravity = [0, -9.81]"), 20, "gravity = [0, 0]");
+  Trial run(scene_from(text));
+  run.state.velocity[0] = {-0.0, -0.0}, run.state.spin[0] = -0.0;
+  run.steps(1);
+  EXPECT_FALSE(std::signbit(run.state.velocity[0].x()));
+  EXPECT_FALSE(std::signbit(run.state.velocity[0].y()));
+  EXPECT_FALSE(std::signbit(run.state.spin[0]));
 }
 
-// Boxes in a row that are named, left out for a while, and named again.
-TEST(HeldFaces, KeepsTheLaneOfWhoComesBackSoon) {
-  HeldFaces held;
-  const auto name = [&](std::initializer_list<std::uint64_t> keys) {
-    held.start();
-    std::vector<std::uint32_t> lanes;
-    for (const std::uint64_t key : keys)
-      lanes.push_back(held.lane_of(key, {0, static_cast<std::uint32_t>(key)}));
-    held.finish();
-    return lanes;
-  };
-  using Lanes = std::vector<std::uint32_t>;
-  EXPECT_EQ(name({1, 3, 5}), (Lanes{0, 1, 2}));
-  EXPECT_EQ(name({1, 5}), (Lanes{0, 2}));
-  EXPECT_EQ(name({1, 2, 3, 5}), (Lanes{0, 3, 1, 2}));
-  for (int i = 0; i < 20; ++i) name({1, 2, 5});
-  EXPECT_EQ(name({1, 2, 5, 7}), (Lanes{0, 3, 2, 1})) << "who is away for long gives up the lane";
-  EXPECT_EQ(held.named(), 4u);
-  EXPECT_EQ(held.known(), 0u);
+// What isn't known, or has one point, or none, has no mass where it is solved: of garbage there, nothing is
+// left.
+TEST(HeldFaces, LeaveNoMassWhereTheyKnowNothing) {
+  TwoSquares squares({0.25, 0.99});
+  ASSERT_EQ(squares.points({0.25, 0.99}, true), 2);
+  ASSERT_EQ(squares.points({0.7, 0.99}, true), -1);
+  for (const FaceBlock::Point& point : squares.face().points)
+    for (int lane = 0; lane < 8; ++lane) {
+      EXPECT_EQ(point.normal_mass[lane], 0.0);
+      EXPECT_EQ(point.tangent_mass[lane], 0.0);
+      EXPECT_EQ(point.gap[lane], 0.0);
+    }
+}
+
+TEST(HeldFaces, FollowThePairToAnotherLane) {
+  TwoSquares squares({0.25, 0.99});
+  squares.move_to_seat(5);
+  EXPECT_EQ(squares.points({0.25, 0.99}, true), 2);
+  EXPECT_EQ(squares.face().normal_y[5], 1.0);
+  squares.move(3);
+  EXPECT_EQ(squares.points({0.25, 0.99}, true), 2);
+  EXPECT_EQ(squares.face().normal_y[3], 1.0);
+  squares.move_to_seat(SeatBook::kNone);
+  EXPECT_EQ(squares.lane(), 8u) << "behind the seats";
+  EXPECT_EQ(squares.points({0.25, 0.99}, true), 2);
 }
 
 }  // namespace
