@@ -393,6 +393,18 @@ TEST_P(FaceBlocksOnEachTarget, SqueezeInNobodyWhereTheOrderForbidsIt) {
   EXPECT_EQ(blocks.squeeze_in(1, 0, 3, 3), FaceBlocks::kNone) << "there is no end of them";
 }
 
+// Else the lane would write back what it read of a body that another one in the block has pushed meanwhile.
+TEST_P(FaceBlocksOnEachTarget, LeaveNoBodyInASeatThatIsGivenUp) {
+  FaceBlocks blocks;
+  blocks.start(kSolverBodies);
+  blocks.finish();
+  const std::uint32_t lane = blocks.squeeze_in(1, 0, 0, 0);
+  blocks.name(lane, 1, 2);
+  blocks.leave(lane, 0);
+  EXPECT_EQ(blocks.blocks()[0].a[lane % BlockOrder::kWidth], kSolverBodies - 1);
+  EXPECT_EQ(blocks.blocks()[0].b[lane % BlockOrder::kWidth], kSolverBodies - 1);
+}
+
 std::vector<std::int64_t> targets() {
   return hwy::SupportedAndGeneratedTargets();
 }
