@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where ContactFinder seats faces, over steps: those that touch for the first time are squeezed in between the
-// others; seats are made anew where these are many, or where too much room is left.
+// Where ContactFinder seats faces, over steps: those that touch for the first time are squeezed in between
+// the others; seats are made anew where these are many, or where too much room is left.
 #include <algorithm>
 
 #include "sim/contact/contact_key.h"
