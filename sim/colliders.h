@@ -35,6 +35,14 @@ inline bool is_disc(const Colliders& colliders, std::uint32_t row) {
   return colliders.shape.empty() || !colliders.shape[row];
 }
 
+/// What touches in that row; a disc about its body's centre has no shape of its own: `disc` becomes it.
+inline const narrowphase::Convex& shape(const Colliders& colliders, std::uint32_t row,
+                                        narrowphase::Convex& disc) {
+  if (!is_disc(colliders, row)) return *colliders.shape[row];
+  disc.radius = colliders.radius[row];
+  return disc;
+}
+
 /// What never moves. Rows: first the sides of the domain's box, then walls and static bodies as convex parts
 /// in the world's frame. In a periodic domain each part stands in all its images that the domain can touch.
 struct Obstacles {

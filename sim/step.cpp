@@ -90,7 +90,7 @@ void bounce(Workspace& work, const Vec& kick, int sweeps) {
 void prepare_bounce(Workspace& work, const Vec* period) {
   const std::span<DiscContact> discs = work.contacts.disc_bounces;
   work.workers.for_ranges(discs.size(), [&](std::size_t begin, std::size_t end) {
-    prepare(discs.subspan(begin, end - begin), work.bodies, period);
+    prepare(discs.subspan(begin, end - begin), work.bodies, period, work.ahead);
   });
   prepare(work.contacts.point_bounces, work.bodies);
 }
@@ -103,7 +103,7 @@ void resist_rolling(Workspace& work) {
 
 /// What the contacts of a group did before, and then what push_apart asks of them.
 void start(Workspace& work, std::size_t group, const Vec* period) {
-  prepare_and_start(work.contacts.discs.blocks(group), work.bodies, period);
+  prepare_and_start(work.contacts.discs.blocks(group), work.bodies, period, work.ahead);
   prepare_and_start(work.contacts.faces.blocks(group), work.bodies);
 }
 void push_apart(Workspace& work, std::size_t group) {
@@ -296,6 +296,7 @@ void push(const Scene& scene, const Plan& plan, State& state, Workspace& work, S
   by_parts(work, [&](Rows rows) { load(state, rows, work.bodies); });
   if (plan.contacts()) {
     work.finder.find(work.candidates, state, work.bodies, work.contacts, work.workers);
+    work.ahead = work.candidates.chain() > work.finder.slow_way() ? work.solver.h : 0.0;
     clock.lap(work.times.find_contacts);
   }
   if (plan.gravity && plan.contacts()) work.solver.learning = learning(scene, work);

@@ -44,6 +44,7 @@ struct Workspace {
   std::vector<SolverBody> bodies;  ///< a row per body, and one for all obstacles for each group of contacts
   double mean_radius;              ///< m, of what may touch
   SolverSettings solver;
+  double ahead = 0.0;  ///< s, for how long discs look ahead in a substep: 0 where all are slow
   Walk crowd;
   Sensing sensing;
   StageTimes times;

@@ -88,6 +88,9 @@ class Candidates {
   const Vec& centre(std::uint32_t collider) const { return centre_[collider]; }
   double outer_reach(std::uint32_t collider) const { return reach_[collider]; }
 
+  /// How far the fastest of them gets within the step by its velocity (m).
+  double chain() const { return chain_; }
+
   /// Where a body that was placed stands. Discs look the same from all sides: where there is nothing else,
   /// nobody has turned.
   narrowphase::Pose pose(const State& state, std::uint32_t body) const {

@@ -26,6 +26,9 @@ struct alignas(64) SolverBody {
 };
 static_assert(sizeof(SolverBody) == 64);
 
+/// Of the smaller radius: two that get no farther past each other press as they stand, not as they will meet.
+constexpr double kSlowWay = 0.02;
+
 /// What each kind of contact has.
 struct ContactBase {
   Vec normal{0.0, 0.0};          ///< unit, from a to b
@@ -43,13 +46,14 @@ struct ContactBase {
 };
 
 /// Two discs, each about its body's centre: the arm is radius times normal, and both are exact in each
-/// substep.
+/// substep, or, where the two near each other fast, as they meet or pass within it.
 struct DiscContact : ContactBase {
   double radius_a = 0.0, radius_b = 0.0;  ///< m
 };
 
-/// One point of a manifold. The normal is that of the step's beginning. Arms turn with their bodies, but a
-/// disc's radius points along the normal for ever.
+/// One point of a manifold. The normal is that of the step's beginning, or of when the two meet or pass where
+/// they near each other fast. Arms turn with their bodies, but a disc's radius points along the normal for
+/// ever.
 struct PointContact : ContactBase {
   Vec arm_a{0.0, 0.0}, arm_b{0.0, 0.0};      ///< m, from the bodies' centres to the contact, in this substep
   Vec first_a{0.0, 0.0}, first_b{0.0, 0.0};  ///< m, what of them turns, as the step begins

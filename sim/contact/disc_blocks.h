@@ -109,7 +109,8 @@ class DiscBlocks {
 };
 
 /// As the two of solve.h, one after the other. `period`: the domain's, or null.
-void prepare_and_start(std::span<DiscBlock> blocks, std::span<SolverBody> bodies, const Vec* period);
+void prepare_and_start(std::span<DiscBlock> blocks, std::span<SolverBody> bodies, const Vec* period,
+                       double ahead = 0.0);
 
 /// As those of solve.h.
 void push_apart(std::span<DiscBlock> blocks, std::span<SolverBody> bodies, const SolverSettings& settings);

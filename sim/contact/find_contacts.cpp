@@ -74,6 +74,25 @@ void place(PointContact& contact, const ManifoldPoint& point, const SolverBody& 
   contact.tangent_mass = effective_mass(a, b, contact.arm_a, contact.arm_b, tangent(n));
 }
 
+SolverBody moved(SolverBody body, const Vec& to) {
+  body.position = to;
+  return body;
+}
+
+/// What turns of the arms of a contact that was found when its bodies had turned by so much (rad), as they
+/// begin.
+void turn_back(PointContact& contact, double turn_a, double turn_b) {
+  const Vec here(0.0, 0.0);
+  contact.first_a = narrowphase::pose(here, turn_a).unrotate(contact.first_a);
+  contact.first_b = narrowphase::pose(here, turn_b).unrotate(contact.first_b);
+}
+
+double least_radius(const Scene& scene) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const double radius : scene.bodies.radius) smallest = std::min(smallest, radius);
+  return smallest;
+}
+
 /// Who is faster hits, and doesn't just rest: than what gravity gives in some substeps.
 double fast_speed(const Scene& scene, const Plan& plan) {
   return plan.gravity ? kHits * scene.gravity.norm() * plan.substep : 0.0;
@@ -86,7 +105,12 @@ std::uint64_t ContactFinder::Touch::key() const {
 }
 
 ContactFinder::ContactFinder(const Scene& scene, const Plan& plan)
-    : scene_(scene), plan_(plan), fast_(fast_speed(scene, plan)), parts_(scene, plan), discs_(scene, plan) {}
+    : scene_(scene),
+      plan_(plan),
+      fast_(fast_speed(scene, plan)),
+      slow_way_(kSlowWay * least_radius(scene)),
+      parts_(scene, plan),
+      discs_(scene, plan) {}
 
 void ContactFinder::find(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
                          Contacts& contacts, Workers& workers) {
@@ -119,7 +143,7 @@ void ContactFinder::find_touches(const Candidates& candidates, const State& stat
     age_ = 0;
   } else {
     for (const std::uint32_t block : held_again_)
-      held_.answer(block, block + 1, placed_, fast_, faces.all_blocks());
+      held_.answer(block, block + 1, placed_, slow(), faces.all_blocks());
   }
   take_seats(faces);
   fill_faces(candidates, state, bodies, contacts, workers);
@@ -129,6 +153,7 @@ void ContactFinder::find_touches(const Candidates& candidates, const State& stat
 void ContactFinder::search(const Candidates& candidates, const State& state,
                            std::span<const SolverBody> bodies, Workers& workers) {
   manifolds_.resize(touches_.size()), points_.resize(touches_.size());
+  nears_.assign(touches_.size(), 0);
   workers.for_ranges(touches_.size(), [&](std::size_t begin, std::size_t end) {
     if (begin == end) return;
     KeptImpulses memory(state.point_contacts, touches_[begin].key());
@@ -137,13 +162,16 @@ void ContactFinder::search(const Candidates& candidates, const State& state,
         points_[i] = held_.points(touches_[i].lane);
         continue;
       }
-      manifolds_[i] = manifold(candidates, state, touches_[i], memory.find(touches_[i].key()));
+      manifolds_[i] = manifold(candidates, touches_[i], poses(candidates, state, touches_[i]),
+                               memory.find(touches_[i].key()));
       points_[i] = static_cast<std::uint8_t>(manifolds_[i].count);
+      nears_[i] = nears_fast(candidates.colliders(), bodies, i);
       if (!touches_[i].held) continue;
       held_.ask_nothing(touches_[i].lane);  // of what is held from now on
       hold(candidates, state, bodies, i);
     }
   });
+  look_ahead(candidates, state, bodies, workers);
 }
 
 /// Pairs of two discs have their contacts' keys then; what else there is must be looked at.
@@ -160,23 +188,25 @@ void ContactFinder::sort_out(const Candidates& candidates, Contacts& contacts) {
     touches_.push_back({pair, true, candidates.obstacle_shift(pair.a)});
 }
 
-Manifold ContactFinder::manifold(const Candidates& candidates, const State& state, const Touch& touch,
+ContactFinder::TouchPoses ContactFinder::poses(const Candidates& candidates, const State& state,
+                                               const Touch& touch) const {
+  const Colliders& colliders = candidates.colliders();
+  const Pose pose_a = candidates.pose(state, colliders.body[touch.pair.a]);
+  if (touch.obstacle) return {pose_a, Pose{touch.shift}};
+  Pose pose_b = candidates.pose(state, colliders.body[touch.pair.b]);
+  pose_b.position += touch.shift;
+  return {pose_a, pose_b};
+}
+
+Manifold ContactFinder::manifold(const Candidates& candidates, const Touch& touch, const TouchPoses& poses,
                                  const ContactImpulse* kept) const {
   const Colliders& colliders = candidates.colliders();
   const auto [row_a, row_b] = touch.pair;
-  // A disc about its body's centre has no shape of its own: it borrows one.
+  const auto& [pose_a, pose_b] = poses;
   thread_local Convex disc_a = narrowphase::disc(1.0), disc_b = disc_a;
-  const auto shape = [&](std::uint32_t row, Convex& disc) -> const Convex& {
-    if (!is_disc(colliders, row)) return *colliders.shape[row];
-    disc.radius = colliders.radius[row];
-    return disc;
-  };
-  const Convex& a = shape(row_a, disc_a);
-  const Pose pose_a = candidates.pose(state, colliders.body[row_a]);
+  const Convex& a = shape(colliders, row_a, disc_a);
   if (!touch.obstacle) {
-    Pose pose_b = candidates.pose(state, colliders.body[row_b]);
-    pose_b.position += touch.shift;
-    const Convex& b = shape(row_b, disc_b);
+    const Convex& b = shape(colliders, row_b, disc_b);
     const double reach = candidates.reach(touch.pair);
     const Manifold m = narrowphase::manifold(a, pose_a, b, pose_b, reach, reference(kept, a, b));
     return colliders.radius[row_a] >= colliders.radius[row_b]
@@ -188,7 +218,6 @@ Manifold ContactFinder::manifold(const Candidates& candidates, const State& stat
   const std::size_t sides = obstacles.side.size();
   if (row_b < sides) return narrowphase::manifold(a, pose_a, obstacles.side[row_b], reach);
   const Convex& part = obstacles.part[row_b - sides];
-  const Pose pose_b{touch.shift};
   return on_outline_of_b(narrowphase::manifold(a, pose_a, part, pose_b, reach, reference(kept, a, part)),
                          {a, pose_a}, {part, pose_b}, obstacles.rim[row_b - sides], reach);
 }
@@ -243,12 +272,20 @@ std::span<PointContact> ContactFinder::face(const Candidates& candidates, std::s
   const Manifold& m = manifolds_[touch];
   const bool about_a = is_disc(colliders, pair.a), about_b = !obstacle && is_disc(colliders, pair.b);
   const auto count = static_cast<std::size_t>(m.count);
+  const Meeting* meeting = ahead(touch);
   for (std::size_t p = 0; p < count; ++p) {
     describe(colliders, candidates.obstacles(), touches_[touch], m.normal, points[p]);
-    place(points[p], m.points[p], bodies[points[p].a], bodies[points[p].b], shift, about_a, about_b);
+    const SolverBody &a = bodies[points[p].a], &b = bodies[points[p].b];
+    if (meeting)
+      place(points[p], m.points[p], moved(a, meeting->at_a), moved(b, meeting->at_b), shift, about_a, about_b);
+    else
+      place(points[p], m.points[p], a, b, shift, about_a, about_b);
   }
   const std::span<PointContact> face(points.data(), count);
   points[0].fast = points[1].fast = count == 2 && !(points[0].restitution > 0.0) && closes_fast(face, bodies);
+  if (meeting)
+    for (PointContact& contact : face)
+      turn_back(contact, meeting->when * bodies[contact.a].spin, meeting->when * bodies[contact.b].spin);
   return face;
 }
 

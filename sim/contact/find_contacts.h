@@ -2,10 +2,12 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <span>
 #include <vector>
 
 #include "narrowphase/manifold.h"
+#include "narrowphase/motion/motion.h"
 #include "sim/contact/candidates.h"
 #include "sim/contact/contact.h"
 #include "sim/contact/disc_blocks.h"
@@ -51,6 +53,9 @@ class ContactFinder {
   /// corners leaves some of the speed.
   double fast() const { return fast_; }
 
+  /// m: of two that get together no farther in a step, none nears the other fast.
+  double slow_way() const { return slow_way_; }
+
   /// Contacts are in that many groups: see Parts.
   const Parts& parts() const { return parts_; }
 
@@ -82,17 +87,62 @@ class ContactFinder {
     std::uint32_t group, lane;
   };
 
+  struct TouchPoses {
+    narrowphase::Pose a, b;  // of an obstacle, its image
+  };
+
+  /// How two go on that near each other fast, from some time of the step on.
+  struct Courses {
+    narrowphase::Motion a, b;  // of b's image
+    double from;               // s
+  };
+
+  /// Where they meet, or pass.
+  struct Meeting {
+    double when = 0.0;                  // s, when their contact is to be found
+    Vec at_a, at_b;                     // m, where the bodies are then
+    double turns_aside = kUndisturbed;  // s, when it makes them go on otherwise
+    Vec normal;                         // then, from a to b
+  };
+  static constexpr double kUndisturbed = std::numeric_limits<double>::infinity();
+
+  /// How a body goes on after the first that it meets.
+  struct TurnedAside {
+    double when = kUndisturbed;  // s
+    Vec velocity;                // m/s
+  };
+
   void find_touches(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
                     bool moved, Contacts& contacts, Workers& workers);
   void search(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
               Workers& workers);
   void sort_out(const Candidates& candidates, Contacts& contacts);
-  narrowphase::Manifold manifold(const Candidates& candidates, const State& state, const Touch& touch,
+  TouchPoses poses(const Candidates& candidates, const State& state, const Touch& touch) const;
+  narrowphase::Manifold manifold(const Candidates& candidates, const Touch& touch, const TouchPoses& poses,
                                  const ContactImpulse* kept) const;
+  bool nears_fast(const Colliders& colliders, std::span<const SolverBody> bodies, std::size_t touch) const;
+  void look_ahead(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
+                  Workers& workers);
+  void find_who_presses(const Colliders& colliders, const State& state);
+  Courses courses(const State& state, std::span<const SolverBody> bodies, const Colliders& colliders,
+                  const Touch& touch) const;
+  Meeting meeting(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
+                  std::size_t touch) const;
+  Meeting meeting(const Candidates& candidates, const Touch& touch, const Courses& courses) const;
+  void find_who_turns_aside(const Candidates& candidates, std::span<const SolverBody> bodies);
+  void turn_aside(const Candidates& candidates, std::span<const SolverBody> bodies, const Touch& touch,
+                  const Meeting& meeting);
+  void meet_later(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
+                  const Touch& touch, Meeting& meeting) const;
+  void find_ahead(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
+                  std::size_t approach, const ContactImpulse* kept);
+  const Meeting* ahead(std::size_t touch) const;
+  Vec velocity_ahead(std::span<const SolverBody> bodies, std::uint32_t row) const;
   bool is_known(const Touch& touch) const { return touch.held && held_.knows(touch.lane); }
   void ask_held(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
                 Workers& workers);
   void answer_held(FaceBlocks& faces, Workers& workers);
+  double slow() const { return std::min(fast_, slow_way_ / scene_.time.dt); }  // m/s, who may be held
   bool is_worth_holding();
 
   void find_who_may_be_held(const Colliders& colliders);
@@ -133,7 +183,7 @@ class ContactFinder {
 
   const Scene& scene_;
   const Plan& plan_;
-  double fast_;
+  double fast_, slow_way_;
   Parts parts_;
   bool moved_ = false;  // somebody is in another part than when contacts were found last
   DiscFinder discs_;
@@ -150,8 +200,13 @@ class ContactFinder {
   int age_ = 0;                            // finds that these seats served
   int rests_ = 0, in_vain_ = 0;  // finds for which nothing will be held yet; in which most was searched
   std::vector<Touch> touches_;
-  std::vector<narrowphase::Manifold> manifolds_;    // of each touch that held_ doesn't know
-  std::vector<std::uint8_t> points_;                // how many each has: who seats reads no more of them
+  std::vector<narrowphase::Manifold> manifolds_;  // of each touch that held_ doesn't know
+  std::vector<std::uint8_t> nears_;               // of each touch: fast
+  std::vector<std::uint32_t> approaches_;         // the touches that do
+  std::vector<Meeting> meetings_;                 // of each of these
+  std::vector<TurnedAside> turned_;               // of each body; where something nears
+  std::vector<std::uint8_t> presses_;  // of each body: something held it in the last step; likewise
+  std::vector<std::uint8_t> points_;   // how many each has: who seats reads no more of them
   std::vector<std::vector<std::uint32_t>> seated_;  // of each group: the touches with points
   std::vector<std::uint32_t> seat_;                 // of each touch, while they are made anew
   std::vector<HeldFaces::Move> moves_;              // likewise, of those that are held

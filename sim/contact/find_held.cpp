@@ -81,7 +81,7 @@ void ContactFinder::ask_held(const Candidates& candidates, const State& state,
 
 void ContactFinder::answer_held(FaceBlocks& faces, Workers& workers) {
   workers.for_ranges(held_.blocks(), [&](std::size_t begin, std::size_t end) {
-    held_.answer(begin, end, placed_, fast_, faces.all_blocks());
+    held_.answer(begin, end, placed_, slow(), faces.all_blocks());
   });
 }
 

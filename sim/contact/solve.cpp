@@ -308,14 +308,30 @@ struct Turn {
   Vec operator()(const Vec& v) const { return cosine * v + sine * tangent(v); }
 };
 
+/// The way from a's centre to b's when they meet or are nearest within `ahead` (s); `between` (m) is what it
+/// is now, and stays where they are slow, part or overlap.
+Vec between_ahead(const DiscContact& contact, const Vec& between, const Vec& velocity, double ahead) {
+  const double reach = contact.radius_a + contact.radius_b;
+  const double slow = kSlowWay * std::min(contact.radius_a, contact.radius_b);
+  const double excess = between.dot(between) - reach * reach, nearing = -between.dot(velocity);
+  const double squared = velocity.dot(velocity);
+  if (!(squared * (ahead * ahead) > slow * slow && excess > 0.0 && nearing > 0.0)) return between;
+  const double root = std::sqrt(std::max(nearing * nearing - squared * excess, 0.0));
+  const double time = root > 0.0 ? excess / (nearing + root) : nearing / squared;
+  return between + std::min(time, ahead) * velocity;
+}
+
 }  // namespace
 
-void prepare(std::span<DiscContact> contacts, std::span<const SolverBody> bodies, const Vec* period) {
+void prepare(std::span<DiscContact> contacts, std::span<const SolverBody> bodies, const Vec* period,
+             double ahead) {
   for (DiscContact& contact : contacts) {
-    const Vec between = bodies[contact.b].position - bodies[contact.a].position;
+    const SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
+    const Vec between = b.position - a.position;
     const Vec nearest = period ? nearest_image(between, *period) : between;
-    const double distance = std::sqrt(nearest.squaredNorm());
-    contact.normal = distance > 0.0 ? Vec(nearest / distance) : Vec(1.0, 0.0);
+    const Vec then = ahead > 0.0 ? between_ahead(contact, nearest, b.velocity - a.velocity, ahead) : nearest;
+    const double distance = std::sqrt(then.squaredNorm());
+    contact.normal = distance > 0.0 ? Vec(then / distance) : Vec(1.0, 0.0);
     contact.offset = contact.normal.dot(nearest - between) - (contact.radius_a + contact.radius_b);
     contact.separation = separation(contact, bodies[contact.a], bodies[contact.b]);
   }

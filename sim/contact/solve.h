@@ -26,8 +26,11 @@ struct SolverSettings {
   bool backward = false;
 };
 
-/// Normals, arms and offsets at the bodies' present positions. `period`: the domain's, or null.
-void prepare(std::span<DiscContact> contacts, std::span<const SolverBody> bodies, const Vec* period);
+/// Normals, arms and offsets at the bodies' present positions. `period`: the domain's, or null. `ahead` (s):
+/// for so long they go on as they do; the normal of two discs that near each other fast is that of when they
+/// meet or pass in this time. 0 where all are slow.
+void prepare(std::span<DiscContact> contacts, std::span<const SolverBody> bodies, const Vec* period,
+             double ahead = 0.0);
 void prepare(std::span<PointContact> contacts, std::span<const SolverBody> bodies);
 
 /// Applies the impulses that the last sweep left.

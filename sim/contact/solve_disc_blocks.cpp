@@ -62,23 +62,59 @@ HWY_INLINE Reals separation(const DiscBlock& c, std::size_t k, Reals nx, Reals n
   return hn::Add(offset, dot(nx, ny, x, y));
 }
 
-HWY_INLINE void prepare(DiscBlock& c, std::size_t k, const SolverBody* bodies, const Vec* period) {
+/// The way from a's centre to b's.
+struct Way {
+  Reals x, y;
+};
+
+/// As between_ahead() of solve.cpp.
+HWY_INLINE Way between_ahead(const DiscBlock& c, std::size_t k, const SolverBody* bodies, const Way& now,
+                             double ahead) {
+  const D d;
+  const Motion a = motion(bodies, c.a + k), b = motion(bodies, c.b + k);
+  const Reals vx = hn::Sub(b.velocity_x, a.velocity_x), vy = hn::Sub(b.velocity_y, a.velocity_y);
+  const Reals radius_a = load(c.radius_a + k), radius_b = load(c.radius_b + k), zero = hn::Zero(d);
+  const Reals reach = hn::Add(radius_a, radius_b);
+  const Reals slow = hn::Mul(hn::Set(d, kSlowWay), hn::Min(radius_a, radius_b));
+  const Reals excess = hn::Sub(dot(now.x, now.y, now.x, now.y), hn::Mul(reach, reach));
+  const Reals nearing = hn::Neg(dot(now.x, now.y, vx, vy)), squared = dot(vx, vy, vx, vy);
+  const Mask fast = hn::Gt(hn::Mul(squared, hn::Set(d, ahead * ahead)), hn::Mul(slow, slow));
+  const Mask nears = hn::And(fast, hn::And(hn::Gt(excess, zero), hn::Gt(nearing, zero)));
+  if (hn::AllFalse(d, nears)) return now;
+  const Reals discriminant = hn::Sub(hn::Mul(nearing, nearing), hn::Mul(squared, excess));
+  const Reals root = hn::Sqrt(hn::Max(discriminant, zero));
+  const Mask meets = hn::Gt(root, zero);
+  const Reals time =
+      hn::Div(hn::IfThenElse(meets, excess, nearing), hn::IfThenElse(meets, hn::Add(nearing, root), squared));
+  const Reals until = hn::IfThenElseZero(nears, hn::Min(time, hn::Set(d, ahead)));
+  return {hn::IfThenElse(nears, hn::Add(now.x, hn::Mul(until, vx)), now.x),
+          hn::IfThenElse(nears, hn::Add(now.y, hn::Mul(until, vy)), now.y)};
+}
+
+HWY_INLINE void prepare(DiscBlock& c, std::size_t k, const SolverBody* bodies, const Vec* period,
+                        double ahead) {
   const D d;
   const Place a = place(bodies, c.a + k), b = place(bodies, c.b + k);
   const Reals x = hn::Sub(b.x, a.x), y = hn::Sub(b.y, a.y);
   const Reals near_x = period ? nearest(x, period->x()) : x, near_y = period ? nearest(y, period->y()) : y;
-  const Reals distance = hn::Sqrt(dot(near_x, near_y, near_x, near_y));
+  Way then{near_x, near_y};
+  if (ahead > 0.0) then = between_ahead(c, k, bodies, then, ahead);
+  const Reals distance = hn::Sqrt(dot(then.x, then.y, then.x, then.y));
   const Mask same = hn::Not(hn::Gt(distance, hn::Zero(d)));
-  const Reals nx = hn::IfThenElse(same, hn::Set(d, 1.0), hn::Div(near_x, distance));
-  const Reals ny = hn::IfThenZeroElse(same, hn::Div(near_y, distance));
+  const Reals nx = hn::IfThenElse(same, hn::Set(d, 1.0), hn::Div(then.x, distance));
+  const Reals ny = hn::IfThenZeroElse(same, hn::Div(then.y, distance));
   store(nx, c.normal_x + k), store(ny, c.normal_y + k);
   if (period) store(dot(nx, ny, hn::Sub(near_x, x), hn::Sub(near_y, y)), c.image + k);
   store(separation(c, k, nx, ny, x, y, period), c.separation + k);
 }
 
-void prepare_and_start(std::span<DiscBlock> blocks, SolverBody* bodies, const Vec* period) {
+/// Who looks ahead must see all as they are before any starts.
+void prepare_and_start(std::span<DiscBlock> blocks, SolverBody* bodies, const Vec* period, double ahead) {
+  if (ahead > 0.0)
+    for_each_part(blocks, bodies,
+                  [=](DiscBlock& c, std::size_t k) HWY_ATTR { prepare(c, k, bodies, period, ahead); });
   for_each_part(blocks, bodies, [=](DiscBlock& c, std::size_t k) HWY_ATTR {
-    prepare(c, k, bodies, period);
+    if (!(ahead > 0.0)) prepare(c, k, bodies, period, 0.0);
     const Reals impulse = load(c.normal_impulse + k);
     const Mask pressing = hn::Gt(impulse, hn::Zero(D()));
     if (hn::AllFalse(D(), pressing)) return;
@@ -143,8 +179,9 @@ HWY_EXPORT(relax);
 HWY_EXPORT(learn);
 }  // namespace
 
-void prepare_and_start(std::span<DiscBlock> blocks, std::span<SolverBody> bodies, const Vec* period) {
-  if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(prepare_and_start)(blocks, bodies.data(), period);
+void prepare_and_start(std::span<DiscBlock> blocks, std::span<SolverBody> bodies, const Vec* period,
+                        double ahead) {
+  if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(prepare_and_start)(blocks, bodies.data(), period, ahead);
 }
 void push_apart(std::span<DiscBlock> blocks, std::span<SolverBody> bodies, const SolverSettings& settings) {
   if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(push_apart)(blocks, bodies.data(), settings);

@@ -165,8 +165,18 @@ class DiscBlocksOnEachTarget : public Blocks {
       blocks.set_impulses(i, contacts[i].normal_impulse, contacts[i].tangent_impulse, contacts[i].preload);
   }
 
-  void compare(const Vec* period, bool friction) {
+  /// How many normals are others as they look ahead.
+  std::ptrdiff_t turned(const std::vector<DiscContact>& contacts, const Vec* period, double ahead) const {
+    std::vector<DiscContact> now = contacts, then = contacts;
+    prepare(now, bodies_, period), prepare(then, bodies_, period, ahead);
+    std::ptrdiff_t count = 0;
+    for (std::size_t i = 0; i < now.size(); ++i) count += now[i].normal != then[i].normal;
+    return count;
+  }
+
+  void compare(const Vec* period, bool friction, double ahead = 0.0) {
     std::vector<DiscContact> one = contacts(period);
+    if (ahead > 0.0) EXPECT_GT(turned(one, period, ahead), 10);
     std::vector<SolverBody> bodies = bodies_;
     SolverSettings how = settings(friction);
     DiscBlocks blocks;
@@ -176,11 +186,11 @@ class DiscBlocksOnEachTarget : public Blocks {
     learn(one, bodies_, kLearning), learn(blocks.blocks(), bodies, kLearning);
     for (int i = 0; i < 3; ++i) {
       how.backward = i == 1;
-      prepare(one, bodies_, period), warm_start(one, bodies_);
+      prepare(one, bodies_, period, ahead), warm_start(one, bodies_);
       push_apart(one, bodies_, how);
       expect_some_press(one);
       move(bodies_), relax(one, bodies_, how);
-      prepare_and_start(blocks.blocks(), bodies, period);
+      prepare_and_start(blocks.blocks(), bodies, period, ahead);
       push_apart(blocks.blocks(), bodies, how), move(bodies), relax(blocks.blocks(), bodies, how, period);
     }
     expect_same(bodies_, bodies);
@@ -204,6 +214,12 @@ TEST_P(DiscBlocksOnEachTarget, GiveThemWithoutFriction) {
 TEST_P(DiscBlocksOnEachTarget, GiveThemInADomainThatRepeats) {
   SCOPED_TRACE("seed " + std::to_string(seed_));
   compare(&kPeriod, true);
+}
+
+TEST_P(DiscBlocksOnEachTarget, GiveThemOfDiscsThatLookAhead) {
+  SCOPED_TRACE("seed " + std::to_string(seed_));
+  compare(nullptr, true, 0.1);
+  compare(&kPeriod, false, 0.1);
 }
 
 TEST(DiscBlocks, SayWhoHasNoSeat) {
