@@ -14,8 +14,8 @@ constexpr int kMostLooks = 40;
 
 /// What the two nearest points do at an instant.
 struct Passing {
-  double gap;   // m
-  double rate;  // m/s, of the gap
+  double gap;    // m
+  double rate;   // m/s, of the gap
   double ahead;  // s, until they would be nearest, were they to go straight on
 };
 

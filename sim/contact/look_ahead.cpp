@@ -134,8 +134,11 @@ ContactFinder::Meeting ContactFinder::meeting(const Candidates& candidates, cons
   const FirstContact found = narrowphase::first_contact(a, courses.a, b, courses.b, left, {.width = kExact});
   const bool hit = found.verdict != Verdict::free;
   const double time = hit ? found.t_lo : narrowphase::nearest_time(a, courses.a, b, courses.b, left);
-  Meeting result{courses.from + time, courses.a.position + time * courses.a.velocity,
-                 courses.b.position + time * courses.b.velocity - touch.shift, kUndisturbed, {0.0, 0.0}};
+  Meeting result{courses.from + time,
+                 courses.a.position + time * courses.a.velocity,
+                 courses.b.position + time * courses.b.velocity - touch.shift,
+                 kUndisturbed,
+                 {0.0, 0.0}};
   if (!hit) return result;
   result.normal = separation(a, pose_at(courses.a, time), b, pose_at(courses.b, time)).normal;
   const double deep = -(courses.b.velocity - courses.a.velocity).dot(result.normal) * (left - time);
@@ -159,8 +162,8 @@ void ContactFinder::turn_aside(const Candidates& candidates, std::span<const Sol
   const std::uint32_t material =
       touch.obstacle ? candidates.obstacles().material[touch.pair.b] : scene_.bodies.material[b];
   const double mass = 1.0 / (bodies[a].inverse_mass + bodies[b].inverse_mass);
-  const Vec impulse = (1.0 + surface(a, material).restitution) * mass *
-                      (of_b - of_a).dot(meeting.normal) * meeting.normal;
+  const Vec impulse =
+      (1.0 + surface(a, material).restitution) * mass * (of_b - of_a).dot(meeting.normal) * meeting.normal;
   const auto turn = [&](std::uint32_t row, const Vec& velocity) {
     if (bodies[row].inverse_mass > 0.0 && meeting.turns_aside < turned_[row].when)
       turned_[row] = {meeting.turns_aside, velocity};
@@ -206,8 +209,7 @@ void ContactFinder::find_ahead(const Candidates& candidates, const State& state,
   Courses courses = this->courses(state, bodies, candidates.colliders(), one);
   courses.a.position = meeting.at_a, courses.a.angle += meeting.when * courses.a.spin;
   courses.b.position = meeting.at_b + one.shift, courses.b.angle += meeting.when * courses.b.spin;
-  const Manifold ahead =
-      manifold(candidates, one, {pose_at(courses.a, 0.0), pose_at(courses.b, 0.0)}, kept);
+  const Manifold ahead = manifold(candidates, one, {pose_at(courses.a, 0.0), pose_at(courses.b, 0.0)}, kept);
   if (ahead.count == 0) {
     meeting.when = 0.0;
     return;

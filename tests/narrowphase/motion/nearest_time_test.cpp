@@ -16,8 +16,7 @@ double gap_at(const MovingPairOfShapes& p, double time) {
 }
 
 TEST(NearestTime, OfADiscThatPassesACornerIsWhenItIsOverIt) {
-  const double time =
-      nearest_time(disc(0.1), {{-3, 0.11}, 0, {6, 0}, 0}, segment({0, 0}, {0, -5}), {}, 1.0);
+  const double time = nearest_time(disc(0.1), {{-3, 0.11}, 0, {6, 0}, 0}, segment({0, 0}, {0, -5}), {}, 1.0);
   EXPECT_NEAR(time, 0.5, 1e-3);
 }
 

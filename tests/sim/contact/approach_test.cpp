@@ -123,8 +123,8 @@ TEST(Approach, WhatMovesPastOneThatStandsLeavesIt) {
 struct Oblique {
   const char* name;
   std::string text;
-  double reach;       // m, from the middle of what it meets to its own when they meet
-  double share;       // of the impulse on an obstacle
+  double reach;  // m, from the middle of what it meets to its own when they meet
+  double share;  // of the impulse on an obstacle
 };
 
 const Oblique kOblique[] = {
@@ -132,8 +132,8 @@ const Oblique kOblique[] = {
     {"a kinematic disc", placed("ball", 0, 0, 0, "kind = \"kinematic\"\n"), 0.2, 1.0},
     {"a free disc", placed("ball", 0, 0, 0), 0.2, 0.5},
     {"a wall's end", "[[walls]]\nsegment = [[0, 0], [0, -10]]\n", 0.1, 1.0},
-    {"a post's corner", "[[walls]]\nsegment = [[0, 0], [0.5, -1]]\n[[walls]]\nsegment = [[0, 0], [-0.01, -1]]\n",
-     0.1, 1.0},
+    {"a post's corner",
+     "[[walls]]\nsegment = [[0, 0], [0.5, -1]]\n[[walls]]\nsegment = [[0, 0], [-0.01, -1]]\n", 0.1, 1.0},
 };
 
 double oblique_error(const Oblique& met, double restitution, double speed, double phase) {
@@ -150,14 +150,14 @@ TEST(Approach, WhoMeetsAnotherObliquelyLeavesItAsTheNormalWhereTheyMeetSays) {
     for (const Oblique& met : kOblique)
       for (const double speed : {1.0, 5.0, 20.0}) {
         double worst = 0.0;
-        for (int k = 0; k < 10; ++k)
-          worst = std::max(worst, oblique_error(met, restitution, speed, 0.1 * k));
+        for (int k = 0; k < 10; ++k) worst = std::max(worst, oblique_error(met, restitution, speed, 0.1 * k));
         EXPECT_LT(worst, 1e-6) << met.name << " at " << speed << " m/s, restitution " << restitution;
       }
 }
 
 /// The straight way goes on through the first tile into the side of the next, which nobody gets to: it turns
-/// where it meets the first. Of 20 m/s a corner beside the place of the impact takes 6 % at worst; it took all.
+/// where it meets the first. Of 20 m/s a corner beside the place of the impact takes 6 % at worst; it took
+/// all.
 TEST(Approach, WhoMeetsAFloorOfTilesHardlyMeetsTheirSides) {
   for (const double restitution : {0.0, 0.5})
     for (const double vy : {1.0, 5.0})

@@ -176,7 +176,9 @@ class DiscBlocksOnEachTarget : public Blocks {
 
   void compare(const Vec* period, bool friction, double ahead = 0.0) {
     std::vector<DiscContact> one = contacts(period);
-    if (ahead > 0.0) EXPECT_GT(turned(one, period, ahead), 10);
+    if (ahead > 0.0) {
+      EXPECT_GT(turned(one, period, ahead), 10);
+    }
     std::vector<SolverBody> bodies = bodies_;
     SolverSettings how = settings(friction);
     DiscBlocks blocks;
