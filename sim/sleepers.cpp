@@ -17,6 +17,7 @@ constexpr double kLeastPatience = 0.5;  // s, at least
 constexpr double kFalls = 2.5;          // times sqrt(radius / g)
 constexpr double kClear = 0.5;          // of the radius: how much farther than a step one looks
 constexpr double kEvery = 0.1;          // s, between two looks for islands at rest
+constexpr double kGain = 1e-6;          // of gravity: what gains speed faster isn't at rest
 
 bool by_key(const SleepingContact& a, const SleepingContact& b) {
   return a.impulse.key < b.impulse.key;
@@ -59,6 +60,11 @@ bool moves(const State& state, std::uint32_t body) {
 
 double square(double x) {
   return x * x;
+}
+
+/// m²/s², with that of its rim.
+double squared_speed(const Scene& scene, const State& state, std::uint32_t body) {
+  return state.velocity[body].squaredNorm() + square(state.spin[body] * scene.bodies.radius[body]);
 }
 
 broadphase::Box box(const Vec& centre, double reach) {
@@ -198,18 +204,13 @@ void Sleepers::rouse(State& state, const Colliders& colliders) {
 void Sleepers::settle(State& state, Candidates& candidates, const Contacts& contacts,
                       std::span<const SolverBody> bodies) {
   const bool some_calm = count_calm(state);
-  if (!some_calm || state.step % every_ != 0) return;
-  const Colliders& colliders = candidates.colliders();
-  islands_.start(this->bodies(), scene_.bodies.size());
-  restless_.resize(scene_.bodies.size());
-  this->bodies().for_each([&](std::uint32_t row) {
-    restless_[row] = !is_dynamic(row) || state.sleep.calm[row] < patience_[row];
-  });
-  connect(state, colliders, contacts.disc_key);
-  connect(state, colliders, contacts.point_key);
-  if (!let_sleep(state)) return;
-  put_contacts_aside(state, colliders, contacts, bodies);
-  look(state, candidates);
+  if (state.step % every_ != 0) return;
+  if (some_calm && let_sleep(state, candidates.colliders(), contacts)) {
+    put_contacts_aside(state, candidates.colliders(), contacts, bodies);
+    look(state, candidates);
+  }
+  this->bodies().for_each(
+      [&](std::uint32_t row) { state.sleep.squared_speed[row] = squared_speed(scene_, state, row); });
 }
 
 /// Whether some have been slow for long enough.
@@ -218,8 +219,7 @@ bool Sleepers::count_calm(State& state) const {
   bool some = false;
   bodies().for_each([&](std::uint32_t row) {
     if (!is_dynamic(row)) return;
-    const double radius = scene_.bodies.radius[row], rim = state.spin[row] * radius;
-    const bool slow = state.velocity[row].squaredNorm() + rim * rim <= most * radius;
+    const bool slow = squared_speed(scene_, state, row) <= most * scene_.bodies.radius[row];
     std::uint32_t& calm = state.sleep.calm[row];
     calm = slow ? std::min(calm + 1, patience_[row]) : 0;
     some |= calm == patience_[row];
@@ -240,11 +240,43 @@ void Sleepers::connect(const State& state, const Colliders& colliders, std::span
   }
 }
 
-/// Puts islands to sleep of which all are at rest. Returns whether there are any.
-bool Sleepers::let_sleep(State& state) {
+/// Finds the islands, with those of their bodies that can't rest.
+void Sleepers::find_islands(const State& state, const Colliders& colliders, const Contacts& contacts) {
+  islands_.start(bodies(), scene_.bodies.size());
+  restless_.resize(scene_.bodies.size());
+  bodies().for_each([&](std::uint32_t row) {
+    restless_[row] = !is_dynamic(row) || state.sleep.calm[row] < patience_[row];
+  });
+  connect(state, colliders, contacts.disc_key);
+  connect(state, colliders, contacts.point_key);
   bodies().for_each([&](std::uint32_t row) {
     if (restless_[row]) restless_[islands_.first(row)] = 1;
   });
+}
+
+/// Of islands that together, by the root of the mean square, are faster than at the look before: by more
+/// than gravity gives down a slope of a millionth.
+void Sleepers::find_gaining(const State& state) {
+  const double least = kGain * scene_.gravity.norm() * scene_.time.dt * static_cast<double>(every_);
+  motion_.resize(scene_.bodies.size());
+  bodies().for_each([&](std::uint32_t row) { motion_[row] = {}; });
+  bodies().for_each([&](std::uint32_t row) {
+    Motion& island = motion_[islands_.first(row)];
+    island.bodies += 1.0;
+    island.before += state.sleep.squared_speed[row];
+    island.now += squared_speed(scene_, state, row);
+  });
+  bodies().for_each([&](std::uint32_t row) {
+    const Motion& island = motion_[row];
+    if (std::sqrt(island.now) > std::sqrt(island.before) + least * std::sqrt(island.bodies))
+      restless_[row] = 1;
+  });
+}
+
+/// Puts islands to sleep of which all are at rest. Returns whether there are any.
+bool Sleepers::let_sleep(State& state, const Colliders& colliders, const Contacts& contacts) {
+  find_islands(state, colliders, contacts);
+  find_gaining(state);
   bool any = false;
   bodies().for_each([&](std::uint32_t row) {
     const std::uint32_t first = islands_.first(row);

@@ -18,7 +18,8 @@ namespace throng {
 /// Bodies at rest, which leave the loop. An island, dynamic bodies that contacts connect, falls asleep once
 /// all of them have been slow for a while: what moves in them wouldn't lift them by 1e-5 of their radius, for
 /// half a second and, where they are large, for 2.5 times as long as they would take to fall by half a
-/// radius. Nobody sleeps beside a kinematic body that moves. The island stands still then, its contacts'
+/// radius; and once it hasn't gained speed for a tenth of a second, as what begins to slide or to roll does.
+/// Nobody sleeps beside a kinematic body that moves. The island stands still then, its contacts'
 /// impulses are kept aside, and all of it wakes in the step in which something that is awake may touch one of
 /// it, with those impulses.
 ///
@@ -52,6 +53,11 @@ class Sleepers {
     double room = -1.0;
   };
 
+  /// Of an island: m²/s², summed over its bodies, at the look before and now.
+  struct Motion {
+    double bodies = 0.0, before = 0.0, now = 0.0;
+  };
+
   bool is_dynamic(std::uint32_t body) const { return scene_.bodies.kind[body] == BodyKind::dynamic; }
   void list(const State& state, const Colliders& colliders);
   void index(const State& state, Candidates& candidates);
@@ -59,7 +65,9 @@ class Sleepers {
   void rouse(State& state, const Colliders& colliders);
   bool count_calm(State& state) const;
   void connect(const State& state, const Colliders& colliders, std::span<const std::uint64_t> keys);
-  bool let_sleep(State& state);
+  void find_islands(const State& state, const Colliders& colliders, const Contacts& contacts);
+  void find_gaining(const State& state);
+  bool let_sleep(State& state, const Colliders& colliders, const Contacts& contacts);
   void put_contacts_aside(State& state, const Colliders& colliders, const Contacts& contacts,
                           std::span<const SolverBody> bodies);
 
@@ -76,6 +84,7 @@ class Sleepers {
   std::vector<std::uint32_t> roused_;              // colliders
   Islands islands_;
   std::vector<std::uint8_t> restless_;  // of each body awake, then of each island at its first
+  std::vector<Motion> motion_;          // of each island, at its first
   std::vector<ContactRow> rows_;
 };
 

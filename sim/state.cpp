@@ -58,6 +58,7 @@ State initial_state(const Scene& scene) {
   state.sensed.resize(scene.sensors.size());
   if (plan_for(scene).sleep) {
     state.sleep.calm.resize(bodies.size(), 0);
+    state.sleep.squared_speed.resize(bodies.size(), 0.0);
     state.sleep.island.resize(bodies.size(), 0);
   }
   if (crowd.size() == 0) return state;
@@ -120,7 +121,7 @@ bool are_in_line(const State& state, const Scene& scene) {
 bool sleeps_soundly(const State& state, const Scene& scene) {
   const SleepState& sleep = state.sleep;
   const std::size_t n = plan_for(scene).sleep ? scene.bodies.size() : 0;
-  if (sleep.calm.size() != n || sleep.island.size() != n) return false;
+  if (sleep.calm.size() != n || sleep.squared_speed.size() != n || sleep.island.size() != n) return false;
   for (std::size_t row = 0; row < n; ++row) {
     const std::uint32_t island = sleep.island[row];
     if (island == 0) continue;

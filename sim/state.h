@@ -30,8 +30,9 @@ struct SleepingContact {
 
 /// Who rests, and who has left the loop for it. A row per body where Plan::sleep, else empty.
 struct SleepState {
-  std::vector<std::uint32_t> calm;              ///< steps for which it has been slow, those awake
-  std::vector<std::uint32_t> island;            ///< 0 awake, else the id of the first of those it sleeps with
+  std::vector<std::uint32_t> calm;    ///< steps for which it has been slow, those awake
+  std::vector<double> squared_speed;  ///< m²/s², with its rim's, at the last look for islands at rest
+  std::vector<std::uint32_t> island;  ///< 0 awake, else the id of the first of those it sleeps with
   std::vector<SleepingContact> disc_contacts;   ///< ascending by key
   std::vector<SleepingContact> point_contacts;  ///< likewise
 };

@@ -31,7 +31,7 @@ namespace {
 using Bytes = std::span<const std::byte>;
 
 constexpr std::array<char, 8> kMagic{'t', 'h', 'r', 'o', 'n', 'g', 'C', 'K'};
-constexpr std::uint64_t kLayout = 11;  // grows with every change of State
+constexpr std::uint64_t kLayout = 12;  // grows with every change of State
 
 struct Header {
   std::array<char, 8> magic = kMagic;
@@ -76,7 +76,7 @@ std::vector<Bytes> content(const std::string& scenario, const State& state, cons
   for_each_agent_array(state.crowd, add);
   add(state.crowd.waiting), add(state.crowd.measured), add(state.crowd.on_line);
   add(state.sensed);
-  add(state.sleep.calm), add(state.sleep.island);
+  add(state.sleep.squared_speed), add(state.sleep.calm), add(state.sleep.island);
   for_each_column(contacts, add);
   return all;
 }
@@ -184,7 +184,7 @@ void expect_size(const std::string& path, const Header& header, std::uint64_t si
   constexpr std::uint64_t body = sizeof(std::uint32_t) + 6 * sizeof(double);
   constexpr std::uint64_t agent = 4 * sizeof(double) + 2 * sizeof(std::int64_t) + 3 * sizeof(std::uint32_t);
   constexpr std::uint64_t contact = sizeof(std::uint64_t) + sizeof(std::uint32_t) + 4 * sizeof(double);
-  constexpr std::uint64_t sleeper = 2 * sizeof(std::uint32_t);
+  constexpr std::uint64_t sleeper = sizeof(double) + 2 * sizeof(std::uint32_t);
   constexpr std::uint64_t sleeping = contact + 3 * sizeof(std::uint32_t) + 2 * sizeof(double);
   const std::uint64_t counts[] = {header.scenario_bytes,
                                   header.bodies,
@@ -240,8 +240,9 @@ Checkpoint read_content(int fd, const std::string& path, const Header& header) {
   state.crowd.squeezed = header.squeezed;
   state.collisions = {header.pair_collisions, header.wall_collisions, header.pushed,
                       std::bit_cast<double>(header.virial), std::bit_cast<double>(header.equilibrium)};
+  state.sleep.squared_speed.resize(header.sleepers);
   state.sleep.calm.resize(header.sleepers), state.sleep.island.resize(header.sleepers);
-  read_array(state.sleep.calm), read_array(state.sleep.island);
+  read_array(state.sleep.squared_speed), read_array(state.sleep.calm), read_array(state.sleep.island);
   for_each_column(contacts, read_array);
   if (header.content_hash != hash_of(content(origin.scenario, state, contacts)))
     refuse_damaged(path, "it does not match its hash");
