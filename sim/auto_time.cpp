@@ -132,6 +132,18 @@ AutoTime pressing(const Scene& scene) {
   return result;
 }
 
+/// Bodies that begin to move and needn't ever hit each other: as good as one alone, and as those that press.
+AutoTime sliding(const Scene& scene) {
+  const AutoTime way = falling(scene, std::min(kLongestStep, time_of_a_radius(scene)));
+  const AutoTime pressed = pressing(scene);
+  AutoTime result = way.dt / way.substeps <= pressed.dt / pressed.substeps ? way : pressed;
+  result.promise =
+      "how far off its exact way at the end is who hits no other, and how deep those that press on one "
+      "another overlap by the mean, of a radius";
+  result.why = "they don't stay where they are, and " + result.why;
+  return result;
+}
+
 AutoTime native(const Scene& scene) {
   const Plan plan = plan_for(scene);
   if (plan.soft) return impacts(scene);
@@ -146,7 +158,9 @@ AutoTime native(const Scene& scene) {
     return doubt.empty() ? falling(scene, std::min(0.1, time_of_a_radius(scene))) : refused(doubt);
   }
   if (plan.restitution) return refused("errors grow at each collision of bodies that bounce");
-  return stands(scene) ? standing(scene) : pressing(scene);
+  if (!touch_at_rest(scene)) return pressing(scene);
+  if (stay(scene, scene.time.error * smallest_radius(scene))) return standing(scene);
+  return doubt_of_one(scene, false).empty() ? sliding(scene) : pressing(scene);
 }
 
 }  // namespace

@@ -22,7 +22,12 @@ Load load_of(const Scene& scene);
 /// bodies, neither apart nor overlapping by more than a few billionths of the smallest radius: as those that
 /// stand on one another do, and bear their loads as a run begins (sim/contact/first_loads.h). O(bodies and
 /// pairs).
-bool stands(const Scene& scene);
+bool touch_at_rest(const Scene& scene);
+
+/// Whether bodies that touch at rest stay there, but for what is allowed (m): none of them begins to gain
+/// speed steadily, as what slides, rolls or falls apart does, at a rate that would take it farther within the
+/// run. Finds the first loads and takes 64 short steps.
+bool stay(const Scene& scene, double allowed);
 
 /// Why the way of dynamic bodies that never meet each other may be sensitive to where they are, "" where it
 /// isn't: static bodies, walls that aren't along one direction and across it, and, where anything `bounces`,

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <numbers>
+#include <vector>
 
 #include "sim/observe.h"
 #include "tests/sim/trial.h"
@@ -89,6 +91,60 @@ TEST(AutoTime, PromisesNoPlacesWhereBodiesDontTouch) {
         std::string(spacing) + "], size = [1, 10] }\n");
     EXPECT_EQ(auto_time(scene).promise.find("stand") != std::string::npos, stands) << spacing;
   }
+}
+
+/// Two that touch at rest on a slope of 20 degrees, and where one of them is after 2 s, m down the slope.
+struct OnASlope {
+  const char* name;
+  std::string bodies;
+  double friction, way;
+};
+std::vector<OnASlope> on_a_slope() {
+  const double down = 9.81 * std::sin(std::numbers::pi / 9), press = 9.81 * std::cos(std::numbers::pi / 9);
+  const auto boxes = [](const char* size) {
+    return "[shapes]\nbox.polygon = [[0, 0], [1, 0], [1, 1], [0, 1]]\n[[bodies]]\nshape = \"box\"\n"
+           "place.lattice = { origin = [0, 0.5], spacing = [3, 1], size = " +
+           std::string(size) + " }\n";
+  };
+  return {{"one on the other", boxes("[1, 2]"), 0.05, 2.0 * (down - 0.05 * press)},
+          {"side by side", boxes("[2, 1]"), 0.05, 2.0 * (down - 0.05 * press)},
+          {"discs that roll", kDisc + ball(0, 0.5, 0, 0) + ball(5, 0.5, 0, 0), 0.5, 2.0 * down * 2.0 / 3.0},
+          {"discs that slip", kDisc + ball(0, 0.5, 0, 0) + ball(5, 0.5, 0, 0), 0.05,
+           2.0 * (down - 0.05 * press)}};
+}
+
+// It happened: of several bodies it was promised that they stay where they are, whether they do or slide.
+TEST(AutoTime, KeepsSeveralThatSlideOnTheirWays) {
+  for (const OnASlope& one : on_a_slope())
+    for (const double error : {0.01, 1e-3}) {
+      Trial run(wanted(error, 2) + "gravity = [3.355197606, -9.218384989]\n" + material(0, one.friction) +
+                "[[walls]]\nsegment = [[-9, 0], [99, 0]]\n" + one.bodies);
+      EXPECT_THAT(auto_time(run.scene).promise, HasSubstr("off its exact way")) << one.name;
+      run.steps(static_cast<int>(run.scene.time.steps()));
+      for (std::size_t row = 0; row < 2; ++row) {
+        const double off = (run.state.position[row] - run.scene.bodies.position[row]).x() - one.way;
+        EXPECT_LE(std::abs(off) / run.scene.bodies.radius[row], error) << one.name << ", row " << row;
+      }
+    }
+}
+
+TEST(AutoTime, TellsWhoStaysFromWhoBeginsToMove) {
+  const auto standing = [](double slope, double friction, const char* size) {
+    const Scene scene = scene_from(
+        wanted(0.01, 2) + "gravity = [" + std::to_string(9.81 * slope) + ", -9.81]\n" +
+        material(0, friction) +
+        "[shapes]\nbox.polygon = [[0, 0], [1, 0], [1, 1], [0, 1]]\n[[walls]]\nsegment = [[-9, 0], [9, 0]]\n"
+        "[[bodies]]\nshape = \"box\"\nplace.lattice = { origin = [0, 0.5], spacing = [1, 1], size = " +
+        size + " }\n");
+    return auto_time(scene).promise.find("those that stand") != std::string::npos;
+  };
+  for (const char* size : {"[1, 2]", "[1, 20]", "[3, 4]"}) {
+    EXPECT_TRUE(standing(0, 0.5, size)) << size;
+    EXPECT_TRUE(standing(0.02, 0.5, size)) << size << " held by friction";
+    EXPECT_FALSE(standing(0.02, 0.01, size)) << size << " slides";
+  }
+  EXPECT_FALSE(standing(0.004, 0, "[1, 2]")) << "slides by 78 mm, 7 are allowed";
+  EXPECT_TRUE(standing(0.0003, 0, "[1, 2]")) << "slides by 6 mm";
 }
 
 /// However large an error is allowed, it doesn't fall.
