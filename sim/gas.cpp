@@ -75,7 +75,7 @@ std::optional<double> compressibility_now(const Scene& scene, const State& state
     const bool repeats = scene.domain.kind == DomainKind::periodic;
     virial += row.impulse * (repeats ? nearest_image(way, period) : way).norm();
   }
-  return 1.0 + virial * scene.time.substeps / scene.time.dt / (2.0 * energy);
+  return 1.0 + virial / scene.time.dt / (2.0 * energy);
 }
 
 }  // namespace throng

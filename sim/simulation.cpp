@@ -41,9 +41,12 @@ class Native : public Simulation {
            state_.sleep.point_contacts.size();
   }
   void list_contacts(std::vector<ContactRow>& rows) const override {
-    if (plan_.soft) return work_.soft.list(state_, work_.bodies, rows);
-    throng::list_contacts(scene_, work_.contacts, state_, work_.bodies, rows);
+    if (plan_.soft)
+      work_.soft.list(state_, work_.bodies, rows);
+    else
+      throng::list_contacts(scene_, work_.contacts, state_, work_.bodies, rows);
     if (plan_.sleep) with_sleeping(state_, rows);
+    for (ContactRow& row : rows) row.impulse *= scene_.time.substeps;
   }
   const Collisions* collisions() const override { return plan_.flights ? &state_.collisions : nullptr; }
 

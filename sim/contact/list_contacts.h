@@ -10,8 +10,8 @@
 namespace throng {
 
 /// Replaces `rows` by the contacts that press, in the solver's order, where the step that has just ended left
-/// them: those whose impulses `Contacts::save` keeps. `bodies`: as that step left them, the obstacles last.
-/// O(contacts); allocates only to grow.
+/// them: those whose impulses `Contacts::save` keeps, as the last substep gave them. `bodies`: as that step
+/// left them, the obstacles last. O(contacts); allocates only to grow.
 void list_contacts(const Scene& scene, const Contacts& contacts, const State& state,
                    std::span<const SolverBody> bodies, std::vector<ContactRow>& rows);
 

@@ -33,7 +33,7 @@ class SoftContacts {
 
   void save(State& state) const;  ///< impulses and springs, for the next step
 
-  /// Replaces `rows` by the contacts that press, as list_contacts().
+  /// Replaces `rows` by the contacts that press, as list_contacts() has them.
   void list(const State& state, std::span<const SolverBody> bodies, std::vector<ContactRow>& rows) const;
 
  private:

@@ -12,7 +12,7 @@ namespace {
 
 /// Two discs that rest on each other on the floor, and one beside them that nothing holds.
 constexpr const char* kTower = R"(gravity = [0, -10]
-time = { dt = 0.01, until = 10, substeps = 1 }
+time = { dt = 0.01, until = 10, substeps = 3 }
 domain = { box = [[0, 0], [9, 9]] }
 [materials.default]
 density = 2

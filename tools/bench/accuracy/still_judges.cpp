@@ -109,7 +109,7 @@ class LoadJudge : public Judge {
     std::vector<double> force(sum_.size(), 0.0);
     for (const ContactRow& row : rows_)
       if (const int load = loads_.which(row); load >= 0)
-        force[static_cast<std::size_t>(load)] += row.impulse / pulse();
+        force[static_cast<std::size_t>(load)] += row.impulse / scene_.time.dt;
     for (std::size_t i = 0; i < force.size(); ++i) {
       sum_[i] += force[i];
       squares_ += std::pow(force[i] / loads_.force[i] - 1.0, 2);
@@ -127,11 +127,6 @@ class LoadJudge : public Judge {
   }
 
  private:
-  /// s, in which a contact's impulse was given: native tells that of its last substep.
-  double pulse() const {
-    return scene_.engine == Engine::native ? scene_.time.dt / scene_.time.substeps : scene_.time.dt;
-  }
-
   const Scene& scene_;
   Loads loads_;
   std::vector<ContactRow> rows_;
