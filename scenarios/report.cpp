@@ -6,22 +6,25 @@
 #include <cmath>
 #include <cstdio>
 #include <numeric>
+#include <utility>
+#include <vector>
 
 namespace throng::scenarios {
 
 namespace {
 
-/// The fewest letters to insert, remove or change. O(|a| |b|).
+/// The fewest letters to insert, remove, change, or swap with the next one. O(|a| |b|).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
+  std::vector<std::size_t> before, last(b.size() + 1), row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
+    before = std::exchange(last, row);
     row[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t changed = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, changed});
+      const std::size_t changed = last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      row[j] = std::min({last[j] + 1, row[j - 1] + 1, changed});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        row[j] = std::min(row[j], before[j - 2] + 1);
     }
   }
   return row.back();
@@ -103,7 +106,7 @@ std::string three_digits(double x) {
 
 std::string suggestion(std::string_view word, const std::vector<std::string>& known) {
   if (word.size() > 64) return "";
-  std::size_t best = std::max<std::size_t>(1, word.size() / 2) + 1;
+  std::size_t best = std::max<std::size_t>(1, word.size() / 3) + 1;
   const std::string* nearest = nullptr;
   for (const std::string& candidate : known) {
     if (candidate.size() > 64) continue;
