@@ -40,10 +40,14 @@ Type record_table() {
   const Table also{{required({"every", integer(1, 1e9), "Steps from one to the next."}),
                     required({"fields", record_fields(1), "What is recorded at this rate."})}};
   return table(
-      {{{"every", integer(1, 1e9), "Steps from one recorded frame to the next.", "1"},
+      {{{"every", integer(1, 1e9),
+         "Steps from one recorded frame to the next, from 0 on; the run's last state is one where this "
+         "divides "
+         "its steps.",
+         "1"},
         {"fields", record_fields(0),
          "What a frame holds; contacts: where bodies press on each other (a, b: their ids) or on what is "
-         "static (b: 0). []: nothing of this.",
+         "static (b: 0), with the impulse of the step, N s. []: nothing of this.",
          "[\"position\", \"angle\", \"velocity\"]"},
         {"also", tables(also), "Further fields, at rates of their own.", "[]"},
         {"observables", integer(1, 1e9),

@@ -30,14 +30,20 @@ void warn_of_idle_borders(const toml::table& root, const Scene& scene, Report& r
                    "hold nobody: contact.model is \"none\", and they are only drawn");
 }
 
-/// A file that leaves the engine to the command line may say what others need.
 void warn_of_substeps(const toml::table& root, Report& report) {
-  const auto substeps = root["time"]["substeps"];
-  if (!substeps) return;
-  const auto is_own = [&](const toml::node& node) { return node.source().path == root.source().path; };
-  if (is_own(*substeps.node()) && !is_own(*root.get("engine"))) return;
-  report.warning(substeps.node()->source(), "time.substeps",
-                 "has no meaning: engine event_driven has no time step");
+  if (const toml::node* substeps = root["time"]["substeps"].node())
+    report.warning(substeps->source(), "time.substeps",
+                   "has no meaning: engine event_driven has no time step");
+}
+
+/// Only discs, and those of which composites are, have a radius to roll on.
+void warn_of_idle_rolling(const toml::table& root, const Scene& scene, Report& report) {
+  if (scene.bodies.size() == 0 || any_round(scene)) return;
+  for (const Material& material : scene.materials)
+    if (material.rolling_resistance > 0.0)
+      report.warning(root["materials"][material.name]["rolling_resistance"].node()->source(),
+                     "materials." + material.name + ".rolling_resistance",
+                     "has no meaning: it holds back discs, and no body is one");
 }
 
 /// What only the engine knows, said before anything runs.
@@ -77,6 +83,7 @@ void read_scene(const toml::table& root, Scene& scene, Report& report) {
   check_quantum(root, scene, report);
   read_sensors(root, scene, report);
   warn_of_empty_record(root, scene, report);
+  warn_of_idle_rolling(root, scene, report);
   settle_auto_time(root, scene, report);
   settle_soft_contacts(root, scene, report);
   if (report.errors() == 0) check_engine(root, scene, report);

@@ -134,7 +134,10 @@ std::vector<Stage> stages(const Scene& scene, const Plan& plan) {
       {"friction", plan.friction, plan.friction ? "some surface rubs" : "no surface rubs"},
       {"sleep", plan.sleep,
        plan.sleep ? "bodies at rest leave the loop, island by island" : awake_because(scene, plan)},
-      {"rolling", plan.rolling, plan.rolling ? "some surface resists rolling" : "no surface resists rolling"},
+      {"rolling", plan.rolling,
+       plan.rolling       ? "some surface resists the rolling of discs"
+       : any_round(scene) ? "no surface resists rolling"
+                          : "no body is a disc"},
       {"crowd", plan.crowd,
        plan.crowd ? counted(scene.crowd.size(), "agent") +
                         (one ? " looks, steers, walks and leaves at its goal"
@@ -179,8 +182,8 @@ Plan plan_for(const Scene& scene, ContactModel contact) {
   plan.surfaces = surfaces(scene);
   plan.friction =
       plan.contacts() && std::ranges::any_of(plan.surfaces, [](const Surface& s) { return s.friction > 0; });
-  plan.rolling =
-      plan.contacts() && std::ranges::any_of(plan.surfaces, [](const Surface& s) { return s.rolling > 0; });
+  plan.rolling = plan.contacts() && any_round(scene) &&
+                 std::ranges::any_of(plan.surfaces, [](const Surface& s) { return s.rolling > 0; });
   plan.soft = plan.contacts() && is_soft(contact) && !plan.crowd;
   plan.restitution = plan.contacts() && !plan.soft &&
                      std::ranges::any_of(plan.surfaces, [](const Surface& s) { return s.restitution > 0; });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -118,6 +119,13 @@ template <class F>
 void for_dynamic(const Scene& scene, F f) {
   for (std::size_t row = 0; row < scene.bodies.size(); ++row)
     if (scene.bodies.kind[row] == BodyKind::dynamic) f(row);
+}
+
+/// Whether some body is a disc, or has one: else nothing rolls.
+inline bool any_round(const Scene& scene) {
+  return std::ranges::any_of(scene.bodies.shape, [&](std::uint32_t shape) {
+    return scene.shapes[shape].kind != ShapeKind::polygon;
+  });
 }
 
 /// As files and command lines have it.

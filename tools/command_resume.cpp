@@ -116,6 +116,7 @@ int resume(const ResumeOptions& options) {
   const auto simulation = throng::simulation(scene, options.drive.threads);
   stop_on_signals();
   warn_of_checkpoints(options.drive, scene);
+  warn_of_threads(options.drive, scene);
   if (!checkpoint)
     std::fprintf(stderr, "throng: no checkpoint: computing again, and checking, from the start\n");
   else if (!go_to(*checkpoint, scene, *simulation))
@@ -124,6 +125,7 @@ int resume(const ResumeOptions& options) {
   const Provenance now = provenance(kept, loaded, options.command_line, drive_now);
   Recorder recorder(kept.output, scene, now, kept.recording, kept.frames);
   warn_of_room(kept.output, scene, now);
+  warn_of_last_state(scene);
   return drive(*simulation, scene, drive_now, &recorder, recorded_frames(kept));
 }
 

@@ -63,6 +63,7 @@ int rehearse(const RunOptions& options, const Loaded& loaded, const Provenance& 
   if (!options.output.empty()) {
     Recorder::expect_writable(options.output, loaded.scene, provenance, options.force);
     warn_of_room(options.output, loaded.scene, provenance);
+    warn_of_last_state(loaded.scene);
   }
   print(summary(loaded.scene, *simulation, RunTimes(), ""));
   return 0;
@@ -84,10 +85,12 @@ int run(const RunOptions& options) {
   const auto simulation = throng::simulation(scene, options.drive.threads);
   stop_on_signals();
   warn_of_checkpoints(options.drive, scene);
+  warn_of_threads(options.drive, scene);
   std::optional<Recorder> recorder;
   if (!options.output.empty()) {
     recorder.emplace(options.output, scene, provenance, options.force);
     warn_of_room(options.output, scene, provenance);
+    warn_of_last_state(scene);
   }
   try {
     return drive(*simulation, scene, options.drive, recorder ? &*recorder : nullptr);

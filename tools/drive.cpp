@@ -156,6 +156,27 @@ void warn_of_checkpoints(const DriveOptions& options, const Scene& scene) {
       engine_name(scene.engine));
 }
 
+void warn_of_last_state(const Scene& scene) {
+  const std::int64_t steps = scene.time.steps();
+  std::int64_t last = 0;
+  for (const int rate : rates(scene.record)) last = std::max(last, steps / rate * rate);
+  if (last == steps) return;
+  std::fprintf(stderr,
+               "throng: warning: the last frame is of step %" PRId64 " of %" PRId64
+               ": no rate of the recording divides the run\n",
+               last, steps);
+}
+
+void warn_of_threads(const DriveOptions& options, const Scene& scene) {
+  if (options.threads == 1) return;
+  if (scene.engine != Engine::native)
+    std::fprintf(stderr, "throng: warning: --threads has no meaning: engine %s computes on one thread\n",
+                 engine_name(scene.engine));
+  else if (is_soft(scene.contact))
+    std::fputs("throng: warning: --threads has no meaning: soft contacts are computed on one thread\n",
+               stderr);
+}
+
 int drive(Simulation& simulation, const Scene& scene, const DriveOptions& options, Recorder* recorder,
           const RecordedFrames& recorded) {
   const State& state = simulation.state();

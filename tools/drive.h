@@ -40,6 +40,13 @@ void warn_of_room(const std::string& output, const Scene& scene, const Provenanc
 /// Says on the standard error where checkpoints are asked for that this engine can't go on from.
 void warn_of_checkpoints(const DriveOptions& options, const Scene& scene);
 
+/// Says on the standard error where the last state won't be recorded: a longer run, to which this one may be
+/// resumed, has no frame there either.
+void warn_of_last_state(const Scene& scene);
+
+/// Says on the standard error where threads are asked for that have nothing to do.
+void warn_of_threads(const DriveOptions& options, const Scene& scene);
+
 /// From now on SIGINT and SIGTERM end `drive` in good order, and so does one that comes again: `timeout` and
 /// batch systems send theirs to the process and to its group.
 void stop_on_signals();

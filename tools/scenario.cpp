@@ -54,7 +54,8 @@ void add_scenario_options(CLI::App& command, Overrides& overrides) {
   add_field(command, overrides, "--substeps", "time.substeps", false, "solver's substeps in a step");
   add_field(command, overrides, "--engine", "engine", true, "native, box2d or event_driven");
   add_field(command, overrides, "--seed", "seed", false, "of all randomness");
-  add_field(command, overrides, "--every", "record.every", false, "record each Nth step");
+  add_field(command, overrides, "--every", "record.every", false,
+            "record each Nth step from the first state on, the last one where N divides it");
   command
       .add_option_function<std::vector<std::string>>(
           "--set",

@@ -79,6 +79,21 @@ TEST(Report, WarnsOfBordersThatHoldNobody) {
       "s.toml:4:1: warning: walls: hold nobody: contact.model is \"none\", and they are only drawn\n");
 }
 
+TEST(Report, WarnsOfRollingThatNobodyDoes) {
+  const auto said = [](const std::string& shape) {
+    return faults(load_text("throng = 1\nmaterials.m.rolling_resistance = 0.5\nshapes.s." + shape +
+                            "\n[[bodies]]\nshape = 's'\nat = [0, 0]\nmaterial = 'm'\n"));
+  };
+  EXPECT_EQ(
+      said("polygon = [[0, 0], [1, 0], [1, 1], [0, 1]]"),
+      "s.toml:2:34: warning: materials.m.rolling_resistance: has no meaning: it holds back discs, and no "
+      "body is one\n");
+  EXPECT_EQ(said("disc.radius = 1"), "");
+  EXPECT_EQ(said("discs = [[0, 0, 1], [1, 0, 1]]"), "");
+  const std::string empty = "throng = 1\nmaterials.m.rolling_resistance = 0.5\n";
+  EXPECT_EQ(faults(load_text(empty)), "") << "nobody is there yet";
+}
+
 TEST(Report, RefusesOverridesThatLeadNowhere) {
   for (const char* bad :
        {"", "time.dt", "=1", "time..dt=1", ".time=1", "time.=1", "bodies[9].spin=1", "bodies[x].spin=1",
@@ -97,6 +112,9 @@ TEST(Report, LetsNoOverrideBringASecondKey) {
 
 TEST(Report, SuggestsOnlyWhatIsNear) {
   EXPECT_EQ(suggestion("radus", {"radius", "at"}), ", did you mean \"radius\"?");
+  EXPECT_EQ(suggestion("gravtiy", {"record", "gravity"}), ", did you mean \"gravity\"?");
+  EXPECT_EQ(suggestion("tmie", {"name", "time"}), ", did you mean \"time\"?") << "two letters swapped";
+  EXPECT_EQ(suggestion("spin", {"open", "sleep", "time"}), "") << "half of it is another word";
   EXPECT_EQ(suggestion("zzzzzz", {"radius", "at"}), "");
   EXPECT_EQ(suggestion("x", {}), "");
 }

@@ -127,5 +127,17 @@ TEST(Plan, AStageThatIsSkippedAllocatesNothing) {
   EXPECT_EQ(state.disc_contacts.capacity(), 0u);
 }
 
+TEST(Plan, ResistsRollingOnlyWhereADiscIs) {
+  const std::string resisting =
+      "[materials.default]\nrolling_resistance = 0.1\n[[walls]]\nsegment = [[0, 0], [9, 0]]\n";
+  for (const auto& [shape, rolls] : {std::pair{"disc.radius = 1", true},
+                                     {"discs = [[0, 0, 1], [1, 0, 1]]", true},
+                                     {"polygon = [[0, 0], [1, 0], [1, 1]]", false}}) {
+    const Plan plan = plan_for(
+        scene_from(resisting + "[shapes]\ns." + shape + "\n[[bodies]]\nshape = \"s\"\nat = [2, 2]\n"));
+    EXPECT_EQ(plan.rolling, rolls) << shape;
+  }
+}
+
 }  // namespace
 }  // namespace throng

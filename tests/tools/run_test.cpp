@@ -148,15 +148,37 @@ TEST_F(RunCommand, RecordsWhatReplayThenVerifies) {
   EXPECT_THAT(verified.out + verified.err, HasSubstr("11"));
 }
 
-TEST_F(RunCommand, HoldsNoFileToAnEngineThatItLeavesToTheCommandLine) {
+TEST_F(RunCommand, SaysThatSubstepsMeanNothingToAnEngineOfTheCommandLine) {
   std::string text = kTwoDiscs;
   const std::string engine = "engine = \"event_driven\"\n";
   text.erase(text.find(engine), engine.size());
   const std::string run = "run " + write("a.toml", text) + " --engine event_driven";
   const Result plain = throng(run);
   ASSERT_EQ(plain.exit_code, 0) << plain.err;
-  EXPECT_THAT(plain.err, Not(HasSubstr("warning")));
+  EXPECT_THAT(plain.err, HasSubstr("time.substeps: has no meaning"));
   EXPECT_THAT(throng(run + " --set time.substeps=2").err, HasSubstr("time.substeps: has no meaning"));
+}
+
+TEST_F(RunCommand, SaysThatTheLastStateIsNotRecorded) {
+  const std::string scene = write("a.toml", kTwoDiscs), to = " --force -o " + path("a.h5");
+  const std::string run = "run " + scene + to;
+  EXPECT_THAT(throng(run + " --every 3").err, HasSubstr("the last frame is of step 6 of 8"));
+  EXPECT_THAT(throng(run + " --every 100").err, HasSubstr("the last frame is of step 0 of 8"));
+  EXPECT_THAT(throng(run + " --every 100 --dry-run").err, HasSubstr("of step 0 of 8"));
+  EXPECT_THAT(throng(run + " --every 4").err, Not(HasSubstr("last frame")));
+  EXPECT_THAT(throng(run + " --every 3 --set record.observables=4").err, Not(HasSubstr("last frame")));
+  EXPECT_THAT(throng("run " + scene + " --every 3").err, Not(HasSubstr("last frame"))) << "none is asked for";
+}
+
+TEST_F(RunCommand, SaysWhereThreadsMeanNothing) {
+  const std::string discs = write("a.toml", kTwoDiscs), idle = "--threads has no meaning";
+  EXPECT_THAT(throng("run " + discs + " --threads 2").err, HasSubstr(idle));
+  EXPECT_THAT(throng("run " + discs).err, Not(HasSubstr(idle)));
+  const std::string native = "run " + discs + " --engine native --dt 0.001 --until 0.01";
+  EXPECT_THAT(throng(native + " --threads 2").err, Not(HasSubstr(idle)));
+  const Result soft = throng(native + " --set 'contact={model=\"spring\", stiffness=1e5}' --threads 2");
+  EXPECT_THAT(soft.err, HasSubstr(idle));
+  EXPECT_EQ(soft.exit_code, 0) << soft.err;
 }
 
 TEST_F(RunCommand, TellsWhatTheCollisionsOfHardDiscsSayOfThem) {

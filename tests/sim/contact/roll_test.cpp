@@ -115,7 +115,7 @@ TEST(Rolling, IsNothingToPolygonsAndCostsNothingWhereNoSurfaceResists) {
       "0], [5, 0]]\n");
   box.steps(10);
   EXPECT_EQ(box.state.point_contacts.size(), 2u);
-  EXPECT_TRUE(box.plan.rolling);
+  EXPECT_FALSE(box.plan.rolling);
   EXPECT_TRUE(box.work.contacts.point_rolls.empty());
 }
 
