@@ -174,7 +174,7 @@ TEST(CompressibilityFactor, OfSoftDiscsIsThatOfTheirForces) {
       "domain = { periodic = [[0, 0], [8, 8]] }\n[shapes]\nball = { disc = { radius = 1 } }\n"
       "[[bodies]]\nshape = \"ball\"\nat = [0.9, 4]\nvelocity = [3, 0]\n"
       "[[bodies]]\nshape = \"ball\"\nat = [7, 4]\nvelocity = [-3, 0]\n");
-  const std::vector<ContactRow> contacts{{1, 2, 0.5, Vec(0, 4)}, {1, 0, 9.0, Vec(1, 5)}};
+  const std::vector<ContactRow> contacts{{1, 2, 2.5, Vec(0, 4)}, {1, 0, 9.0, Vec(1, 5)}};
   const std::optional<double> z = compressibility_now(scene, initial_state(scene), contacts);
   EXPECT_NEAR(z.value_or(0), 1 + 475 / (2 * pi * 9), 1e-10);
 }
