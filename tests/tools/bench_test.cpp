@@ -229,6 +229,28 @@ TEST_F(BenchCommand, RefusesWhatWouldDoNothing) {
     EXPECT_EQ(throng(std::string("bench ") + arguments).exit_code, 2) << arguments;
 }
 
+TEST_F(BenchCommand, NamesTheEngineThatPlaysNothing) {
+  const Result result =
+      throng("bench broadphase --quick --only '^uniform n=1000 k=10 random$' --engine nosuch");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, ::testing::HasSubstr("--engine names none that plays: nosuch"));
+}
+
+/// A clone that was moved, or a copy of it, has its own gallery.
+TEST_F(BenchCommand, FindsTheGalleryOfItsOwnClone) {
+  namespace fs = std::filesystem;
+  const std::string bench = path("clone/build/throng-bench"), pile = path("clone/scenarios/pile.toml");
+  fs::create_directories(path("clone/build"));
+  fs::create_directories(path("clone/scenarios"));
+  fs::copy_file(fs::path(THRONG_PROGRAM).parent_path() / "throng-bench", bench);
+  write("clone/scenarios/pile.toml", "throng = 0\n");
+  EXPECT_THAT(run(bench + " step --quick --only pile").err, ::testing::HasSubstr(pile));
+  fs::remove(pile);
+  const Result none = run(bench + " step --quick --only pile --scenarios " + path("clone/scenarios"));
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_THAT(none.err, ::testing::HasSubstr("--scenarios names the folder"));
+}
+
 TEST_F(BenchCommand, NamesTheCasesWhereNoneIsMeant) {
   const Result result = throng("bench step --quick --only xyzzy");
   EXPECT_EQ(result.exit_code, 2);

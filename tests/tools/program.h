@@ -39,9 +39,12 @@ class Program : public ::testing::Test {
 
   /// `before`: what the shell does first, such as a limit.
   Result throng(const std::string& arguments, const std::string& before = "") const {
+    return run(before + THRONG_PROGRAM " " + arguments);
+  }
+
+  Result run(const std::string& command) const {
     const std::string out = path("stdout"), err = path("stderr");
-    const int status =
-        std::system((before + THRONG_PROGRAM " " + arguments + " >" + out + " 2>" + err).c_str());
+    const int status = std::system((command + " >" + out + " 2>" + err).c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(out), read(err)};
   }
 

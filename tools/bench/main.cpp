@@ -85,9 +85,11 @@ class OutputAside {
 };
 
 /// Names are told up to kMost: a benchmark may have hundreds.
-std::string why_none(const std::vector<std::string>& passed_over) {
+std::string why_none(const throng::bench::Options& options) {
   constexpr std::size_t kMost = 40;
-  const std::set<std::string> names(passed_over.begin(), passed_over.end());
+  if (*options.any_chosen && !options.engines.empty())
+    return "--engine names none that plays: " + options.engines.front();
+  const std::set<std::string> names(options.passed_over->begin(), options.passed_over->end());
   if (names.empty()) return "no case is left for these options";
   std::string result = "--only holds for no case's name; there are";
   std::size_t told = 0;
@@ -124,7 +126,7 @@ void run(const std::string& name, std::vector<throng::bench::Row> (*benchmark)(c
     shown = rows.size();
   };
   const std::vector<Row> rows = benchmark(options);
-  if (rows.empty()) throw throng::InputError(name + ": " + why_none(*options.passed_over));
+  if (rows.empty()) throw throng::InputError(name + ": " + why_none(options));
   options.show(rows);
   aside.lift([&] {
     if (table) print_end(name, rows);
@@ -160,7 +162,8 @@ int main(int argc, char** argv) {
          "knobs or stability")
       ->required()
       ->check(CLI::IsMember(benchmarks));
-  app.add_option("--scenarios", options.scenarios, "folder of the gallery")->default_val(THRONG_SCENARIOS);
+  app.add_option("--scenarios", options.scenarios, "folder of the gallery")
+      ->default_val(of_clone("scenarios"));
   app.add_option("--only", options.only,
                  "cases whose names hold a match of this regular expression; may be repeated")
       ->allow_extra_args(false);

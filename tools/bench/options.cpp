@@ -4,6 +4,7 @@
 #include <regex.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "sim/input_error.h"
 
@@ -25,9 +26,18 @@ bool holds(const std::string& name, const std::string& expression) {
 
 }  // namespace
 
+std::string of_clone(const std::string& folder) {
+  namespace fs = std::filesystem;
+  std::error_code none;
+  const fs::path program = fs::read_symlink("/proc/self/exe", none);
+  for (fs::path clone = program.parent_path(); clone.has_relative_path(); clone = clone.parent_path())
+    if (fs::exists(clone / "scenarios/pile.toml", none)) return clone / folder;
+  return fs::path(THRONG_SOURCE) / folder;
+}
+
 bool chosen(const std::string& name, const Options& options) {
   const auto is_meant = [&](const std::string& expression) { return holds(name, expression); };
-  if (options.only.empty() || std::ranges::any_of(options.only, is_meant)) return true;
+  if (options.only.empty() || std::ranges::any_of(options.only, is_meant)) return *options.any_chosen = true;
   options.passed_over->push_back(name);
   return false;
 }

@@ -2,6 +2,7 @@
 #include "tools/bench/scenes.h"
 
 #include <cstdio>
+#include <filesystem>
 
 #include "scenarios/load.h"
 #include "sim/input_error.h"
@@ -12,6 +13,10 @@ namespace throng::bench {
 Scene gallery_scene(const std::string& folder, const std::string& name,
                     const std::vector<std::string>& overrides) {
   const std::string file = folder + "/" + name + ".toml";
+  if (!std::filesystem::exists(file))
+    throw InputError(
+        "there is no " + file +
+        ": benchmarks need the files of their clone; of the gallery --scenarios names the folder");
   Loaded loaded = load_scenario(file, overrides);
   if (loaded.errors() > 0) throw InputError(to_string(loaded.diagnostics, file));
   return std::move(loaded.scene);

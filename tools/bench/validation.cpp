@@ -75,7 +75,7 @@ std::vector<Row> bench_validation(const Options& options) {
   std::vector<Trials> all;
   for (const Walker& walker : walkers())
     if (options.engines.empty() || std::ranges::find(options.engines, walker.name()) != options.engines.end())
-      all.emplace_back(walker, THRONG_VALIDATION, options.set);
+      all.emplace_back(walker, of_clone("tools/bench/validation"), options.set);
   std::vector<Row> rows;
   for (const ValidationCase& one : validation_cases()) {
     if (!chosen(one.name, options) || (options.quick && !one.quick)) continue;

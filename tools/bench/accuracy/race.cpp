@@ -81,7 +81,7 @@ std::optional<Entry> seen(const Player& player, int knob, double dt, const Scene
 
 /// All engines at all of their settings; of those at which one can't play, only the first.
 std::vector<Entry> all_seen(const AccuracyCase& one, const Options& options) {
-  Scene base = gallery_scene(std::string(THRONG_ACCURACY) + "/scenes", one.scene, one.overrides);
+  Scene base = gallery_scene(of_clone("tools/bench/accuracy/scenes"), one.scene, one.overrides);
   if (options.quick && one.heavy) base.time.until *= 0.1;
   const JudgeMaker judges = one.judges(base);
   const std::size_t steps = std::min(options.quick ? kQuickSteps : one.dts.size(), one.dts.size());
