@@ -89,7 +89,8 @@ Table body_table() {
            {"spin", number(-kFastest, kFastest, "rad/s"), "Angular velocity, rad/s.", "0.0"},
            {"material", name_in("materials"), "Name of a material.", "\"default\""},
            {"kind", choice({"dynamic", "static", "kinematic"}),
-            "dynamic: moved by forces; static: never moves; kinematic: keeps its velocity and spin, whatever it meets.",
+            "dynamic: moved by forces; static: never moves; kinematic: keeps its velocity and spin, whatever "
+            "it meets.",
             "\"dynamic\""}},
           {"at", "place"}};
 }
