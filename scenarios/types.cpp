@@ -134,7 +134,7 @@ Field discs_field() {
   return {"discs",
           list(tuple({coordinate(), coordinate(), length()}, "a disc [x, y, radius]"), 1,
                "a list of 1 to 1000 discs [x, y, radius]", kMostParts),
-          "One rigid body of several discs: x, y, radius, m; with the mass of their union."};
+          "One rigid body of several discs: x, y, radius, m."};
 }
 
 Field holes_field() {
