@@ -165,7 +165,9 @@ void find_first_loads(const Scene& scene, const Plan& plan, Workspace& work) {
 }
 
 /// `backward`: pushes apart from each part's last contact on, and relaxes from its first; else the other way.
-void substep(const Scene& scene, const Plan& plan, Workspace& work, bool backward) {
+/// `guarded`: nobody gets through another or a wall, however fast.
+void substep(const Scene& scene, const Plan& plan, const State& state, Workspace& work, bool backward,
+             bool guarded) {
   const Vec kick = work.solver.h * scene.gravity;
   const Vec size = scene.domain.max - scene.domain.min, *period = plan.periodic ? &size : nullptr;
   if (plan.restitution || !work.contacts.point_bounces.empty()) {
@@ -175,7 +177,10 @@ void substep(const Scene& scene, const Plan& plan, Workspace& work, bool backwar
   if (plan.gravity) by_parts(work, [&](Rows rows) { fall(work.bodies, rows, kick); });
   work.solver.backward = backward;
   if (plan.contacts()) start_and_push_apart(work, period);
-  by_parts(work, [&](Rows rows) { move(work.bodies, rows, work.solver.h); });
+  if (guarded)
+    work.guard.move(state, work.bodies, work.sleepers.bodies(), work.solver.h);
+  else
+    by_parts(work, [&](Rows rows) { move(work.bodies, rows, work.solver.h); });
   work.solver.backward = !backward;
   if (plan.contacts()) relax(work, plan.periodic);
 }
@@ -229,6 +234,7 @@ double mean_radius(const Colliders& colliders) {
 Workspace::Workspace(const Scene& scene, const Plan& plan, int threads)
     : workers(threads),
       candidates(scene, plan),
+      guard(scene, plan, candidates),
       sleepers(scene, plan),
       flights(scene, plan),
       soft(scene, plan),
@@ -289,7 +295,8 @@ void find_pairs(const Scene& scene, const Plan& plan, State& state, Workspace& w
 }
 
 /// Bodies fall, meet and push each other.
-void push(const Scene& scene, const Plan& plan, State& state, Workspace& work, StageClock& clock) {
+void push(const Scene& scene, const Plan& plan, State& state, Workspace& work, bool guarded,
+          StageClock& clock) {
   if (plan.contacts()) find_pairs(scene, plan, state, work, clock);
   const Rows awake = work.sleepers.bodies();
   if (plan.contacts()) work.finder.divide(state, awake);
@@ -303,12 +310,13 @@ void push(const Scene& scene, const Plan& plan, State& state, Workspace& work, S
   if (state.step == 0 && plan.gravity && plan.contacts()) find_first_loads(scene, plan, work);
   for (int i = 0; i < scene.time.substeps; ++i) {
     const bool backward = (state.step * scene.time.substeps + i) % 2 == 1;
-    substep(scene, plan, work, backward);
+    substep(scene, plan, state, work, backward, guarded);
   }
   if (plan.gravity && plan.contacts()) learn(work);
   clock.lap(work.times.solve);
 }
 
+/// Whether the step must be taken again as bodies got where nobody was looked for.
 bool widen(Workspace& work, bool flown, bool all) {
   if (flown) return work.candidates.widen(work.flights.reached(), all);
   return work.candidates.widen(work.bodies, {}, all);
@@ -316,12 +324,15 @@ bool widen(Workspace& work, bool flown, bool all) {
 
 void step_bodies(const Scene& scene, const Plan& plan, State& state, Workspace& work) {
   StageClock clock(steps_measured(scene, work.times));
-  bool flown = false;
+  bool flown = false, guarded = false;
   for (int attempt = 1;; ++attempt) {
     flown = plan.flights && fly(scene, state, work, clock);
-    if (!flown) push(scene, plan, state, work, clock);
+    if (!flown) push(scene, plan, state, work, guarded, clock);
     if (!plan.contacts()) break;
-    if (!widen(work, flown, attempt >= kLocalAttempts)) break;
+    if (!widen(work, flown, attempt >= kLocalAttempts)) {
+      if (flown || guarded || !work.guard.saw_meeting(state, work.bodies, work.workers)) break;
+      guarded = true;
+    }
     if (attempt == kAttempts) fail_at_chain(state);
   }
   ++state.step;

@@ -9,6 +9,7 @@
 #include "sim/contact/candidates.h"
 #include "sim/contact/find_contacts.h"
 #include "sim/contact/flights.h"
+#include "sim/contact/guard.h"
 #include "sim/contact/soft_contacts.h"
 #include "sim/contact/solve.h"
 #include "sim/crowd/walk.h"
@@ -36,6 +37,7 @@ struct Workspace {
 
   Workers workers;
   Candidates candidates;
+  Guard guard;
   Sleepers sleepers;  ///< to be told where `state` isn't what the last step left
   Flights flights;
   SoftContacts soft;

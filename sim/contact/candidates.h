@@ -91,6 +91,10 @@ class Candidates {
   /// How far the fastest of them gets within the step by its velocity (m).
   double chain() const { return chain_; }
 
+  /// How far the fastest body's velocity, gravity and the widest turn take any point within the step (m);
+  /// infinite where bodies got farther and the step is taken again.
+  double farthest_way() const { return farthest_way_; }
+
   /// Where a body that was placed stands. Discs look the same from all sides: where there is nothing else,
   /// nobody has turned.
   narrowphase::Pose pose(const State& state, std::uint32_t body) const {
@@ -136,6 +140,7 @@ class Candidates {
   Rows rows_;                            ///< of the colliders that the pairs are of
   double dt_ = 0.0, fall_ = 0.0;         ///< s; m, what gravity gives in it
   double chain_ = 0.0;                   ///< m, what the fastest body moves in it
+  double farthest_way_ = 0.0;            ///< m
   std::vector<Vec> found_at_;            ///< m, of each body
   std::vector<narrowphase::Pose> pose_;  ///< of each body; empty where all are discs
   std::vector<Vec> centre_;      ///< m, world, of each collider's bounding disc; inside a domain that repeats

@@ -58,13 +58,14 @@ const Rim& rim(const Colliders& colliders, std::uint32_t row) {
   return colliders.rim.empty() ? alone : colliders.rims[colliders.rim[row]];
 }
 
-/// Fills in what one point of a manifold adds. The point is midway between the surfaces.
+/// Fills in what one point of a manifold adds. The point is midway between the surfaces: `own` puts it on
+/// those of the bodies, as it turns with neither where they are far apart.
 void place(PointContact& contact, const ManifoldPoint& point, const SolverBody& a, const SolverBody& b,
-           const Vec& shift, bool about_a, bool about_b) {
+           const Vec& shift, bool about_a, bool about_b, bool own) {
   const Vec& n = contact.normal;
   const double half = 0.5 * point.separation;
   const Vec to_a = point.point - a.position, to_b = point.point - (b.position + shift);
-  const bool round_a = contact.round_a > 0.0, round_b = contact.round_b > 0.0;
+  const bool round_a = own || contact.round_a > 0.0, round_b = own || contact.round_b > 0.0;
   contact.first_a = about_a ? Vec(0.0, 0.0) : round_a ? Vec(to_a - (contact.round_a + half) * n) : to_a;
   contact.first_b = about_b ? Vec(0.0, 0.0) : round_b ? Vec(to_b + (contact.round_b + half) * n) : to_b;
   contact.arm_a = contact.first_a + contact.round_a * n,
@@ -241,6 +242,16 @@ const Surface& ContactFinder::surface(std::uint32_t body, std::uint32_t other_ma
   return plan_.surfaces[scene_.bodies.material[body] * scene_.materials.size() + other_material];
 }
 
+/// m/s, how fast any point that the collider may reach in the step moves at most, as part of its body.
+double ContactFinder::pace(const Candidates& candidates, std::span<const SolverBody> bodies,
+                           std::uint32_t collider) const {
+  const Colliders& colliders = candidates.colliders();
+  const SolverBody& body = bodies[colliders.body[collider]];
+  const double centre = colliders.centre.empty() ? 0.0 : colliders.centre[collider].norm();
+  const double arm = centre + colliders.radius[collider] + candidates.reach(collider);
+  return body.velocity.norm() + std::abs(body.spin) * arm;
+}
+
 /// Whether a point of the face comes nearer so fast that a sweep wouldn't do.
 bool ContactFinder::closes_fast(std::span<const PointContact> face,
                                 std::span<const SolverBody> bodies) const {
@@ -277,9 +288,9 @@ std::span<PointContact> ContactFinder::face(const Candidates& candidates, std::s
     describe(colliders, candidates.obstacles(), touches_[touch], m.normal, points[p]);
     const SolverBody &a = bodies[points[p].a], &b = bodies[points[p].b];
     if (meeting)
-      place(points[p], m.points[p], moved(a, meeting->at_a), moved(b, meeting->at_b), shift, about_a, about_b);
+      place(points[p], m.points[p], moved(a, meeting->at_a), moved(b, meeting->at_b), shift, about_a, about_b, true);
     else
-      place(points[p], m.points[p], a, b, shift, about_a, about_b);
+      place(points[p], m.points[p], a, b, shift, about_a, about_b, false);
   }
   const std::span<PointContact> face(points.data(), count);
   points[0].fast = points[1].fast = count == 2 && !(points[0].restitution > 0.0) && closes_fast(face, bodies);

@@ -176,6 +176,7 @@ class ContactFinder {
   }
   void list_fast(const Candidates& candidates, std::span<const SolverBody> bodies,
                  std::vector<PointContact>& bounces) const;
+  double pace(const Candidates& candidates, std::span<const SolverBody> bodies, std::uint32_t collider) const;
   bool closes_fast(std::span<const PointContact> face, std::span<const SolverBody> bodies) const;
   std::span<PointContact> face(const Candidates& candidates, std::span<const SolverBody> bodies,
                                std::size_t touch, std::array<PointContact, 2>& points) const;

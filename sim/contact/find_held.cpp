@@ -53,11 +53,14 @@ PlacedPart ContactFinder::place_part(const Candidates& candidates, const State& 
   const std::uint32_t row = colliders.body[collider];
   const SolverBody& body = bodies[row];
   const Pose at = candidates.pose(state, row);
-  const double reach = candidates.reach(collider);
-  const double arm = colliders.centre[collider].norm() + colliders.radius[collider] + reach;
-  const double pace = body.velocity.norm() + std::abs(body.spin) * arm;
-  return {at.position.x(),   at.position.y(),      at.cos, at.sin,
-          body.inverse_mass, body.inverse_inertia, reach,  pace};
+  return {at.position.x(),
+          at.position.y(),
+          at.cos,
+          at.sin,
+          body.inverse_mass,
+          body.inverse_inertia,
+          candidates.reach(collider),
+          pace(candidates, bodies, collider)};
 }
 
 void ContactFinder::ask_held(const Candidates& candidates, const State& state,

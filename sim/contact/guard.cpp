@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: MIT
+#include "sim/contact/guard.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace throng {
+
+using narrowphase::FirstContact;
+using narrowphase::Motion;
+using narrowphase::Verdict;
+
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+/// Who moves by less, of its thickness and in a step, isn't looked at: as much as the smallest heart is thick.
+constexpr double kUnseen = 0.0625;
+
+/// Of the thickness: who slowly got so deep into a smallest heart, half of it, is still held.
+constexpr double kHeld = 0.03125;
+
+/// Of the thickness, in a substep: how far who is pushed by a driven body gets ahead of it; and how often at
+/// most, if others hold it up.
+constexpr double kLeaves = 0.25;
+constexpr int kMostPushes = 8;
+
+/// How far a point of the body gets that is so far from its centre, at most.
+double way(const SolverBody& body, const Vec& position, double reach) {
+  return (body.position - position).norm() + std::abs(body.turn) * reach;
+}
+
+/// At a contact of two hearts: the arms from the bodies' centres, and the normal from a to b.
+struct Blow {
+  Vec arm_a, arm_b, normal;
+
+  Vec velocity(const SolverBody& a, const SolverBody& b) const {
+    return b.velocity + b.spin * tangent(arm_b) - a.velocity - a.spin * tangent(arm_a);
+  }
+  double mass(const SolverBody& a, const SolverBody& b, const Vec& direction) const {
+    const double turn_a = tangent(arm_a).dot(direction), turn_b = tangent(arm_b).dot(direction);
+    return 1.0 / (a.inverse_mass + b.inverse_mass + a.inverse_inertia * turn_a * turn_a +
+                  b.inverse_inertia * turn_b * turn_b);
+  }
+  void apply(SolverBody& a, SolverBody& b, const Vec& impulse) const {
+    a.velocity -= a.inverse_mass * impulse;
+    a.spin -= a.inverse_inertia * tangent(arm_a).dot(impulse);
+    b.velocity += b.inverse_mass * impulse;
+    b.spin += b.inverse_inertia * tangent(arm_b).dot(impulse);
+  }
+};
+
+/// Restitution along the normal, Coulomb friction across; then the two part at `leaves` (m/s) more.
+void strike(const Blow& blow, SolverBody& a, SolverBody& b, const Surface& surface, double leaves) {
+  const double speed = blow.velocity(a, b).dot(blow.normal);
+  if (!(speed < 0.0)) return;
+  const double normal = (leaves - (1.0 + surface.restitution) * speed) * blow.mass(a, b, blow.normal);
+  blow.apply(a, b, normal * blow.normal);
+  const Vec across = tangent(blow.normal);
+  const double limit = surface.friction * normal;
+  const double stops = -blow.velocity(a, b).dot(across) * blow.mass(a, b, across);
+  if (limit > 0.0) blow.apply(a, b, std::clamp(stops, -limit, limit) * across);
+}
+
+/// Whether two whose hearts touch come nearer at any of the points.
+bool approach(const narrowphase::Manifold& touch, const Motion& a, const Motion& b) {
+  const auto velocity = [](const Motion& m, const Vec& point) -> Vec {
+    return m.velocity + m.spin * tangent(point - m.position);
+  };
+  bool any = false;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(touch.count); ++i) {
+    const Vec& point = touch.points[i].point;
+    any |= (velocity(b, point) - velocity(a, point)).dot(touch.normal) < 0.0;
+  }
+  return any;
+}
+
+double overlap(const narrowphase::Manifold& touch) {
+  double deepest = 0.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(touch.count); ++i)
+    deepest = std::max(deepest, -touch.points[i].separation);
+  return deepest;
+}
+
+bool yields(const SolverBody& body) {
+  return body.inverse_mass > 0.0;
+}
+
+}  // namespace
+
+Guard::Guard(const Scene& scene, const Plan& plan, const Candidates& candidates)
+    : scene_(scene),
+      plan_(plan),
+      candidates_(candidates),
+      hearts_(candidates.colliders()),
+      reach_(scene.bodies.size(), 0.0) {
+  const Colliders& colliders = candidates.colliders();
+  if (colliders.centre.empty()) return;  // a disc that turns stays where it is
+  for (std::uint32_t row = 0; row < colliders.size(); ++row)
+    if (!is_disc(colliders, row)) reach_[colliders.body[row]] = scene.bodies.radius[colliders.body[row]];
+}
+
+Guard::Meeting Guard::meeting(broadphase::Pair pair, bool obstacle) const {
+  const Colliders& colliders = candidates_.colliders();
+  const auto ground = static_cast<std::uint32_t>(scene_.bodies.size());
+  return {pair.a,
+          pair.b,
+          colliders.body[pair.a],
+          obstacle ? ground : colliders.body[pair.b],
+          obstacle,
+          obstacle ? candidates_.obstacle_shift(pair.a) : candidates_.shift(pair)};
+}
+
+/// All pairs but for sides of the domain's box, which hold whoever is behind them; and of each body that
+/// yields, its own.
+void Guard::list_all() {
+  if (listed_ == candidates_.finds()) return;
+  listed_ = candidates_.finds();
+  meetings_.clear();
+  for (const broadphase::Pair& pair : candidates_.pairs()) meetings_.push_back(meeting(pair, false));
+  for (const broadphase::Pair& pair : candidates_.obstacle_pairs())
+    if (pair.b >= candidates_.obstacles().side.size()) meetings_.push_back(meeting(pair, true));
+  begin_.assign(scene_.bodies.size() + 2, 0);
+  for (const Meeting& m : meetings_) ++begin_[m.a + 1], ++begin_[m.b + 1];
+  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+  of_body_.resize(2 * meetings_.size());
+  std::vector<std::uint32_t> next = begin_;
+  for (std::uint32_t k = 0; k < meetings_.size(); ++k)
+    of_body_[next[meetings_[k].a]++] = k, of_body_[next[meetings_[k].b]++] = k;
+}
+
+double Guard::thickness(const Meeting& m) const {
+  const double of_a = hearts_.thickness(m.row_a);
+  return m.obstacle ? of_a : std::min(of_a, hearts_.thickness(m.row_b));
+}
+
+const narrowphase::Convex& Guard::heart_of_a(const Meeting& m) const {
+  thread_local narrowphase::Convex lent;
+  return hearts_.heart(m.row_a, m.depth, lent);
+}
+
+/// Obstacles never give way: all of them is heart.
+const narrowphase::Convex& Guard::heart_of_b(const Meeting& m) const {
+  thread_local narrowphase::Convex lent;
+  if (m.obstacle) return candidates_.obstacles().part[m.row_b - candidates_.obstacles().side.size()];
+  return hearts_.heart(m.row_b, m.depth, lent);
+}
+
+/// Who got farther in the step than from its surface to its heart.
+bool Guard::list_far(const State& state, std::span<const SolverBody> bodies) {
+  const Colliders& colliders = candidates_.colliders();
+  is_far_.assign(colliders.size(), 0);
+  bool any = false;
+  candidates_.rows().for_each([&](std::uint32_t row) {
+    const std::uint32_t body = colliders.body[row];
+    const double far = way(bodies[body], state.position[body], reach_[body]);
+    is_far_[row] = far > Hearts::kRims[0] * hearts_.thickness(row);
+    any |= is_far_[row] != 0;
+  });
+  return any;
+}
+
+bool Guard::saw_meeting(const State& state, std::span<const SolverBody> bodies, Workers& workers) {
+  if (!(3.0 * candidates_.farthest_way() > Hearts::kRims[0] * hearts_.least_thickness())) return false;
+  if (!list_far(state, bodies)) return false;
+  hearts_.make();
+  const std::span<const broadphase::Pair> pairs = candidates_.pairs();
+  const std::span<const broadphase::Pair> obstacle_pairs = candidates_.obstacle_pairs();
+  const std::size_t sides = candidates_.obstacles().side.size();
+  std::atomic<bool> any = false;
+  workers.for_ranges(pairs.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end && !any; ++i)
+      if ((is_far_[pairs[i].a] || is_far_[pairs[i].b]) && met(meeting(pairs[i], false), state, bodies))
+        any = true;
+  });
+  workers.for_ranges(obstacle_pairs.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end && !any; ++i)
+      if (is_far_[obstacle_pairs[i].a] && obstacle_pairs[i].b >= sides &&
+          met(meeting(obstacle_pairs[i], true), state, bodies))
+        any = true;
+  });
+  return any;
+}
+
+bool Guard::met(Meeting m, const State& state, std::span<const SolverBody> bodies) const {
+  const auto motion = [&](std::uint32_t body, const Vec& shift) -> Motion {
+    return {state.position[body] + shift, state.angle[body], bodies[body].position - state.position[body],
+            bodies[body].turn};
+  };
+  const Motion a = motion(m.a, {0.0, 0.0});
+  const Motion b = m.obstacle ? Motion{.position = m.shift} : motion(m.b, m.shift);
+  const double turned = std::abs(a.spin) * reach_[m.a] + (m.obstacle ? 0.0 : std::abs(b.spin) * reach_[m.b]);
+  if (!((b.velocity - a.velocity).norm() + turned > kUnseen * thickness(m))) return false;
+  return first_meeting(m, a, b, 1.0) < kNever;
+}
+
+/// When hearts meet that are apart; puts their depth into `m`, which is kDepths where none are. The smallest
+/// ones may touch, where they were held before: then they meet at once, if they approach.
+double Guard::first_meeting(Meeting& m, const Motion& a, const Motion& b, double duration) const {
+  for (m.depth = 0; m.depth < Hearts::kDepths; ++m.depth) {
+    const FirstContact first = narrowphase::first_contact(heart_of_a(m), a, heart_of_b(m), b, duration);
+    if (first.verdict == Verdict::free) return kNever;
+    if (first.t_lo > 0.0 || (first.verdict == Verdict::hit && first.t_hi > 0.0)) return first.t_lo;
+  }
+  m.depth = Hearts::kDepths - 1;
+  const narrowphase::Manifold touch = manifold(m, a, b);
+  if (!(overlap(touch) > kHeld * thickness(m))) return approach(touch, a, b) ? 0.0 : kNever;
+  m.depth = Hearts::kDepths;
+  return kNever;
+}
+
+narrowphase::Manifold Guard::manifold(const Meeting& m, const Motion& a, const Motion& b) const {
+  return narrowphase::manifold(heart_of_a(m), pose_at(a, 0.0), heart_of_b(m), pose_at(b, 0.0), thickness(m));
+}
+
+void Guard::move(const State& state, std::span<SolverBody> bodies, Rows awake, double h) {
+  const Substep sub{state, bodies, h};
+  since_.assign(bodies.size(), 0.0), stands_.assign(bodies.size(), 0);
+  list_all();
+  events_.clear();
+  for (Meeting& m : meetings_) m.watched = false, m.depth = 0, m.pushes = 0;
+  for (std::uint32_t k = 0; k < meetings_.size(); ++k) watch(sub, k);
+  while (!events_.empty()) {
+    std::pop_heap(events_.begin(), events_.end());
+    const Event event = events_.back();
+    events_.pop_back();
+    if (Meeting& m = meetings_[event.meeting]; m.time == event.time) collide(sub, m);
+  }
+  awake.for_each([&](std::uint32_t i) {
+    if (stands_[i]) return;
+    bodies[i].position += (h - since_[i]) * bodies[i].velocity;
+    bodies[i].turn += (h - since_[i]) * bodies[i].spin;
+  });
+}
+
+/// From now on, if the two move far enough in the substep.
+void Guard::watch(const Substep& sub, std::uint32_t k) {
+  const auto far = [&](std::uint32_t i) {
+    return sub.h * (sub.bodies[i].velocity.norm() + std::abs(sub.bodies[i].spin) * reach_[i]);
+  };
+  Meeting& m = meetings_[k];
+  const double unseen = kUnseen / scene_.time.substeps * thickness(m);
+  if (!(far(m.a) + (m.obstacle ? 0.0 : far(m.b)) > unseen)) return;
+  m.watched = true;
+  const double now = std::max(since_[m.a], since_[m.b]);
+  m.time = now + first_meeting(m, motion(sub, m, false, now), motion(sub, m, true, now), sub.h - now);
+  expect(k);
+}
+
+void Guard::expect(std::uint32_t k) {
+  if (!(meetings_[k].time < kNever)) return;
+  events_.push_back({meetings_[k].time, k});
+  std::push_heap(events_.begin(), events_.end());
+}
+
+/// Two that were apart.
+void Guard::foresee(const Substep& sub, std::uint32_t k) {
+  Meeting& m = meetings_[k];
+  if (!m.watched) return watch(sub, k);
+  if (m.depth == Hearts::kDepths || (stands_[m.a] && (m.obstacle || stands_[m.b]))) {
+    m.time = kNever;
+    return;
+  }
+  const double now = std::max(since_[m.a], since_[m.b]);
+  const FirstContact first =
+      narrowphase::first_contact(heart_of_a(m), motion(sub, m, false, now), heart_of_b(m),
+                                 motion(sub, m, true, now), sub.h - now);
+  m.time = first.verdict == Verdict::free ? kNever : now + first.t_lo;
+  expect(k);
+}
+
+/// Of one of the two, from where it is at that time of the substep.
+Motion Guard::motion(const Substep& sub, const Meeting& m, bool of_b, double time) const {
+  if (of_b && m.obstacle) return {.position = m.shift};
+  const std::uint32_t body = of_b ? m.b : m.a;
+  const SolverBody& at = sub.bodies[body];
+  const Vec velocity = stands_[body] ? Vec(0.0, 0.0) : at.velocity;
+  const double spin = stands_[body] ? 0.0 : at.spin, passed = time - since_[body];
+  const Vec shift = of_b ? m.shift : Vec(0.0, 0.0);
+  return {at.position + passed * velocity + shift, sub.state.angle[body] + at.turn + passed * spin, velocity,
+          spin};
+}
+
+void Guard::advance(const Substep& sub, std::uint32_t body, double time) {
+  SolverBody& moving = sub.bodies[body];
+  if (!yields(moving)) return;
+  if (!stands_[body]) {
+    moving.position += (time - since_[body]) * moving.velocity;
+    moving.turn += (time - since_[body]) * moving.spin;
+  }
+  since_[body] = time;
+}
+
+/// Two whose hearts meet are struck, and may then get as deep as to the next ones. Who gets to the last ones
+/// stays where it is for the rest of the substep; before a body that is driven, and goes on, it is pushed out.
+void Guard::collide(const Substep& sub, Meeting& m) {
+  SolverBody &a = sub.bodies[m.a], &b = sub.bodies[m.b];
+  advance(sub, m.a, m.time), advance(sub, m.b, m.time);
+  const bool is_last = m.depth + 1 == Hearts::kDepths;
+  const bool driven = !yields(a) || (!m.obstacle && !yields(b));
+  const double leaves = is_last && driven ? kLeaves * thickness(m) / sub.h : 0.0;
+  const Motion of_a = motion(sub, m, false, m.time), of_b = motion(sub, m, true, m.time);
+  const narrowphase::Manifold touch = manifold(m, of_a, of_b);
+  if (touch.count > 0) {
+    const Vec& last = touch.points[static_cast<std::size_t>(touch.count - 1)].point;
+    const Vec point = 0.5 * (touch.points[0].point + last);
+    strike({point - of_a.position, point - of_b.position, touch.normal}, a, b, surface(m), leaves);
+  }
+  if (!is_last || !driven || ++m.pushes > kMostPushes) ++m.depth;
+  if (is_last && !driven) stands_[m.a] = 1, stands_[m.b] = !m.obstacle;
+  m.time = kNever;
+  if (yields(a)) look_again(sub, m.a);
+  if (yields(b)) look_again(sub, m.b);
+}
+
+void Guard::look_again(const Substep& sub, std::uint32_t body) {
+  for (std::uint32_t i = begin_[body]; i < begin_[body + 1]; ++i) foresee(sub, of_body_[i]);
+}
+
+const Surface& Guard::surface(const Meeting& m) const {
+  const std::uint32_t other =
+      m.obstacle ? candidates_.obstacles().material[m.row_b] : scene_.bodies.material[m.b];
+  return plan_.surfaces[scene_.bodies.material[m.a] * scene_.materials.size() + other];
+}
+
+}  // namespace throng

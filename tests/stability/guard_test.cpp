@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+// Whoever begins a step on one side of a wall, or of another body, ends it there: swept over speeds, spins,
+// time steps and angles of incidence.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "sim/contact/contact.h"
+#include "tests/sim/trial.h"
+
+namespace throng {
+namespace {
+
+const char* const kThrownShapes =
+    "[shapes]\n"
+    "disc = { disc = { radius = 0.1 } }\n"
+    "bar = { polygon = [[-0.5, -0.01], [0.5, -0.01], [0.5, 0.01], [-0.5, 0.01]] }\n"
+    "triangle = { polygon = [[0, 0], [0.2, 0], [0.1, 0.17]] }\n"
+    "square = { polygon = [[-0.1, -0.1], [0.1, -0.1], [0.1, 0.1], [-0.1, 0.1]] }\n"
+    "flat = { polygon = [[-3, -0.01], [3, -0.01], [3, 0.01], [-3, 0.01]] }\n"
+    "tall = { polygon = [[-0.01, -3], [0.01, -3], [0.01, 3], [-0.01, 3]] }\n";
+
+std::string thrown_with(double dt, double restitution, double friction) {
+  std::ostringstream out;
+  out.precision(17);
+  out << "time = { dt = " << dt << ", until = 1 }\n" << material(restitution, friction) << kThrownShapes;
+  return out.str();
+}
+
+std::string thrown(const std::string& shape, const Vec& at, const Vec& velocity, double spin = 0.0,
+                 const std::string& more = "") {
+  std::ostringstream out;
+  out.precision(17);
+  out << "[[bodies]]\nshape = \"" << shape << "\"\nat = [" << at.x() << ", " << at.y() << "]\nvelocity = ["
+      << velocity.x() << ", " << velocity.y() << "]\nspin = " << spin << "\n"
+      << more;
+  return out.str();
+}
+
+/// A closed box of 5 m, its lower left corner at that x.
+enum class Box { polygon, polyline, segments, bars };
+std::string closed_box(Box kind, double x) {
+  std::ostringstream out;
+  const double r = x + 5.0;
+  if (kind == Box::bars) {
+    const std::string still = "kind = \"static\"\n";
+    out << thrown("flat", {x + 2.5, -0.01}, {0, 0}, 0, still) << thrown("flat", {x + 2.5, 5.01}, {0, 0}, 0, still)
+        << thrown("tall", {x - 0.01, 2.5}, {0, 0}, 0, still) << thrown("tall", {r + 0.01, 2.5}, {0, 0}, 0, still);
+  } else if (kind == Box::segments) {
+    for (const auto& [p, q] : {std::pair{Vec(x, 0), Vec(r, 0)}, std::pair{Vec(r, 0), Vec(r, 5)},
+                               std::pair{Vec(r, 5), Vec(x, 5)}, std::pair{Vec(x, 5), Vec(x, 0)}})
+      out << "[[walls]]\nsegment = [[" << p.x() << ", " << p.y() << "], [" << q.x() << ", " << q.y()
+          << "]]\n";
+  } else {
+    out << "[[walls]]\n"
+        << (kind == Box::polygon ? "polygon" : "polyline") << " = [[" << x << ", 0], [" << r << ", 0], [" << r
+        << ", 5], [" << x << ", 5]" << (kind == Box::polygon ? "" : ", [" + std::to_string(x) + ", 0]")
+        << "]\n";
+  }
+  return out.str();
+}
+
+struct Throw {
+  std::string shape;
+  double speed, spin, dt, restitution;
+  Box box;
+};
+
+/// Of `count` bodies, each thrown in a box of its own somewhere, who is outside after a second.
+std::vector<std::size_t> escaped(const Throw& t, std::size_t count, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  std::string bodies, boxes;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double angle = 2.0 * std::numbers::pi * unit(random), x = 10.0 * static_cast<double>(i);
+    bodies += thrown(t.shape, {x + 2.0 + unit(random), 2.0 + unit(random)},
+                   t.speed * Vec(std::cos(angle), std::sin(angle)), t.spin);
+    boxes += closed_box(t.box, x);
+  }
+  Trial run(thrown_with(t.dt, t.restitution, 0.5) + bodies + boxes);
+  run.steps(static_cast<int>(std::ceil(1.0 / t.dt)));
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec at = run.state.position[i] - Vec(10.0 * static_cast<double>(i), 0.0);
+    if (!(at.x() > 0.0 && at.x() < 5.0 && at.y() > 0.0 && at.y() < 5.0)) out.push_back(i);
+  }
+  return out;
+}
+
+TEST(Guard, NobodyGetsOutOfABox) {
+  for (const double dt : {0.01, 1.0 / 60.0})
+    for (const auto& [shape, spin] : std::vector<std::pair<std::string, double>>{
+             {"disc", 0.0}, {"disc", 100.0}, {"bar", 0.0}, {"bar", 30.0}, {"bar", 100.0}, {"triangle", 30.0}})
+      for (const double restitution : {0.0, 0.5})
+        for (const double speed : {20.0, 80.0, 160.0, 300.0})
+          for (const Box kind : {Box::polygon, Box::bars})
+            EXPECT_EQ(escaped({shape, speed, spin, dt, restitution, kind}, 60, 1), std::vector<std::size_t>())
+                << shape << ", spin " << spin << ", e = " << restitution << ", " << speed << " m/s, dt " << dt
+                << ", box " << static_cast<int>(kind);
+}
+
+TEST(Guard, NobodyGetsOutOfABoxOfSegmentsOrOfAPolyline) {
+  for (const std::string shape : {"disc", "bar", "triangle"})
+    for (const double speed : {40.0, 200.0})
+      for (const Box kind : {Box::polyline, Box::segments})
+        EXPECT_EQ(escaped({shape, speed, 20.0, 1.0 / 60.0, 0.0, kind}, 60, 2), std::vector<std::size_t>())
+            << shape << ", " << speed << " m/s, box " << static_cast<int>(kind);
+}
+
+/// It spun by 1.67 rad a step, and the points where it was to meet the wall, halfway from there, with it.
+TEST(Guard, ABarThatSpinsAt200MetresASecondStaysInItsBox) {
+  for (const Box kind : {Box::polygon, Box::bars}) {
+    Trial run(thrown_with(1.0 / 60.0, 0.0, 0.5) + thrown("bar", {2.5, 2.5}, {200, 0}, 100.0) + closed_box(kind, 0.0));
+    for (int step = 0; step < 60; ++step) {
+      run.steps(1);
+      ASSERT_TRUE((run.state.position[0].array() > 0.0).all() && (run.state.position[0].array() < 5.0).all())
+          << "step " << step << " at " << run.state.position[0].transpose();
+    }
+  }
+}
+
+/// Two corners that hit a wall, one after the other, and sweeps that hadn't got far.
+TEST(Guard, ABarAt20MetresASecondDoesntSinkThroughAWall) {
+  Trial run(thrown_with(0.01, 0.0, 0.5) + thrown("bar", {2.78872, 2.09386}, {-11.59317, -16.29719}) +
+            closed_box(Box::polygon, 0.0));
+  for (int step = 0; step < 100; ++step) {
+    run.steps(1);
+    ASSERT_GT(run.state.position[0].y(), 0.0) << "step " << step;
+  }
+}
+
+/// In the corner, what the floor's friction set in motion went into the wall.
+TEST(Guard, ADiscThatRollsIntoACornerAt100MetresASecondStaysBeforeTheWall) {
+  for (const Box kind : {Box::polygon, Box::bars}) {
+    Trial run(thrown_with(0.01, 0.0, 0.5) + thrown("disc", {2.03059, 2.02545}, {162.85124, -116.10113}) +
+              closed_box(kind, 0.0));
+    for (int step = 0; step < 30; ++step) {
+      run.steps(1);
+      ASSERT_LT(run.state.position[0].x(), 5.0) << "step " << step;
+    }
+  }
+}
+
+/// From both sides at once: the sum of their velocities is up to 400 m/s.
+TEST(Guard, ThinBarsThatSpinDontPassEachOther) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  for (int i = 0; i < 150; ++i) {
+    const double spin = 20.0 * unit(random);
+    Trial run(thrown_with(1.0 / 60.0, 0.0, 0.0) +
+              thrown("tall", {0.5 + 0.5 * unit(random), 0}, {-200.0, 0.0}) +
+              thrown(i % 2 ? "square" : "bar", {-2.0 + unit(random), 0.3 * unit(random)}, {200.0, 0.0}, spin));
+    for (int step = 0; step < 4; ++step) {
+      run.steps(1);
+      const Vec way = run.state.position[1] - run.state.position[0];
+      const double angle = run.state.angle[0];
+      ASSERT_LT(std::cos(angle) * way.x() + std::sin(angle) * way.y(), 0.0) << "run " << i << ", step " << step;
+    }
+  }
+}
+
+/// Poured so fast that they are pressed through one another's surfaces.
+TEST(Guard, ACupHoldsAllThatIsPouredIntoIt) {
+  for (const double speed : {30.0, 60.0, 100.0}) {
+    std::ostringstream pour;
+    pour << "gravity = [0, -9.81]\nseed = 1\n" << thrown_with(1.0 / 60.0, 0.0, 0.5)
+         << "pebble = { disc = { radius = { uniform = [0.05, 0.1] } } }\n"
+         << "[[bodies]]\nshape = \"pebble\"\ncount = 150\nplace = { random = { within = [[0.2, 3], [3.8, 8]] } }\n"
+         << "velocity = [0, " << -speed << "]\n"
+         << "[[bodies]]\nshape = \"triangle\"\ncount = 100\nplace = { random = { within = [[0.2, 3], [3.8, 8]] } }\n"
+         << "velocity = [0, " << -speed << "]\nangle = { uniform = [0, 6.28] }\n"
+         << "[[walls]]\npolyline = [[0, 90], [0, 0], [4, 0], [4, 90]]\n";
+    Trial run(pour.str());
+    run.steps(60);
+    for (std::size_t i = 0; i < run.state.position.size(); ++i) {
+      const Vec& at = run.state.position[i];
+      EXPECT_TRUE(at.x() > 0.0 && at.x() < 4.0 && at.y() > 0.0)
+          << speed << " m/s, body " << i + 1 << " at " << at.transpose();
+    }
+  }
+}
+
+/// Driven, it gives way to nobody: who is in its way is taken along.
+TEST(Guard, ABladeThatIsDrivenTakesAlongWhoeverItMeets) {
+  for (const std::string shape : {"disc", "square"})
+    for (const double speed : {20.0, 100.0, 200.0}) {
+      std::string crowd;
+      for (int i = 0; i < 15; ++i)
+        crowd += thrown(shape, {0.5 + 0.8 * (i % 3), -1.0 + 0.5 * (i / 3)}, {0.0, 0.0});
+      Trial run(thrown_with(0.01, 0.0, 0.5) + thrown("tall", {0, 0}, {speed, 0.0}, 0.0, "kind = \"kinematic\"\n") + crowd);
+      run.steps(20);
+      for (std::size_t i = 1; i < run.state.position.size(); ++i)
+        if (std::abs(run.state.position[i].y()) < 3.0) {
+          EXPECT_GT(run.state.position[i].x(), run.state.position[0].x()) << shape << ", " << speed << " m/s, " << i;
+        }
+    }
+}
+
+/// By up to 0.3 rad a step; from 0.6 rad on it still passes.
+TEST(Guard, ABladeThatIsTurnedPassesNobody) {
+  for (const std::string shape : {"disc", "square"})
+    for (const double spin : {10.0, 20.0, 30.0})
+      for (int i = 2; i < 25; ++i) {
+        const double at = 0.06 * i;
+        Trial run(thrown_with(0.01, 0.0, 0.5) +
+                  thrown("flat", {0, 0}, {0, 0}, spin, "kind = \"kinematic\"\n") +
+                  thrown(shape, {2.0 * std::cos(at), 2.0 * std::sin(at)}, {0, 0}));
+        for (int step = 0; step < 4; ++step) {
+          run.steps(1);
+          const double angle = run.state.angle[0];
+          const Vec along(std::cos(angle), std::sin(angle)), where = run.state.position[1];
+          if (std::abs(along.dot(where)) > 2.9) break;
+          ASSERT_GT(tangent(along).dot(where), 0.0) << shape << " at " << at << ", spin " << spin << ", step " << step;
+        }
+      }
+}
+
+TEST(Guard, FastOnesEndAlikeForAnyNumberOfThreads) {
+  std::string scene = thrown_with(1.0 / 60.0, 0.0, 0.5);
+  for (int i = 0; i < 200; ++i)
+    scene += thrown(i % 2 ? "bar" : "disc", {1.1 * (i % 20), 1.1 * (i / 20)}, {100.0 * std::cos(i), 100.0 * std::sin(i)}, i % 7);
+  scene += "[[walls]]\npolygon = [[-1, -1], [23, -1], [23, 12], [-1, 12]]\n";
+  Trial one(scene_from(scene), 1), two(scene_from(scene), 2);
+  one.steps(20), two.steps(20);
+  EXPECT_EQ(hash(one.state), hash(two.state));
+}
+
+}  // namespace
+}  // namespace throng
