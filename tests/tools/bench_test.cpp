@@ -149,7 +149,8 @@ TEST_F(BenchCommand, JudgesEveryModelByTheCatalogues) {
   EXPECT_THAT(result.out, ::testing::HasSubstr("IMO 4, NIST 5.2: exit of a room"));
 }
 
-// What README promises of them. All draws are the scenarios' own: the numbers are the same everywhere.
+// What README promises of them: means with twice their standard error, and each of several draws of the
+// crowd; but a line through flows of one draw is only as straight as 60 people are many.
 TEST_F(BenchCommand, FindsThatPresetsKeepWhatTheyAreFor) {
   const auto expect_passes = [&](const std::string& walker, const std::string& only, std::size_t count) {
     const Result result = throng("bench validation --engine '" + walker + "' --only '" + only + "' --json " +
@@ -157,10 +158,17 @@ TEST_F(BenchCommand, FindsThatPresetsKeepWhatTheyAreFor) {
     ASSERT_EQ(result.exit_code, 0) << result.err;
     const auto rows = nlohmann::json::parse(read(path("rows.json")));
     EXPECT_EQ(rows.size(), count);
-    for (const auto& row : rows)
-      EXPECT_EQ(row["error"]["verdict"], "pass") << walker << ": " << row["case"] << row["error"]["value"];
+    for (const auto& row : rows) {
+      const auto& found = row["error"];
+      EXPECT_EQ(found["verdict"], "pass") << walker << ": " << row["case"] << found;
+      if (!found.contains("worst") || row["case"] == "Seyfried 2009, RiMEA 12d: flow over width") continue;
+      const double worst = found["worst"],
+                   high = found["high"].is_null() ? worst : found["high"].get<double>();
+      EXPECT_TRUE(worst >= found["low"] && worst <= high) << walker << ": " << row["case"] << found;
+    }
   };
-  expect_passes("social_force calibrated", "^IMO [48],|^Seyfried", 4);
+  expect_passes("social_force calibrated", "^IMO [48],", 2);
+  expect_passes("social_force bottleneck", "^Seyfried", 2);
   expect_passes("collision_free_speed calibrated", "^IMO [489],", 3);
   expect_passes("collision_free_speed bottleneck", "^Seyfried|^Weidmann", 3);
 }

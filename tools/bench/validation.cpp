@@ -7,6 +7,7 @@
 
 #include "sim/input_error.h"
 #include "tools/bench/benchmarks.h"
+#include "tools/bench/rows.h"
 #include "tools/bench/validation_cases.h"
 
 namespace throng::bench {
@@ -31,7 +32,8 @@ Row judge(const ValidationCase& one, const Trials& trials) {
   const auto begin = std::chrono::steady_clock::now();
   const Finding found = one.measure(trials);
   const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - begin;
-  const bool passes = found.value && *found.value >= one.low && *found.value <= one.high;
+  const bool passes =
+      found.value && *found.value - found.doubt >= one.low && *found.value + found.doubt <= one.high;
   const char* nature = passes ? nullptr : by_nature(trials.walker().model, one.name);
   Row row{"validation", one.name, trials.walker().name(), 1, {spent.count()}, 1.0, one.what};
   row.error = {{"verdict", passes ? "pass" : "fail"},
@@ -41,6 +43,7 @@ Row judge(const ValidationCase& one, const Trials& trials) {
                {"unit", one.unit},
                {"note", found.note + (nature ? std::string(found.note.empty() ? "" : "; ") + nature : "")}};
   if (nature) row.error["by_nature"] = true;
+  if (found.worst) row.error["doubt"] = found.doubt, row.error["worst"] = *found.worst;
   if (!found.series.empty()) row.error["series"] = found.series;
   return row;
 }
@@ -49,6 +52,13 @@ std::string figure_text(const Json& number) {
   char buffer[32];
   std::snprintf(buffer, sizeof buffer, "%.4g", number.is_number() ? number.get<double>() : 0.0);
   return number.is_number() ? buffer : "-";
+}
+
+/// "+-0.02, worst 1.31" where there are several draws.
+std::string draws_text(const Json& error) {
+  if (!error.contains("worst")) return "";
+  const std::string worst = "worst " + figure_text(error["worst"]);
+  return error["doubt"] > 0.0 ? "+-" + figure_text(error["doubt"]) + ", " + worst : worst;
 }
 
 /// "0 to 1.33", "at least 0.1", "at most 60".
@@ -69,6 +79,13 @@ void check_engines(const std::vector<std::string>& engines) {
 }
 
 }  // namespace
+
+double doubt(const std::vector<double>& draws) {
+  const double n = static_cast<double>(draws.size());
+  double squares = 0.0;
+  for (const double draw : draws) squares += (draw - mean(draws)) * (draw - mean(draws));
+  return 2.0 * std::sqrt(squares / ((n - 1.0) * n));
+}
 
 std::vector<Row> bench_validation(const Options& options) {
   check_engines(options.engines);
@@ -94,8 +111,9 @@ void print_verdicts(const std::vector<Row>& rows, std::size_t begin) {
     if (i == 0 || rows[i - 1].name != row.name) std::printf("%s (%s)\n", row.name.c_str(), row.check.c_str());
     const Json& e = row.error;
     const std::string verdict = e["verdict"], unit = e["unit"], note = e["note"];
-    std::printf("  %-32s %-5s %9s %-4s  %-16s %s\n", row.engine.c_str(), verdict.c_str(),
-                figure_text(e["value"]).c_str(), unit.c_str(), bounds_text(e).c_str(), note.c_str());
+    std::printf("  %-32s %-5s %9s %-4s  %-16s %-22s %s\n", row.engine.c_str(), verdict.c_str(),
+                figure_text(e["value"]).c_str(), unit.c_str(), bounds_text(e).c_str(), draws_text(e).c_str(),
+                note.c_str());
   }
 }
 

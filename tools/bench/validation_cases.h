@@ -16,13 +16,18 @@ struct Finding {
   std::optional<double> value;  ///< none: it could not be measured, as `note` says
   std::string note = {};
   nlohmann::ordered_json series = nlohmann::ordered_json::object();  ///< the numbers behind it, for plots
+  double doubt = 0.0;  ///< twice the standard error of `value`, where it is a mean over draws of the crowd
+  std::optional<double> worst = {};  ///< of one of the draws
 };
+
+/// Twice the standard error of the mean of these. Expects two or more.
+double doubt(const std::vector<double>& draws);
 
 struct ValidationCase {
   const char* name;  ///< its numbers in the catalogues, and a word or two
   const char* what;  ///< is measured
   const char* unit;
-  double low, high;  ///< of the value; both are allowed
+  double low, high;  ///< of the value, up to its doubt; both are allowed
   Finding (*measure)(const Trials& trials);
   bool quick = false;  ///< done in less than a second
 };

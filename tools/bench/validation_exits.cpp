@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/bench/rows.h"
 #include "tools/bench/validation_cases.h"
 
 namespace throng::bench {
@@ -28,16 +29,16 @@ constexpr int kDraws = 10;  // of the crowd, over which flows are averaged
 
 /// 1/s over the whole period, from the start to the last through the exit.
 Finding flow_through_exit(const Trials& trials) {
-  double sum = 0.0;
+  std::vector<double> flows;
   Json times = Json::array();
   for (int seed = 1; seed <= kDraws; ++seed) {
     const Walked walked = trials.walk("exit", {"seed=" + std::to_string(seed)});
     const std::vector<double>& through = walked.crossings[0];
     if (through.size() < walked.arrival.size()) return {{}, unfinished(walked)};
-    sum += static_cast<double>(through.size()) / through.back();
+    flows.push_back(static_cast<double>(through.size()) / through.back());
     times.push_back(through);
   }
-  return {sum / kDraws, "", {{"times", times}}};
+  return {mean(flows), "", {{"times", times}}, doubt(flows), *std::ranges::max_element(flows)};
 }
 
 constexpr double kWidths[] = {0.8, 0.9, 1.0, 1.1, 1.2};              // m
@@ -49,52 +50,77 @@ std::string seyfried_floor(double width) {
          high + ", 8 " + high + ", 8 8, 0 8, 0 0))";
 }
 
-std::vector<double> measured_flows(const Trials& trials) {
-  std::vector<double> flows;
+/// 1/s, by draw.
+using Flows = std::vector<double>;
+
+std::vector<Flows> measured_flows(const Trials& trials) {
+  std::vector<Flows> flows;
   for (const double width : kWidths) {
-    double sum = 0.0;
+    Flows its;
     for (int seed = 1; seed <= kDraws; ++seed) {
       const Walked walked = trials.walk("seyfried", {seyfried_floor(width), "seed=" + std::to_string(seed)});
       if (walked.missing() > 0) return flows;
-      sum += flow(walked.crossings[0]);
+      its.push_back(flow(walked.crossings[0]));
     }
-    flows.push_back(sum / kDraws);
+    flows.push_back(its);
   }
   return flows;
 }
 
-/// 1/s, for each of kWidths, over kDraws of the crowd; stops short where people don't get through.
-const std::vector<double>& bottleneck_flows(const Trials& trials) {
+/// For each of kWidths; stops short where people don't get through.
+const std::vector<Flows>& bottleneck_flows(const Trials& trials) {
   return trials.once("bottleneck flows", [&] { return measured_flows(trials); });
 }
 
-Json curve(const std::vector<double>& flows) {
-  return {{"width", kWidths}, {"flow", flows}, {"seyfried_2009", kSeyfried}};
+std::vector<double> means(const std::vector<Flows>& flows) {
+  std::vector<double> all;
+  for (const Flows& its : flows) all.push_back(mean(its));
+  return all;
 }
 
-std::string stuck_at(const std::vector<double>& flows) {
+Json curve(const std::vector<Flows>& flows) {
+  return {{"width", kWidths}, {"flow", means(flows)}, {"seyfried_2009", kSeyfried}, {"draws", flows}};
+}
+
+std::string stuck_at(const std::vector<Flows>& flows) {
   return "not all got through " + number(kWidths[flows.size()]).substr(0, 3) + " m in time";
 }
 
+/// Of that width whose mean, with its doubt, is farthest off.
 Finding off_seyfried(const Trials& trials) {
-  const std::vector<double>& flows = bottleneck_flows(trials);
+  const std::vector<Flows>& flows = bottleneck_flows(trials);
   if (flows.size() < std::size(kWidths)) return {{}, stuck_at(flows), curve(flows)};
-  double worst = 0.0;
-  for (std::size_t i = 0; i < flows.size(); ++i) worst = std::max(worst, std::abs(flows[i] - kSeyfried[i]));
-  return {worst, "", curve(flows)};
+  Finding found{0.0, "", curve(flows), 0.0, 0.0};
+  for (std::size_t i = 0; i < flows.size(); ++i) {
+    const double off = std::abs(mean(flows[i]) - kSeyfried[i]), its_doubt = doubt(flows[i]);
+    if (off + its_doubt > *found.value + found.doubt) found.value = off, found.doubt = its_doubt;
+    for (const double each : flows[i]) found.worst = std::max(*found.worst, std::abs(each - kSeyfried[i]));
+  }
+  return found;
 }
 
-/// The share of the flows' variance that a straight line over the width explains, with the line's sign.
-Finding linear_in_width(const Trials& trials) {
-  const std::vector<double>& flows = bottleneck_flows(trials);
-  if (flows.size() < std::size(kWidths)) return {{}, stuck_at(flows)};
-  double mean = 0.0, xy = 0.0, xx = 0.0, yy = 0.0;
-  for (const double each : flows) mean += each / static_cast<double>(flows.size());
+/// The share of the variance of these flows (as kWidths) that a straight line over the width explains, with
+/// the line's sign.
+double explained(const std::vector<double>& flows) {
+  double xy = 0.0, xx = 0.0, yy = 0.0;
   for (std::size_t i = 0; i < flows.size(); ++i) {
-    const double x = kWidths[i] - 1.0, y = flows[i] - mean;
+    const double x = kWidths[i] - 1.0, y = flows[i] - mean(flows);
     xy += x * y, xx += x * x, yy += y * y;
   }
-  return {xy * std::abs(xy) / (xx * yy), "", {{"slope", xy / xx}}};
+  return xy * std::abs(xy) / (xx * yy);
+}
+
+/// Of the means of draws, which have no doubt of their own; beside it the worst of each draw.
+Finding linear_in_width(const Trials& trials) {
+  const std::vector<Flows>& flows = bottleneck_flows(trials);
+  if (flows.size() < std::size(kWidths)) return {{}, stuck_at(flows)};
+  double worst = 1.0;
+  for (std::size_t draw = 0; draw < kDraws; ++draw) {
+    std::vector<double> its;
+    for (const Flows& each : flows) its.push_back(each[draw]);
+    worst = std::min(worst, explained(its));
+  }
+  return {explained(means(flows)), "", Json::object(), 0.0, worst};
 }
 
 /// How many times as long it takes to leave the hall by two of its four exits.

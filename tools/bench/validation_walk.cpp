@@ -94,8 +94,8 @@ double Walked::last_arrival() const {
   return *std::ranges::max_element(arrival);
 }
 
-const std::vector<double>& Trials::once(const std::string& name,
-                                        const std::function<std::vector<double>()>& measure) const {
+const std::vector<std::vector<double>>& Trials::once(
+    const std::string& name, const std::function<std::vector<std::vector<double>>()>& measure) const {
   const auto [at, is_new] = known_.try_emplace(name);
   if (is_new) at->second = measure();
   return at->second;

@@ -51,8 +51,8 @@ class Trials {
   const Walker& walker() const { return walker_; }
 
   /// What `measure` returns, which several cases look at under that name: it is asked once.
-  const std::vector<double>& once(const std::string& name,
-                                  const std::function<std::vector<double>()>& measure) const;
+  const std::vector<std::vector<double>>& once(
+      const std::string& name, const std::function<std::vector<std::vector<double>>()>& measure) const;
 
   /// Walks the scenario of that name in the folder, with these values for its fields ("PATH=VALUE").
   /// Throws InputError where it has faults, with all of them.
@@ -63,7 +63,7 @@ class Trials {
   Walker walker_;
   std::string folder_;
   std::vector<std::string> fields_;
-  mutable std::map<std::string, std::vector<double>> known_;
+  mutable std::map<std::string, std::vector<std::vector<double>>> known_;
 };
 
 }  // namespace throng::bench
