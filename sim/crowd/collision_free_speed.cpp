@@ -22,6 +22,12 @@ struct FreeSpeed {
   double time_gap, strength, range, wall_strength, wall_range, cutoff, noise;
 
   Vec doubt(const CrowdView& crowd, std::uint32_t place) const;
+
+  /// m, beyond which nobody matters who touches at `touching` (m), to one of that desired speed (m/s).
+  double reach(double touching, double desired_speed) const {
+    const double matters = std::max(kNegligibleRanges * range, time_gap * desired_speed);
+    return std::min(cutoff, touching + matters);
+  }
 };
 
 }  // namespace throng
@@ -64,9 +70,7 @@ Vec away_from_walls(const FreeSpeed& model, const CrowdView& crowd, std::uint32_
 
 /// m, beyond which nobody turns the agent nor slows him down.
 HWY_INLINE double reach_of(const FreeSpeed& model, const CrowdView& crowd, std::uint32_t place) {
-  const double matters =
-      std::max(kNegligibleRanges * model.range, model.time_gap * crowd.desired_speed[place]);
-  return std::min(model.cutoff, crowd.radius[place] + crowd.largest_radius + matters);
+  return model.reach(crowd.radius[place] + crowd.largest.radius, crowd.desired_speed[place]);
 }
 
 /// m/s, of one whom others turn so.
@@ -145,7 +149,9 @@ class CollisionFreeSpeed : public WalkingModel {
     HWY_DYNAMIC_DISPATCH(WalkFreely)(model_, crowd, places, velocity);
   }
 
-  double reach(double) const override { return model_.cutoff; }
+  double reach(const Largest& largest) const override {
+    return model_.reach(2.0 * largest.radius, largest.desired_speed);
+  }
 
   double longest_step(double radius, double desired_speed) const override {
     const double half = 0.5 * model_.time_gap;

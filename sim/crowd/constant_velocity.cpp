@@ -14,7 +14,7 @@ class ConstantVelocity : public WalkingModel {
     for (const std::uint32_t place : places)
       velocity[place] = crowd.desired_speed[place] * crowd.towards(place);
   }
-  double reach(double) const override { return 0.0; }
+  double reach(const Largest&) const override { return 0.0; }
   double longest_step(double, double) const override { return std::numeric_limits<double>::infinity(); }
 };
 

@@ -20,17 +20,18 @@ void CrowdCells::sort(std::span<const Vec> position, double reach, std::span<con
   if (n == 0) return;
   Vec low = position[0], high = low;
   for (const Vec& p : position) low = low.cwiseMin(p), high = high.cwiseMax(p);
-  cells_.fit(low, high, 0.5 * reach, n, nullptr);
+  low = squared(low), high = squared(high);
+  cells_.fit(low, high, reach, n, nullptr);
   if (cells_.shared()) {
     const Vec extent = high - low;
     const double each = 1.0 / static_cast<double>(n);  // about a cell an agent
     cells_.fit(low, high,
-               std::max({0.5 * reach, std::sqrt(extent.x() * each * extent.y()), extent.maxCoeff() * each}),
-               n, nullptr);
+               std::max({reach, std::sqrt(extent.x() * each * extent.y()), extent.maxCoeff() * each}), n,
+               nullptr);
   }
   start_.assign(cells_.buckets() + 1, 0);
   for (std::size_t row = 0; row < n; ++row) {
-    bucket_[row] = static_cast<std::uint32_t>(cells_.bucket(cells_.cell(position[row])));
+    bucket_[row] = static_cast<std::uint32_t>(cells_.bucket(cells_.cell(squared(position[row]))));
     ++start_[bucket_[row]];
   }
   std::uint32_t sum = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -15,8 +16,9 @@ namespace throng {
 /// their names, on nothing else.
 class CrowdCells {
  public:
-  /// Sorts them into cells half as wide as `reach` (m, above 0), wider where that would be many more cells
-  /// than agents; in each cell ascending by row, or by id where ids are given. O(n); allocates only to grow.
+  /// Sorts them into cells as high as `reach` (m, above 0) and kFlat times narrower, larger ones where these
+  /// would be many more than agents; in each cell ascending by row, or by id where ids are given. O(n);
+  /// allocates only to grow.
   void sort(std::span<const Vec> position, double reach, std::span<const std::uint32_t> id = {});
 
   /// The row of each place.
@@ -29,7 +31,10 @@ class CrowdCells {
 
   /// The cells that hold all who stand at most `reach` (m) from `p`, and others. False where nobody is.
   bool find(const Vec& p, double reach, broadphase::Range& cells) const {
-    return !row_.empty() && cells_.range(p, reach, cells);
+    if (row_.empty()) return false;
+    const Vec far(reach + kRounding * (std::abs(p.x()) + reach),
+                  reach + kRounding * (std::abs(p.y()) + reach));
+    return cells_.range(squared(p - far), squared(p + far), cells);
   }
 
   /// Those in row `y` of these cells; nobody is in the stretches of two rows.
@@ -50,6 +55,12 @@ class CrowdCells {
   }
 
  private:
+  static constexpr double kFlat = 4.0;  // three rows of such cells hold all who are near, and few others
+  static constexpr double kRounding = 0x1p-49;
+
+  /// In the plane in which cells are square. Exact.
+  static Vec squared(const Vec& p) { return {kFlat * p.x(), p.y()}; }
+
   void order_by(std::span<const std::uint32_t> id);
 
   broadphase::Cells cells_;

@@ -13,6 +13,7 @@ constexpr double kPatience = 5.0, kLongestWay = 15.0;  // s: who gets nowhere on
 constexpr double kSettled = 2.0;                       // s: who stands so long at his place stays so
 constexpr double kAtPlace = 0.5;                       // of a line's spacing: not farther he is at his place
 constexpr double kBeside = 3.0;  // radii: who waits is that near where he keeps others out
+constexpr int kSeveral = 2;      // who wait for anything bar the way: one can be walked round
 
 }  // namespace
 
@@ -156,6 +157,17 @@ bool Journeys::is_among(const State& state, Row row, std::uint32_t goal) {
                             [&](const Vec& spot) { return !barriers_.block(p, spot); });
 }
 
+/// Whether he is near several of those who wait, whatever they wait for, and on the same side of all walls.
+bool Journeys::is_among_several(const State& state, Row row) {
+  if (!spots_known_) gather_spots(state);
+  const Vec& p = position(state, row);
+  int beside = 0;
+  return std::ranges::any_of(spots_, [&](Standing& spots) {
+    return spots.meets(p, kBeside * radius(state, row),
+                       [&](const Vec& spot) { return !barriers_.block(p, spot) && ++beside >= kSeveral; });
+  });
+}
+
 /// Whether one who walks to the same goal is beside him and nearer to it.
 bool Journeys::is_behind_one(const State& state, Row row) {
   if (!spots_known_) gather_spots(state);
@@ -166,13 +178,13 @@ bool Journeys::is_behind_one(const State& state, Row row) {
                                           [&](const Vec& q) { return way.distance(q) < distance; });
 }
 
-/// Whether he has stood for a while since he set out for his goal, beside others who wait, for whatever it
-/// is: they won't make way. In a jam they do so to the foremost alone: to others they may be bystanders.
+/// Whether he has stood for a while since he set out for his goal, beside one who waits for it, or beside
+/// several who wait for whatever it is: they won't make way. In a jam they do so to the foremost alone: to
+/// others they may be bystanders.
 bool Journeys::is_kept_out(const State& state, Row row) {
   if (since(state, state.crowd.stand_step[row]) < kPatience || stands_yet(state, row)) return false;
-  for (std::uint32_t goal = 0; goal < spots_.size(); ++goal)
-    if (is_among(state, row, goal)) return !is_behind_one(state, row);
-  return false;
+  return (is_among(state, row, goal(state, row)) || is_among_several(state, row)) &&
+         !is_behind_one(state, row);
 }
 
 void Journeys::stay(State& state, Row row, const Vec& spot) {

@@ -85,6 +85,7 @@ class Journeys {
   bool wait(State& state, Row row);
   void begin_to_wait(State& state, Row row);
   bool is_among(const State& state, Row row, std::uint32_t goal);
+  bool is_among_several(const State& state, Row row);
   bool is_behind_one(const State& state, Row row);
   bool is_kept_out(const State& state, Row row);
   bool is_off_spot(const State& state, Row row) const;

@@ -12,6 +12,11 @@
 /// what scenario files may set of it; its name joins the list in models.cpp.
 namespace throng {
 
+/// Of the agents of a crowd, be they there or not.
+struct Largest {
+  double radius = 0.0, desired_speed = 0.0;  ///< m, m/s
+};
+
 /// The crowd as it is before the step, which every agent reads and none changes: the answers depend on no
 /// order. Agents by their places in `cells`; behind the last one all arrays go on for kPadding numbers, which
 /// may be read. Who is near, and behind no barrier, is gathered by Others of near-inl.h.
@@ -26,7 +31,7 @@ struct CrowdView {
   std::span<const double> radius, desired_speed;  ///< m, m/s
   std::span<const double> id;
   std::span<const double> clear;  ///< m: no barrier is nearer
-  double largest_radius;          ///< m
+  Largest largest;
   const Barriers& barriers;
 
   static constexpr std::size_t kPadding = 8;
@@ -46,9 +51,8 @@ class WalkingModel {
   virtual void steer(const CrowdView& crowd, std::span<const std::uint32_t> places,
                      std::span<Vec> velocity) const = 0;
 
-  /// m, how far from centre to centre others matter where no radius is above `largest_radius` (m); 0: the
-  /// model looks at nobody.
-  virtual double reach(double largest_radius) const = 0;
+  /// m, how far from centre to centre others matter; 0: the model looks at nobody.
+  virtual double reach(const Largest& largest) const = 0;
 
   /// The longest step (s) that the model bears for an agent of that radius (m) and desired speed (m/s).
   virtual double longest_step(double radius, double desired_speed) const = 0;

@@ -229,7 +229,7 @@ class Orca : public WalkingModel {
     HWY_DYNAMIC_DISPATCH(WalkReciprocally)(model_, crowd, places, velocity);
   }
 
-  double reach(double) const override { return model_.neighbours >= 1.0 ? model_.cutoff : 0.0; }
+  double reach(const Largest&) const override { return model_.neighbours >= 1.0 ? model_.cutoff : 0.0; }
   double longest_step(double, double) const override { return std::min(model_.horizon, model_.wall_horizon); }
 
  private:

@@ -116,11 +116,11 @@ class SocialForce : public WalkingModel {
 
   void steer(const CrowdView& crowd, std::span<const std::uint32_t> places,
              std::span<Vec> velocity) const override {
-    HWY_DYNAMIC_DISPATCH(WalkByForces)(model_, crowd, places, reach(crowd.largest_radius), velocity);
+    HWY_DYNAMIC_DISPATCH(WalkByForces)(model_, crowd, places, reach(crowd.largest), velocity);
   }
 
-  double reach(double largest_radius) const override {
-    return std::min(model_.cutoff, 2.0 * largest_radius + kNegligibleRanges * model_.range);
+  double reach(const Largest& largest) const override {
+    return std::min(model_.cutoff, 2.0 * largest.radius + kNegligibleRanges * model_.range);
   }
   bool stands_at_will() const override { return false; }
 

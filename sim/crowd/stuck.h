@@ -18,8 +18,8 @@ struct StuckAgent {
 inline constexpr double kStuckTime = 10.0;  ///< s
 
 /// Those of the state, by id: agents with a desired speed and on their way somewhere, that for kStuckTime
-/// weren't farther than their radius from one place. Not those who stand in line, want to a queue that is
-/// full, or wait.
+/// weren't farther than their radius from one place, nor since then than `leash`. Not those who stand in
+/// line, want to a queue that is full, or wait.
 std::vector<StuckAgent> stuck_agents(const Scene& scene, const State& state);
 
 /// s: who stood so long is in doubt.
@@ -36,7 +36,12 @@ inline double time_stood(const Scene& scene, const State& state, std::size_t row
 
 /// Where one who has stood for so long (s) wants to go: at random by (seed, step, id) a little beside his
 /// way, else two who meet head on would stand before each other for ever; and once he is stuck anywhere, the
-/// more so the longer, else three who hold one another in an arch before a door would.
+/// more so the longer, each time for a second, else three who hold one another in an arch before a door
+/// would, or one would behind somebody who waits there.
 Vec in_doubt(const Scene& scene, const State& state, std::uint32_t id, const Vec& towards, double stood);
+
+/// m: who of that radius (m) gets farther from where he has stood has got somewhere. More where he is stuck:
+/// who goes aside would be drawn back at once.
+double leash(const Scene& scene, const State& state, std::size_t row, double radius);
 
 }  // namespace throng

@@ -18,11 +18,13 @@ namespace {
 
 constexpr std::size_t kAgentsAhead = 16;  // agents, in whose time memory comes
 
-double largest_radius(const Scene& scene) {
-  double largest = 0.0;
-  for (std::size_t agent = 0; agent < scene.crowd.size(); ++agent)
-    largest = std::max(largest, scene.bodies.radius[scene.crowd.first + agent]);
-  return largest;
+Largest largest(const Scene& scene) {
+  Largest most;
+  for (std::size_t agent = 0; agent < scene.crowd.size(); ++agent) {
+    most.radius = std::max(most.radius, scene.bodies.radius[scene.crowd.first + agent]);
+    most.desired_speed = std::max(most.desired_speed, scene.crowd.desired_speed[agent]);
+  }
+  return most;
 }
 
 double least_radius(const Scene& scene, const AgentGroup& group) {
@@ -49,10 +51,10 @@ std::vector<BarrierLine> barrier_lines(const Scene& scene) {
 Walk::Walk(const Scene& scene)
     : scene_(scene),
       barriers_(scene.crowd.size() > 0 ? barrier_lines(scene) : std::vector<BarrierLine>(),
-                2.0 * largest_radius(scene)),
+                2.0 * largest(scene).radius),
       movers_(scene),
       entrances_(scene.crowd.groups.size()),
-      largest_radius_(largest_radius(scene)),
+      largest_(largest(scene)),
       measuring_(scene.crowd) {
   if (scene.crowd.size() == 0) return;
   std::map<std::pair<std::uint32_t, std::vector<double>>, std::uint32_t> known;
@@ -64,7 +66,7 @@ Walk::Walk(const Scene& scene)
     models_.push_back(walking_models()[group.model].make(group.parameters));
     cores_.push_back(models_.back()->core());
     stand_at_will_.push_back(models_.back()->stands_at_will());
-    reach_ = std::max(reach_, models_.back()->reach(largest_radius_));
+    reach_ = std::max(reach_, models_.back()->reach(largest_));
   }
   for (std::size_t i = 0; i < scene.crowd.groups.size(); ++i)
     if (const AgentGroup& group = scene.crowd.groups[i]; group.entrance && group.count > 0)
@@ -176,7 +178,7 @@ void Walk::steer(const State& state, Workers& workers) {
   const CrowdView view{scene_.time.dt,   scene_.seed,      state.step,        cells_,
                        ranks_.x,         ranks_.y,         ranks_.velocity_x, ranks_.velocity_y,
                        ranks_.towards_x, ranks_.towards_y, ranks_.radius,     ranks_.desired_speed,
-                       ranks_.id,        ranks_.clear,     largest_radius_,   seen_ ? *seen_ : barriers_};
+                       ranks_.id,        ranks_.clear,     largest_,          seen_ ? *seen_ : barriers_};
   workers.for_ranges(n, [&](std::size_t begin, std::size_t end) {
     std::size_t last = begin;
     for (std::size_t model = 0; model < models_.size(); ++model) {
@@ -223,7 +225,9 @@ Walk::Hindered Walk::walk_one(State& state, std::size_t place, std::size_t row) 
   state.position[row] = moved.to;
   state.velocity[row] = moved.to == from + by ? velocity_[place] : Vec((moved.to - from) / dt);
   const std::size_t i = row - scene_.crowd.first;
-  if (!((moved.to - state.crowd.stand[i]).squaredNorm() <= radius * radius))
+  const double far = (moved.to - state.crowd.stand[i]).squaredNorm();
+  if (const auto is_in = [&](double reach) { return far <= reach * reach; };
+      !is_in(radius) && !is_in(leash(scene_, state, i, radius)))
     state.crowd.stand[i] = moved.to, state.crowd.stand_step[i] = state.step;
   return {moved.corrected, squeezed};
 }

@@ -92,9 +92,10 @@ class Walk {
   std::vector<std::uint8_t> stand_at_will_;            // likewise: WalkingModel::stands_at_will
   std::vector<std::uint32_t> model_;                   // row of models_, as Crowd::groups
   std::vector<std::unique_ptr<Sampler>> entrances_;    // as Crowd::groups, where agents appear
-  double largest_radius_ = 0.0, reach_ = 0.0;          // m
-  bool rows_follow_ = false;                           // where they stand, from time to time
-  std::vector<Known> known_;                           // by row: of him whose id it is
+  Largest largest_;
+  double reach_ = 0.0;        // m
+  bool rows_follow_ = false;  // where they stand, from time to time
+  std::vector<Known> known_;  // by row: of him whose id it is
   CrowdCells cells_;
   Ranks ranks_;
   std::vector<std::uint32_t> places_;  // those of each model together

@@ -42,14 +42,14 @@ void PrintTo(const Golden& golden, std::ostream* out) {
 }
 
 constexpr Golden kGallery[] = {
-    {"gas", 400, 0xb7deb10a72f11b9f},          {"pile", 60, 0x451b05018ac039a8},
-    {"polygons", 40, 0xf0eb914a46d3b540},      {"pyramid", 10, 0x739253ae8676d15a},
-    {"hopper", 100, 0x0913086cf59b6c0f},       {"gears", 100, 0xe1642ae4b5a02f8e},
-    {"billiard", 1500, 0x173904e3d7ba9f10},    {"cradle", 2000, 0x7db3d1ee537b00be},
-    {"mixed", 200, 0x6171d234dda3d10a},        {"corridor", 1200, 0x467109d56963dd86},
-    {"bottleneck", 1200, 0xbdf3e5ef623827ca},  {"circle_swap", 300, 0x3098722b25df02fc},
-    {"counterflow", 1200, 0x83930b1ca7987e0e}, {"evacuation", 1500, 0x86386bd794f1d43a},
-    {"station", 200, 0x7d02b7eb906cc254},      {"stadium", 6, 0xea197326c117286a},
+    {"gas", 400, 0xb7deb10a72f11b9f},          {"pile", 60, 0x96fc79c38ecf51d0},
+    {"polygons", 40, 0xd2cc7296e08d769d},      {"pyramid", 10, 0x739253ae8676d15a},
+    {"hopper", 100, 0xa0c4d7b96eaceaaf},       {"gears", 100, 0x3f3906fb1576b091},
+    {"billiard", 1500, 0x8dd8bcba2d1db68a},    {"cradle", 2000, 0x7db3d1ee537b00be},
+    {"mixed", 200, 0x998445772914b813},        {"corridor", 1200, 0x5a23e82e78d6032f},
+    {"bottleneck", 1200, 0x8e114e8bb3b63e31},  {"circle_swap", 300, 0x3098722b25df02fc},
+    {"counterflow", 1200, 0xb4b473b7d6cf157b}, {"evacuation", 1500, 0x286b837d896f257c},
+    {"station", 200, 0xc2475cc13af0f0ca},      {"stadium", 6, 0xe1b8194be3df3bb0},
     {"crossing", 500, 0x902c3fcf30907623},     {"drum", 100, 0x8eb7324841b1bc4e},
 };
 

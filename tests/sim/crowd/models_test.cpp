@@ -34,7 +34,9 @@ struct Group {
     for (const ModelParameter& p : kind(name).parameters)
       values.push_back(set.contains(p.key) ? set.at(p.key) : p.preset);
     const auto model = kind(name).make(values);
-    cells.sort(position, model->reach(0.25));
+    const Largest largest{*std::max_element(radius.begin(), radius.end()),
+                          *std::max_element(desired_speed.begin(), desired_speed.end())};
+    cells.sort(position, model->reach(largest));
     const auto by_place = [&](auto value) {
       std::vector<double> all(position.size() + CrowdView::kPadding);
       for (std::size_t place = 0; place < position.size(); ++place) all[place] = value(cells.row()[place]);
@@ -52,8 +54,8 @@ struct Group {
     std::vector<std::uint32_t> places(position.size());
     std::iota(places.begin(), places.end(), 0u);
     std::vector<Vec> answer(position.size());
-    model->steer({dt, 1, 0, cells, x, y, vx, vy, tx, ty, radii, speeds, ids, clear, 0.25, barriers}, places,
-                 answer);
+    model->steer({dt, 1, 0, cells, x, y, vx, vy, tx, ty, radii, speeds, ids, clear, largest, barriers},
+                 places, answer);
     const auto at = std::find(cells.row().begin(), cells.row().end(), row) - cells.row().begin();
     return answer[static_cast<std::size_t>(at)];
   }
