@@ -73,33 +73,54 @@ HWY_INLINE double reach_of(const FreeSpeed& model, const CrowdView& crowd, std::
   return model.reach(crowd.radius[place] + crowd.largest.radius, crowd.desired_speed[place]);
 }
 
-/// m/s, of one whom others turn so.
-HWY_INLINE Vec walk_freely(const FreeSpeed& model, const CrowdView& crowd, std::uint32_t place,
-                           const Others& others, const std::vector<double>& gap, const Near& near,
-                           const Vec& turn) {
+/// Of several agents.
+struct Headings {
+  double x[kTogether + kWide], y[kTogether + kWide];
+
+  HWY_INLINE void set(std::size_t i, const Vec& heading) { x[i] = heading.x(), y[i] = heading.y(); }
+
+  /// Makes the first `count` 1 long, but for those of no length.
+  HWY_INLINE void make_unit(std::size_t count) {
+    const Wide d;
+    for (std::size_t i = count; i < count + kWide; ++i) x[i] = y[i] = 0.0;
+    for (std::size_t i = 0; i < count; i += kWide) {
+      const auto to_x = hn::LoadU(d, x + i), to_y = hn::LoadU(d, y + i);
+      const auto length = hn::Sqrt(hn::Add(hn::Mul(to_x, to_x), hn::Mul(to_y, to_y)));
+      const auto over = hn::IfThenElse(hn::Gt(length, hn::Zero(d)), length, hn::Set(d, 1.0));
+      hn::StoreU(hn::Div(to_x, over), d, x + i), hn::StoreU(hn::Div(to_y, over), d, y + i);
+    }
+  }
+};
+
+/// Of one whom others turn so; of any length.
+HWY_INLINE Vec heading(const FreeSpeed& model, const CrowdView& crowd, std::uint32_t place, const Vec& turn) {
   Vec heading = crowd.towards(place) + away_from_walls(model, crowd, place);
   heading += turn;
   if (model.noise > 0.0) heading += model.doubt(crowd, place);
-  const double length = heading.norm();
-  if (length > 0.0) heading /= length;
-  const double ahead = gap_ahead(others, gap, near, heading);
-  return std::max(0.0, std::min(crowd.desired_speed[place], ahead / model.time_gap)) * heading;
+  return heading;
 }
 
+/// Turns all of some agents first, in the time of whose roots and quotients others' are taken.
 void WalkFreely(const FreeSpeed& model, const CrowdView& crowd, std::span<const std::uint32_t> places,
                 std::span<Vec> velocity) {
   thread_local Others others;  // kept: a step allocates nothing
   thread_local Pushes pushes;
   Near near[kTogether];
+  Headings headings;
   for (std::size_t begin = 0; begin < places.size(); begin += kTogether) {
     const auto some = places.subspan(begin, std::min(kTogether, places.size() - begin));
     others.clear();
     for (std::size_t i = 0; i < some.size(); ++i)
       near[i] = others.add_near<Tell::where>(crowd, some[i], reach_of(model, crowd, some[i]));
     push(model.strength, model.range, others, pushes);
+    for (std::size_t i = 0; i < some.size(); ++i)
+      headings.set(i, heading(model, crowd, some[i], repulsion(others, pushes, near[i])));
+    headings.make_unit(some.size());
     for (std::size_t i = 0; i < some.size(); ++i) {
-      const Vec turn = repulsion(others, pushes, near[i]);
-      velocity[some[i]] = walk_freely(model, crowd, some[i], others, pushes.gap, near[i], turn);
+      const Vec heading(headings.x[i], headings.y[i]);
+      const double ahead = gap_ahead(others, pushes.gap, near[i], heading);
+      const double speed = std::max(0.0, std::min(crowd.desired_speed[some[i]], ahead / model.time_gap));
+      velocity[some[i]] = speed * heading;
     }
   }
 }

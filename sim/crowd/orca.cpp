@@ -9,10 +9,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/crowd/doubt-inl.h"
 #include "sim/crowd/nearest-inl.h"
 #include "sim/crowd/permitted_velocity.h"
 #include "sim/crowd/velocity_obstacle.h"
-#include "sim/random.h"
 
 #ifndef THRONG_ORCA
 #define THRONG_ORCA
@@ -23,7 +23,6 @@ struct Reciprocal {
   double horizon, wall_horizon, cutoff, neighbours, top_speed;
 
   void add_walls(const CrowdView& crowd, std::uint32_t place, HalfPlanes& planes) const;
-  Vec wanted(const CrowdView& crowd, std::uint32_t place) const;
 };
 
 }  // namespace throng
@@ -161,16 +160,19 @@ void WalkReciprocally(const Reciprocal& model, const CrowdView& crowd, std::span
   thread_local HalfPlanes planes, room;
   Outlook outlook(model.cutoff, static_cast<std::size_t>(model.neighbours));
   Near its[kTogether] = {};
+  Doubts doubts;
   for (std::size_t begin = 0; begin < places.size(); begin += kTogether) {
     const auto some = places.subspan(begin, std::min(kTogether, places.size() - begin));
     if (model.neighbours >= 1.0) choose_all(model, crowd, some, outlook, chosen, its);
+    draw_doubts(crowd, some, kOrcaDoubt, doubts);
     for (std::size_t i = 0; i < some.size(); ++i) {
       planes.size = 0;
       model.add_walls(crowd, some[i], planes);
       const std::size_t walls = planes.size;
       add_planes(crowd.velocity(some[i]), chosen, its[i], planes);
-      velocity[some[i]] =
-          permitted_velocity(planes, walls, model.top_speed, model.wanted(crowd, some[i]), room);
+      const Vec wanted =
+          crowd.desired_speed[some[i]] * (crowd.towards(some[i]) + Vec(doubts.x[i], doubts.y[i]));
+      velocity[some[i]] = permitted_velocity(planes, walls, model.top_speed, wanted, room);
     }
   }
 }
@@ -183,14 +185,6 @@ HWY_AFTER_NAMESPACE();
 namespace throng {
 
 HWY_EXPORT(WalkReciprocally);
-
-Vec Reciprocal::wanted(const CrowdView& crowd, std::uint32_t place) const {
-  Random random(crowd.seed, static_cast<std::uint64_t>(crowd.step),
-                static_cast<std::uint32_t>(crowd.id[place]), Purpose::doubt);
-  const double x = random.uniform(-kOrcaDoubt, kOrcaDoubt);
-  const double y = random.uniform(-kOrcaDoubt, kOrcaDoubt);
-  return crowd.desired_speed[place] * (crowd.towards(place) + Vec(x, y));
-}
 
 /// Who touches a wall gets no nearer to it.
 void Reciprocal::add_walls(const CrowdView& crowd, std::uint32_t place, HalfPlanes& planes) const {

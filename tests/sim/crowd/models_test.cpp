@@ -9,6 +9,8 @@
 #include <random>
 
 #include "sim/crowd/model.h"
+#include "sim/crowd/orca.h"
+#include "sim/random.h"
 
 namespace throng {
 namespace {
@@ -217,6 +219,21 @@ TEST(Orca, WalksAsWantedWhereNobodyIsInTheWay) {
   const Vec v = group.ask("orca");
   EXPECT_NEAR((v - Vec(1, 0)).norm(), 0.0, 1.5e-3);
   EXPECT_NE(v, Vec(1, 0)) << "it is in doubt";
+}
+
+// Several agents' numbers are drawn together: each is to get his own, which Random draws of his id.
+TEST(Orca, IsInDoubtByTheNumbersOfEachOnesId) {
+  std::vector<Vec> places;
+  for (int i = 0; i < 37; ++i) places.emplace_back(100.0 * i, 0.0);
+  Group group(places);
+  double least = 1.0, most = -1.0;
+  for (std::uint32_t row = 0; row < places.size(); ++row) {
+    Random random(1, 0, row + 1, Purpose::doubt);
+    const double x = random.uniform(-kOrcaDoubt, kOrcaDoubt), y = random.uniform(-kOrcaDoubt, kOrcaDoubt);
+    EXPECT_EQ(group.ask("orca", row), group.towards[row] + Vec(x, y)) << row;
+    least = std::min({least, x, y}), most = std::max({most, x, y});
+  }
+  EXPECT_TRUE(least < -0.9 * kOrcaDoubt && most > 0.9 * kOrcaDoubt) << least << ' ' << most;
 }
 
 TEST(Orca, StopsBeforeAWallInTime) {
