@@ -74,8 +74,8 @@ HWY_INLINE WideReals uniform(WideBits high, WideBits low, double most) {
   return hn::Min(hn::Max(drawn, least), hn::Set(d, most));
 }
 
-/// The first two numbers of (seed, step, id, Purpose::doubt) of each of at most kTogether agents, both uniform
-/// on [-most, most].
+/// The first two numbers of (seed, step, id, Purpose::doubt) of each of at most kTogether agents, both
+/// uniform on [-most, most].
 HWY_INLINE void draw_doubts(const CrowdView& crowd, std::span<const std::uint32_t> some, double most,
                             Doubts& doubts) {
   const Wide d;

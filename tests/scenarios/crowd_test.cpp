@@ -81,7 +81,7 @@ TEST(Crowd, StartsFromAPresetOfItsModel) {
   ASSERT_EQ(loaded.errors(), 0) << faults(loaded);
   const AgentGroup& group = loaded.scene.crowd.groups.at(0);
   const ModelKind& kind = walking_models()[group.model];
-  ASSERT_EQ(kind.presets.size(), 1u);
+  ASSERT_EQ(kind.presets.size(), 2u);
   for (std::size_t i = 0; i < kind.parameters.size(); ++i)
     EXPECT_EQ(group.parameters[i],
               std::string(kind.parameters[i].key) == "reaction_time" ? 0.7 : kind.presets[0].values[i]);
