@@ -288,7 +288,8 @@ std::span<PointContact> ContactFinder::face(const Candidates& candidates, std::s
     describe(colliders, candidates.obstacles(), touches_[touch], m.normal, points[p]);
     const SolverBody &a = bodies[points[p].a], &b = bodies[points[p].b];
     if (meeting)
-      place(points[p], m.points[p], moved(a, meeting->at_a), moved(b, meeting->at_b), shift, about_a, about_b, true);
+      place(points[p], m.points[p], moved(a, meeting->at_a), moved(b, meeting->at_b), shift, about_a, about_b,
+            true);
     else
       place(points[p], m.points[p], a, b, shift, about_a, about_b, false);
   }

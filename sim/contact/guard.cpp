@@ -17,7 +17,8 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// Who moves by less, of its thickness and in a step, isn't looked at: as much as the smallest heart is thick.
+/// Who moves by less, of its thickness and in a step, isn't looked at: as much as the smallest heart is
+/// thick.
 constexpr double kUnseen = 0.0625;
 
 /// Of the thickness: who slowly got so deep into a smallest heart, half of it, is still held.
@@ -265,9 +266,8 @@ void Guard::foresee(const Substep& sub, std::uint32_t k) {
     return;
   }
   const double now = std::max(since_[m.a], since_[m.b]);
-  const FirstContact first =
-      narrowphase::first_contact(heart_of_a(m), motion(sub, m, false, now), heart_of_b(m),
-                                 motion(sub, m, true, now), sub.h - now);
+  const FirstContact first = narrowphase::first_contact(
+      heart_of_a(m), motion(sub, m, false, now), heart_of_b(m), motion(sub, m, true, now), sub.h - now);
   m.time = first.verdict == Verdict::free ? kNever : now + first.t_lo;
   expect(k);
 }
@@ -295,7 +295,8 @@ void Guard::advance(const Substep& sub, std::uint32_t body, double time) {
 }
 
 /// Two whose hearts meet are struck, and may then get as deep as to the next ones. Who gets to the last ones
-/// stays where it is for the rest of the substep; before a body that is driven, and goes on, it is pushed out.
+/// stays where it is for the rest of the substep; before a body that is driven, and goes on, it is pushed
+/// out.
 void Guard::collide(const Substep& sub, Meeting& m) {
   SolverBody &a = sub.bodies[m.a], &b = sub.bodies[m.b];
   advance(sub, m.a, m.time), advance(sub, m.b, m.time);

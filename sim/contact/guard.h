@@ -34,8 +34,8 @@ class Guard {
 
   /// Moves those bodies by h (s): none gets into another's heart, nor into an obstacle, but for those that
   /// were in the smallest already, and who is crushed between what no impulse moves. Where no hearts meet,
-  /// exactly as without guard. `bodies` has a row for obstacles behind those of the bodies. Where many meet at
-  /// once: O(meetings · pairs of fast bodies).
+  /// exactly as without guard. `bodies` has a row for obstacles behind those of the bodies. Where many meet
+  /// at once: O(meetings · pairs of fast bodies).
   void move(const State& state, std::span<SolverBody> bodies, Rows awake, double h);
 
  private:
@@ -44,11 +44,11 @@ class Guard {
     std::uint32_t row_a, row_b;  // colliders, or an obstacle's row
     std::uint32_t a, b;          // rows of the bodies
     bool obstacle;
-    Vec shift;               // m, to the image of b that is nearest to a
-    bool watched = false;    // in this substep
-    std::size_t depth = 0;   // of the hearts that are apart
-    int pushes = 0;          // by a driven body, at the last depth
-    double time = 0.0;       // s, in the substep; infinite where they don't
+    Vec shift;              // m, to the image of b that is nearest to a
+    bool watched = false;   // in this substep
+    std::size_t depth = 0;  // of the hearts that are apart
+    int pushes = 0;         // by a driven body, at the last depth
+    double time = 0.0;      // s, in the substep; infinite where they don't
   };
 
   /// The earliest first, of equals the first of meetings_.

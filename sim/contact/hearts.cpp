@@ -11,6 +11,9 @@ namespace throng {
 
 namespace {
 
+/// Of the bounding disc's radius: what is thinner is a sliver.
+constexpr double kSliver = 0.01;
+
 /// What of the polygon lies where normal . x <= height (Sutherland and Hodgman 1974).
 std::vector<Vec> cut_off(const std::vector<Vec>& polygon, const Vec& normal, double height) {
   std::vector<Vec> kept;
@@ -51,15 +54,17 @@ narrowphase::Convex inset(const narrowphase::Convex& part, double rim) {
   const double depth = rim - (part.radius - result.radius);
   if (!(depth > 0.0) || part.vertices.size() < 3) return result;
   for (std::size_t i = 0; i < part.normals.size(); ++i)
-    result.vertices = cut_off(result.vertices, part.normals[i], part.normals[i].dot(part.vertices[i]) - depth);
+    result.vertices =
+        cut_off(result.vertices, part.normals[i], part.normals[i].dot(part.vertices[i]) - depth);
   return narrowphase::convex(without_short_edges(result.vertices, 1e-9 * depth), result.radius);
 }
 
 Hearts::Hearts(const Colliders& colliders)
     : colliders_(colliders), least_(std::numeric_limits<double>::infinity()) {
   for (std::uint32_t row = 0; row < colliders.size(); ++row) {
-    thickness_.push_back(is_disc(colliders, row) ? colliders.radius[row]
-                                                 : throng::thickness(*colliders.shape[row]));
+    const double radius = colliders.radius[row];
+    const double thick = is_disc(colliders, row) ? radius : throng::thickness(*colliders.shape[row]);
+    thickness_.push_back(thick < kSliver * radius ? std::numeric_limits<double>::infinity() : thick);
     least_ = std::min(least_, thickness_.back());
   }
 }

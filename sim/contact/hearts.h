@@ -10,8 +10,8 @@
 
 namespace throng {
 
-/// How thick a convex part is: its area over its outline, which is half to all of its inscribed disc's radius,
-/// and its own radius. m.
+/// How thick a convex part is: its area over its outline, which is half to all of its inscribed disc's
+/// radius, and its own radius. m.
 double thickness(const narrowphase::Convex& part);
 
 /// The part without what lies less than `rim` (m) below its surface. Expects 0 <= rim < thickness(part).
@@ -28,7 +28,9 @@ class Hearts {
 
   explicit Hearts(const Colliders& colliders);
 
-  double thickness(std::uint32_t collider) const { return thickness_[collider]; }  ///< m
+  /// m; infinite of slivers, thinner than a hundredth of what they are long: they never get far in it, as
+  /// they would all the time, and strike each other out of any heap.
+  double thickness(std::uint32_t collider) const { return thickness_[collider]; }
   double least_thickness() const { return least_; }  ///< m, of all; infinite of none
 
   /// Makes those of all shapes, before the first heart(): where nothing is fast nobody asks for any.
@@ -40,9 +42,10 @@ class Hearts {
 
  private:
   const Colliders& colliders_;
-  std::vector<double> thickness_;     // m, of each collider
-  double least_;                      // m
-  std::vector<std::uint32_t> shape_;  // of each collider its row below; empty before make() and of discs alone
+  std::vector<double> thickness_;  // m, of each collider
+  double least_;                   // m
+  std::vector<std::uint32_t>
+      shape_;  // of each collider its row below; empty before make() and of discs alone
   std::vector<std::array<narrowphase::Convex, kDepths>> hearts_;
 };
 

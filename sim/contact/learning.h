@@ -18,12 +18,11 @@ struct Learning {
   double operator()(double preload, double normal_impulse, double normal_mass, double speed_squared) const;
 };
 
-/// What stands in so many layers sinks and rises as a whole in some four substeps for each of them, by springs
-/// of the frequency that contacts have. What learns as fast as that is thrown up by what stopped its fall, on
-/// and on. So it learns more slowly, and the more layers, the less of a load is left to the springs: what
-/// they give way to adds up.
-/// `weight` (m/s): what gravity gives in a substep of `h` (s), of which a step has `substeps`; `radius` (m):
-/// of the scene's bodies, on average.
+/// What stands in so many layers sinks and rises as a whole in some four substeps for each of them, by
+/// springs of the frequency that contacts have. What learns as fast as that is thrown up by what stopped its
+/// fall, on and on. So it learns more slowly, and the more layers, the less of a load is left to the springs:
+/// what they give way to adds up. `weight` (m/s): what gravity gives in a substep of `h` (s), of which a step
+/// has `substeps`; `radius` (m): of the scene's bodies, on average.
 Learning learning_in(double layers, double weight, double h, int substeps, double radius);
 
 }  // namespace throng

@@ -180,7 +180,7 @@ HWY_EXPORT(learn);
 }  // namespace
 
 void prepare_and_start(std::span<DiscBlock> blocks, std::span<SolverBody> bodies, const Vec* period,
-                        double ahead) {
+                       double ahead) {
   if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(prepare_and_start)(blocks, bodies.data(), period, ahead);
 }
 void push_apart(std::span<DiscBlock> blocks, std::span<SolverBody> bodies, const SolverSettings& settings) {
