@@ -8,7 +8,8 @@ namespace throng {
 namespace {
 
 constexpr double kSoonest = 300.0;  // substeps: learnt faster, tall pyramids swing
-constexpr double kPerLayer = 8.0;   // substeps: twice the time in which they all sink and rise
+constexpr double kPerLayer = 12.0;  // substeps, for each layer beyond
+constexpr double kCalm = 75.0;      // layers: fewer than a hundred come to rest all the same
 constexpr double kLeft = 0.2;       // of a load, among
 constexpr double kFewLayers = 120.0;
 constexpr double kMost = 1000.0;  // own weights, for what learns soonest
@@ -23,7 +24,7 @@ double Learning::operator()(double preload, double normal_impulse, double normal
 }
 
 Learning learning_in(double layers, double weight, double h, int substeps, double radius) {
-  const double patience = std::max(kSoonest, kPerLayer * layers), later = patience / kSoonest;
+  const double patience = std::max(kSoonest, kPerLayer * (layers - kCalm)), later = patience / kSoonest;
   return {std::min(substeps / patience, 1.0), weight, radius / (kSoonest * h),
           kLeft * std::min(kFewLayers / layers, 1.0), kMost * later * later};
 }
