@@ -106,7 +106,7 @@ std::string three_digits(double x) {
 
 std::string suggestion(std::string_view word, const std::vector<std::string>& known) {
   if (word.size() > 64) return "";
-  std::size_t best = std::max<std::size_t>(1, word.size() / 3) + 1;
+  std::size_t best = (std::max<std::size_t>(3, word.size()) - 1) / 2 + 1;
   const std::string* nearest = nullptr;
   for (const std::string& candidate : known) {
     if (candidate.size() > 64) continue;

@@ -58,7 +58,7 @@ std::string to_text(double x);
 std::string three_digits(double x);
 
 /// ", did you mean NAME?" for the nearest of `known` by edit distance (Levenshtein 1966; letters that are
-/// swapped count once, Damerau 1964); "" where a third of the word and more is another.
+/// swapped count once, Damerau 1964); "" where half of the word or more is another.
 std::string suggestion(std::string_view word, const std::vector<std::string>& known);
 
 /// The suggestion; where none is near ", must be one of ..." with as many of `known` as a line bears.

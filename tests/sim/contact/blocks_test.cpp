@@ -400,7 +400,8 @@ TEST_P(FaceBlocksOnEachTarget, GiveThemWhicheverSeatsThereAre) {
 
 TEST_P(FaceBlocksOnEachTarget, SqueezeInNobodyWhereTheOrderForbidsIt) {
   FaceBlocks blocks;
-  std::vector<Face> faces = faces_of(contacts());
+  const std::vector<PointContact> all = contacts();
+  std::vector<Face> faces = faces_of(all);
   seat(blocks, faces, [] { return 0u; });
   EXPECT_EQ(blocks.squeeze_in(1, 0, 3, 2), FaceBlocks::kNone);
   const std::uint32_t lane = blocks.squeeze_in(1, 0, 3, 3);
