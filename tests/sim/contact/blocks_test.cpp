@@ -308,7 +308,7 @@ class FaceBlocksOnEachTarget : public Blocks {
 
   /// Gives a seat to who has none, if there is a place for it between the others.
   bool squeeze_in(FaceBlocks& blocks, std::vector<Face>& faces, std::size_t i) const {
-    const auto [a, b] = std::pair(faces[i].points[0].a, faces[i].points[0].b);
+    const std::uint32_t a = faces[i].points[0].a, b = faces[i].points[0].b;
     std::size_t first = 0, end = blocks.blocks().size();
     for (std::size_t j = 0; j < faces.size(); ++j) {
       const auto is_shared = [&](std::uint32_t row) { return moves(row) && (row == a || row == b); };
