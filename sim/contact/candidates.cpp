@@ -252,7 +252,7 @@ void Candidates::find_obstacle_pairs() {
 
 void Candidates::list_near(double room, std::vector<broadphase::Pair>& pairs) const {
   const std::span<const broadphase::Pair> list = disc_pairs_.list();
-  if (!rows_.are_all() || list.empty()) {
+  if (!rows_.are_all() || colliders_.size() <= kFewColliders || list.empty()) {
     pairs.assign(pairs_.begin(), pairs_.end());
     return;
   }

@@ -17,6 +17,7 @@ namespace {
 
 const char* const kWorld =
     "gravity = [0, -10]\ntime = { dt = 0.01, until = 100 }\ndomain = { box = [[0, 0], [60, 60]] }\n"
+    "[materials.default]\nrolling_resistance = 0.02\n"
     "[shapes]\nball = { disc = { radius = 0.5 } }\nbrick = { polygon = [[0, 0], [1, 0], [1, 1], [0, 1]] }\n"
     "plank = { polygon = [[0, 0], [6, 0], [6, 0.5], [0, 0.5]] }\n"
     "pair = { discs = [[0, 0, 0.3], [0.5, 0, 0.2]] }\n";
@@ -355,6 +356,25 @@ TEST(Sleepers, DoNotFitASceneWhereTheyCannotSleepSo) {
   Scene never = run.scene;
   never.sleep = false;
   EXPECT_FALSE(fits(run.state, never));
+}
+
+/// While they sleep a list is made of who is awake; it is of no use once all are.
+TEST(Sleepers, AreFoundAgainByThoseThatWakeThemAll) {
+  Trial run(
+      "gravity = [0, -9.81]\ntime = { dt = 0.01, until = 8, substeps = 4 }\n[materials.default]\nfriction = "
+      "0.5\n[shapes]\nball = { disc = { radius = 0.2 } }\n" +
+      ball(-1.6, 0.2, 0.3, 0, -1.5) + ball(-2.001, 0.2, 0.3, 0, -1.5) + ball(0, 0.2, 0, 0) +
+      ball(0.4, 0.2, 0, 0) + ball(0.8, 0.2, 0, 0) +
+      "[[walls]]\npolyline = [[-9, 2], [-9, 0], [1.0, 0], [1.0, 3]]\n");
+  bool slept = false, woke = false;
+  for (int i = 0; i < 800; ++i) {
+    run.steps(1);
+    ASSERT_EQ(run.work.contacts.discs.size(), run.work.contacts.disc_key.size()) << i;
+    slept |= run.work.sleepers.bodies().size() == 2;
+    woke |= slept && run.work.sleepers.bodies().size() == 5;
+  }
+  EXPECT_TRUE(slept);
+  EXPECT_TRUE(woke);
 }
 
 }  // namespace
