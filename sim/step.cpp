@@ -12,6 +12,7 @@
 #include <numeric>
 
 #include "sim/contact/first_loads.h"
+#include "sim/contact/pressed.h"
 #include "sim/periodic.h"
 #include "sim/simulation_error.h"
 #include "sim/stage_clock.h"
@@ -138,17 +139,30 @@ void relax(Workspace& work, bool periodic) {
   resist_rolling(work);
 }
 
-/// How those contacts learn whose bodies stand as high as these do now.
-Learning learning(const Scene& scene, const Workspace& work) {
+/// How high the highest of those stands above the lowest (m), of dynamic bodies.
+template <class F>
+double height(const Scene& scene, const Workspace& work, F counts) {
   const Vec up = -scene.gravity.normalized();
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
   work.sleepers.bodies().for_each([&](std::uint32_t i) {
-    const double height = up.dot(work.bodies[i].position);
-    lowest = std::min(lowest, height), highest = std::max(highest, height);
+    if (work.bodies[i].inverse_mass == 0.0 || !counts(i)) return;
+    const double at = up.dot(work.bodies[i].position);
+    lowest = std::min(lowest, at), highest = std::max(highest, at);
   });
-  const double layers = 1.0 + std::max(highest - lowest, 0.0) / (2.0 * work.mean_radius);
+  return std::max(highest - lowest, 0.0);
+}
+
+/// How contacts learn whose bodies stand as high as now. Where that seems so high that it matters, those
+/// count alone that something presses: who falls far from a tower changes nothing in it.
+Learning learning(const Scene& scene, const State& state, Workspace& work) {
+  const auto layers = [&](double height) { return 1.0 + height / (2.0 * work.mean_radius); };
+  double most = layers(height(scene, work, [](std::uint32_t) { return true; }));
+  if (most > kFewLayers && state.step > 0) {
+    find_pressed(state, work.candidates.colliders(), work.pressed);
+    most = layers(height(scene, work, [&](std::uint32_t i) { return work.pressed[i] != 0; }));
+  }
   const double weight = scene.gravity.norm() * work.solver.h;
-  return learning_in(layers, weight, work.solver.h, scene.time.substeps, work.mean_radius);
+  return learning_in(most, weight, work.solver.h, scene.time.substeps, work.mean_radius);
 }
 
 void learn(Workspace& work) {
@@ -238,7 +252,7 @@ Workspace::Workspace(const Scene& scene, const Plan& plan, int threads)
       sleepers(scene, plan),
       flights(scene, plan),
       soft(scene, plan),
-      finder(scene, plan),
+      finder(scene, plan, candidates.colliders()),
       bodies(scene.bodies.size() + finder.parts().groups()),
       crowd(scene),
       sensing(scene, threads) {
@@ -303,10 +317,10 @@ void push(const Scene& scene, const Plan& plan, State& state, Workspace& work, b
   by_parts(work, [&](Rows rows) { load(state, rows, work.bodies); });
   if (plan.contacts()) {
     work.finder.find(work.candidates, state, work.bodies, work.contacts, work.workers);
-    work.ahead = work.candidates.chain() > work.finder.slow_way() ? work.solver.h : 0.0;
+    work.ahead = 2.0 * work.candidates.chain() > work.finder.slow_way() ? work.solver.h : 0.0;
     clock.lap(work.times.find_contacts);
   }
-  if (plan.gravity && plan.contacts()) work.solver.learning = learning(scene, work);
+  if (plan.gravity && plan.contacts()) work.solver.learning = learning(scene, state, work);
   if (state.step == 0 && plan.gravity && plan.contacts()) find_first_loads(scene, plan, work);
   for (int i = 0; i < scene.time.substeps; ++i) {
     const bool backward = (state.step * scene.time.substeps + i) % 2 == 1;

@@ -44,7 +44,8 @@ struct Workspace {
   ContactFinder finder;
   Contacts contacts;
   std::vector<SolverBody> bodies;  ///< a row per body, and one for all obstacles for each group of contacts
-  double mean_radius;              ///< m, of what may touch
+  std::vector<std::uint8_t> pressed;  ///< of each body, in the last step; where much stands high
+  double mean_radius;                 ///< m, of what may touch
   SolverSettings solver;
   double ahead = 0.0;  ///< s, for how long discs look ahead in a substep: 0 where all are slow
   Walk crowd;

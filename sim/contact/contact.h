@@ -62,6 +62,19 @@ struct PointContact : ContactBase {
   bool fast = false;  ///< of a face of two points that doesn't bounce and closes fast as the step begins
 };
 
+/// How arms turn with their bodies: by the angle (rad) less a twelfth of its cube, at unit length, as longer
+/// ones would put energy in.
+struct Turn {
+  double cosine, sine;
+
+  explicit Turn(double angle) {
+    const double quarter = 0.25 * angle * angle, scale = 1.0 / (1.0 + quarter);
+    cosine = (1.0 - quarter) * scale, sine = angle * scale;
+  }
+
+  Vec operator()(const Vec& v) const { return cosine * v + sine * tangent(v); }
+};
+
 /// A contact as a damped spring of that stiffness which h, and not the masses, limits. Soft constraints as in
 /// Catto, "Solver2D" (2024): rate and scales follow from frequency and damping ratio.
 struct Softness {

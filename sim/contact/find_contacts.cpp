@@ -83,15 +83,13 @@ SolverBody moved(SolverBody body, const Vec& to) {
 /// What turns of the arms of a contact that was found when its bodies had turned by so much (rad), as they
 /// begin.
 void turn_back(PointContact& contact, double turn_a, double turn_b) {
-  const Vec here(0.0, 0.0);
-  contact.first_a = narrowphase::pose(here, turn_a).unrotate(contact.first_a);
-  contact.first_b = narrowphase::pose(here, turn_b).unrotate(contact.first_b);
+  contact.first_a = Turn(-turn_a)(contact.first_a);
+  contact.first_b = Turn(-turn_b)(contact.first_b);
 }
 
-double least_radius(const Scene& scene) {
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const double radius : scene.bodies.radius) smallest = std::min(smallest, radius);
-  return smallest;
+double least_radius(const Colliders& colliders) {
+  const auto least = std::ranges::min_element(colliders.radius);
+  return least == colliders.radius.end() ? std::numeric_limits<double>::infinity() : *least;
 }
 
 /// Who is faster hits, and doesn't just rest: than what gravity gives in some substeps.
@@ -105,11 +103,11 @@ std::uint64_t ContactFinder::Touch::key() const {
   return key_of(pair, obstacle);
 }
 
-ContactFinder::ContactFinder(const Scene& scene, const Plan& plan)
+ContactFinder::ContactFinder(const Scene& scene, const Plan& plan, const Colliders& colliders)
     : scene_(scene),
       plan_(plan),
       fast_(fast_speed(scene, plan)),
-      slow_way_(kSlowWay * least_radius(scene)),
+      slow_way_(kSlowWay * least_radius(colliders)),
       parts_(scene, plan),
       discs_(scene, plan) {}
 

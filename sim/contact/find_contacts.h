@@ -48,7 +48,7 @@ struct Contacts {
 /// pair whose contact pressed then keeps its reference face while that is as good as the widest.
 class ContactFinder {
  public:
-  ContactFinder(const Scene& scene, const Plan& plan);
+  ContactFinder(const Scene& scene, const Plan& plan, const Colliders& colliders);
 
   /// m/s: faces that don't bounce and close faster are listed among bounces, too, as one sweep over their two
   /// corners leaves some of the speed.
@@ -121,10 +121,10 @@ class ContactFinder {
   TouchPoses poses(const Candidates& candidates, const State& state, const Touch& touch) const;
   narrowphase::Manifold manifold(const Candidates& candidates, const Touch& touch, const TouchPoses& poses,
                                  const ContactImpulse* kept) const;
+  double slow_way(const Colliders& colliders, const Touch& touch) const;
   bool nears_fast(const Colliders& colliders, std::span<const SolverBody> bodies, std::size_t touch) const;
   void look_ahead(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
                   Workers& workers);
-  void find_who_presses(const Colliders& colliders, const State& state);
   Courses courses(const State& state, std::span<const SolverBody> bodies, const Colliders& colliders,
                   const Touch& touch) const;
   Meeting meeting(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
@@ -202,13 +202,13 @@ class ContactFinder {
   int age_ = 0;                            // finds that these seats served
   int rests_ = 0, in_vain_ = 0;  // finds for which nothing will be held yet; in which most was searched
   std::vector<Touch> touches_;
-  std::vector<narrowphase::Manifold> manifolds_;  // of each touch that held_ doesn't know
-  std::vector<std::uint8_t> nears_;               // of each touch: fast
-  std::vector<std::uint32_t> approaches_;         // the touches that do
-  std::vector<Meeting> meetings_;                 // of each of these
-  std::vector<TurnedAside> turned_;               // of each body; where something nears
-  std::vector<std::uint8_t> presses_;  // of each body: something held it in the last step; likewise
-  std::vector<std::uint8_t> points_;   // how many each has: who seats reads no more of them
+  std::vector<narrowphase::Manifold> manifolds_;    // of each touch that held_ doesn't know
+  std::vector<std::uint8_t> nears_;                 // of each touch: fast
+  std::vector<std::uint32_t> approaches_;           // the touches that do
+  std::vector<Meeting> meetings_;                   // of each of these
+  std::vector<TurnedAside> turned_;                 // of each body; where something nears
+  std::vector<std::uint8_t> pressed_;               // of each body, in the last step; likewise
+  std::vector<std::uint8_t> points_;                // how many each has: who seats reads no more of them
   std::vector<std::vector<std::uint32_t>> seated_;  // of each group: the touches with points
   std::vector<std::uint32_t> seat_;                 // of each touch, while they are made anew
   std::vector<HeldFaces::Move> moves_;              // likewise, of those that are held

@@ -24,9 +24,11 @@ constexpr double kUnseen = 0.0625;
 /// Of the thickness: who slowly got so deep into a smallest heart, half of it, is still held.
 constexpr double kHeld = 0.03125;
 
-/// Of the thickness, in a substep: how far who is pushed by a driven body gets ahead of it; and how often at
-/// most, if others hold it up.
-constexpr double kLeaves = 0.25;
+/// Of the thickness, in a substep: how far who is pushed by a driven body gets ahead of it, and how far two
+/// whose smallest hearts touch may still come nearer.
+constexpr double kLeaves = 0.25, kNearer = 1e-3;
+
+/// How often at most, if others hold up who is pushed.
 constexpr int kMostPushes = 8;
 
 /// How far a point of the body gets that is so far from its centre, at most.
@@ -41,11 +43,6 @@ struct Blow {
   Vec velocity(const SolverBody& a, const SolverBody& b) const {
     return b.velocity + b.spin * tangent(arm_b) - a.velocity - a.spin * tangent(arm_a);
   }
-  double mass(const SolverBody& a, const SolverBody& b, const Vec& direction) const {
-    const double turn_a = tangent(arm_a).dot(direction), turn_b = tangent(arm_b).dot(direction);
-    return 1.0 / (a.inverse_mass + b.inverse_mass + a.inverse_inertia * turn_a * turn_a +
-                  b.inverse_inertia * turn_b * turn_b);
-  }
   void apply(SolverBody& a, SolverBody& b, const Vec& impulse) const {
     a.velocity -= a.inverse_mass * impulse;
     a.spin -= a.inverse_inertia * tangent(arm_a).dot(impulse);
@@ -58,25 +55,38 @@ struct Blow {
 void strike(const Blow& blow, SolverBody& a, SolverBody& b, const Surface& surface, double leaves) {
   const double speed = blow.velocity(a, b).dot(blow.normal);
   if (!(speed < 0.0)) return;
-  const double normal = (leaves - (1.0 + surface.restitution) * speed) * blow.mass(a, b, blow.normal);
+  const double normal = (leaves - (1.0 + surface.restitution) * speed) *
+                        effective_mass(a, b, blow.arm_a, blow.arm_b, blow.normal);
   blow.apply(a, b, normal * blow.normal);
   const Vec across = tangent(blow.normal);
   const double limit = surface.friction * normal;
-  const double stops = -blow.velocity(a, b).dot(across) * blow.mass(a, b, across);
+  const double stops =
+      -blow.velocity(a, b).dot(across) * effective_mass(a, b, blow.arm_a, blow.arm_b, across);
   if (limit > 0.0) blow.apply(a, b, std::clamp(stops, -limit, limit) * across);
 }
 
-/// Whether two whose hearts touch come nearer at any of the points.
-bool approach(const narrowphase::Manifold& touch, const Motion& a, const Motion& b) {
-  const auto velocity = [](const Motion& m, const Vec& point) -> Vec {
-    return m.velocity + m.spin * tangent(point - m.position);
+/// m/s, at which two whose hearts touch come nearer at that point.
+double nearing(const narrowphase::Manifold& touch, std::size_t i, const Motion& a, const Motion& b) {
+  const auto velocity = [&](const Motion& m) -> Vec {
+    return m.velocity + m.spin * tangent(touch.points[i].point - m.position);
   };
-  bool any = false;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(touch.count); ++i) {
-    const Vec& point = touch.points[i].point;
-    any |= (velocity(b, point) - velocity(a, point)).dot(touch.normal) < 0.0;
-  }
-  return any;
+  return (velocity(a) - velocity(b)).dot(touch.normal);
+}
+
+/// Whether they do at any of the points, faster than `slow` (m/s).
+bool approach(const narrowphase::Manifold& touch, const Motion& a, const Motion& b, double slow) {
+  return (touch.count > 0 && nearing(touch, 0, a, b) > slow) ||
+         (touch.count > 1 && nearing(touch, 1, a, b) > slow);
+}
+
+/// The one where they do, or halfway between two. Expects a point.
+Vec struck_point(const narrowphase::Manifold& touch, const Motion& a, const Motion& b) {
+  const Vec& first = touch.points[0].point;
+  if (touch.count == 1) return first;
+  const Vec& second = touch.points[1].point;
+  const bool at_first = nearing(touch, 0, a, b) > 0.0, at_second = nearing(touch, 1, a, b) > 0.0;
+  if (at_first == at_second) return 0.5 * (first + second);
+  return at_first ? first : second;
 }
 
 double overlap(const narrowphase::Manifold& touch) {
@@ -88,6 +98,10 @@ double overlap(const narrowphase::Manifold& touch) {
 
 bool yields(const SolverBody& body) {
   return body.inverse_mass > 0.0;
+}
+
+bool is_driven(const SolverBody& body) {
+  return !yields(body) && (body.velocity != Vec(0.0, 0.0) || body.spin != 0.0);
 }
 
 }  // namespace
@@ -128,9 +142,9 @@ void Guard::list_all() {
   for (const Meeting& m : meetings_) ++begin_[m.a + 1], ++begin_[m.b + 1];
   std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
   of_body_.resize(2 * meetings_.size());
-  std::vector<std::uint32_t> next = begin_;
+  next_ = begin_;
   for (std::uint32_t k = 0; k < meetings_.size(); ++k)
-    of_body_[next[meetings_[k].a]++] = k, of_body_[next[meetings_[k].b]++] = k;
+    of_body_[next_[meetings_[k].a]++] = k, of_body_[next_[meetings_[k].b]++] = k;
 }
 
 double Guard::thickness(const Meeting& m) const {
@@ -168,6 +182,7 @@ bool Guard::saw_meeting(const State& state, std::span<const SolverBody> bodies, 
   if (!(3.0 * candidates_.farthest_way() > Hearts::kRims[0] * hearts_.least_thickness())) return false;
   if (!list_far(state, bodies)) return false;
   hearts_.make();
+  stood_.assign(bodies.size(), 0);
   const std::span<const broadphase::Pair> pairs = candidates_.pairs();
   const std::span<const broadphase::Pair> obstacle_pairs = candidates_.obstacle_pairs();
   const std::size_t sides = candidates_.obstacles().side.size();
@@ -208,7 +223,8 @@ double Guard::first_meeting(Meeting& m, const Motion& a, const Motion& b, double
   }
   m.depth = Hearts::kDepths - 1;
   const narrowphase::Manifold touch = manifold(m, a, b);
-  if (!(overlap(touch) > kHeld * thickness(m))) return approach(touch, a, b) ? 0.0 : kNever;
+  const double slow = kNearer * thickness(m) / duration;
+  if (!(overlap(touch) > kHeld * thickness(m))) return approach(touch, a, b, slow) ? 0.0 : kNever;
   m.depth = Hearts::kDepths;
   return kNever;
 }
@@ -266,9 +282,11 @@ void Guard::foresee(const Substep& sub, std::uint32_t k) {
     return;
   }
   const double now = std::max(since_[m.a], since_[m.b]);
-  const FirstContact first = narrowphase::first_contact(
-      heart_of_a(m), motion(sub, m, false, now), heart_of_b(m), motion(sub, m, true, now), sub.h - now);
+  const Motion a = motion(sub, m, false, now), b = motion(sub, m, true, now);
+  const FirstContact first = narrowphase::first_contact(heart_of_a(m), a, heart_of_b(m), b, sub.h - now);
   m.time = first.verdict == Verdict::free ? kNever : now + first.t_lo;
+  const bool touch = m.depth + 1 == Hearts::kDepths && m.time == now;
+  if (touch && !approach(manifold(m, a, b), a, b, kNearer * thickness(m) / sub.h)) m.time = kNever;
   expect(k);
 }
 
@@ -301,20 +319,27 @@ void Guard::collide(const Substep& sub, Meeting& m) {
   SolverBody &a = sub.bodies[m.a], &b = sub.bodies[m.b];
   advance(sub, m.a, m.time), advance(sub, m.b, m.time);
   const bool is_last = m.depth + 1 == Hearts::kDepths;
-  const bool driven = !yields(a) || (!m.obstacle && !yields(b));
+  const bool driven = is_driven(a) || (!m.obstacle && is_driven(b));
   const double leaves = is_last && driven ? kLeaves * thickness(m) / sub.h : 0.0;
   const Motion of_a = motion(sub, m, false, m.time), of_b = motion(sub, m, true, m.time);
   const narrowphase::Manifold touch = manifold(m, of_a, of_b);
   if (touch.count > 0) {
-    const Vec& last = touch.points[static_cast<std::size_t>(touch.count - 1)].point;
-    const Vec point = 0.5 * (touch.points[0].point + last);
+    const Vec point = struck_point(touch, of_a, of_b);
     strike({point - of_a.position, point - of_b.position, touch.normal}, a, b, surface(m), leaves);
   }
   if (!is_last || !driven || ++m.pushes > kMostPushes) ++m.depth;
-  if (is_last && !driven) stands_[m.a] = 1, stands_[m.b] = !m.obstacle;
+  if (is_last && !driven) stand(a, m.a), stand(b, m.b);
   m.time = kNever;
   if (yields(a)) look_again(sub, m.a);
   if (yields(b)) look_again(sub, m.b);
+}
+
+/// Who does so again in the step rests: with the speed that it would else gather, as long as others hold it,
+/// it would be thrown in the end.
+void Guard::stand(SolverBody& body, std::uint32_t row) {
+  if (!yields(body)) return;
+  if (stood_[row]) body.velocity = {0.0, 0.0}, body.spin = 0.0;
+  stands_[row] = stood_[row] = 1;
 }
 
 void Guard::look_again(const Substep& sub, std::uint32_t body) {

@@ -84,6 +84,7 @@ class Guard {
   narrowphase::Motion motion(const Substep& sub, const Meeting& m, bool of_b, double time) const;
   void collide(const Substep& sub, Meeting& m);
   void advance(const Substep& sub, std::uint32_t body, double time);
+  void stand(SolverBody& body, std::uint32_t row);
   void look_again(const Substep& sub, std::uint32_t body);
   const Surface& surface(const Meeting& m) const;
 
@@ -95,10 +96,12 @@ class Guard {
   std::vector<std::uint8_t> is_far_;  // of each collider, as saw_meeting() looks back
   std::uint64_t listed_ = 0;          // the candidates' pairs that are listed below
   std::vector<Meeting> meetings_;
-  std::vector<std::uint32_t> begin_, of_body_;  // of each body, where its meetings' rows begin; and these
-  std::vector<Event> events_;                   // a heap
+  std::vector<std::uint32_t> begin_, of_body_,
+      next_;                          // of each body, where its meetings' rows begin; and these
+  std::vector<Event> events_;         // a heap
   std::vector<double> since_;         // s, of each body, in the substep: when it was where its row has it
   std::vector<std::uint8_t> stands_;  // of each body: stays there for the rest of the substep
+  std::vector<std::uint8_t> stood_;   // likewise, of the step under guard: it has stood before
 };
 
 }  // namespace throng

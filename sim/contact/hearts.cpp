@@ -11,9 +11,6 @@ namespace throng {
 
 namespace {
 
-/// Of the bounding disc's radius: what is thinner is a sliver.
-constexpr double kSliver = 0.01;
-
 /// What of the polygon lies where normal . x <= height (Sutherland and Hodgman 1974).
 std::vector<Vec> cut_off(const std::vector<Vec>& polygon, const Vec& normal, double height) {
   std::vector<Vec> kept;
@@ -62,9 +59,8 @@ narrowphase::Convex inset(const narrowphase::Convex& part, double rim) {
 Hearts::Hearts(const Colliders& colliders)
     : colliders_(colliders), least_(std::numeric_limits<double>::infinity()) {
   for (std::uint32_t row = 0; row < colliders.size(); ++row) {
-    const double radius = colliders.radius[row];
-    const double thick = is_disc(colliders, row) ? radius : throng::thickness(*colliders.shape[row]);
-    thickness_.push_back(thick < kSliver * radius ? std::numeric_limits<double>::infinity() : thick);
+    thickness_.push_back(is_disc(colliders, row) ? colliders.radius[row]
+                                                 : throng::thickness(*colliders.shape[row]));
     least_ = std::min(least_, thickness_.back());
   }
 }

@@ -28,9 +28,7 @@ class Hearts {
 
   explicit Hearts(const Colliders& colliders);
 
-  /// m; infinite of slivers, thinner than a hundredth of what they are long: they never get far in it, as
-  /// they would all the time, and strike each other out of any heap.
-  double thickness(std::uint32_t collider) const { return thickness_[collider]; }
+  double thickness(std::uint32_t collider) const { return thickness_[collider]; }  ///< m
   double least_thickness() const { return least_; }  ///< m, of all; infinite of none
 
   /// Makes those of all shapes, before the first heart(): where nothing is fast nobody asks for any.

@@ -8,11 +8,8 @@ namespace throng {
 namespace {
 
 constexpr double kSoonest = 300.0;  // substeps: learnt faster, tall pyramids swing
-constexpr double kPerLayer = 12.0;  // substeps, for each layer beyond
-constexpr double kCalm = 75.0;      // layers: fewer than a hundred come to rest all the same
-constexpr double kLeft = 0.2;       // of a load, among
-constexpr double kFewLayers = 120.0;
-constexpr double kMost = 1000.0;  // own weights, for what learns soonest
+constexpr double kLeft = 0.2;       // of a load
+constexpr double kMost = 1000.0;    // own weights, of few layers
 
 }  // namespace
 
@@ -24,9 +21,9 @@ double Learning::operator()(double preload, double normal_impulse, double normal
 }
 
 Learning learning_in(double layers, double weight, double h, int substeps, double radius) {
-  const double patience = std::max(kSoonest, kPerLayer * (layers - kCalm)), later = patience / kSoonest;
-  return {std::min(substeps / patience, 1.0), weight, radius / (kSoonest * h),
-          kLeft * std::min(kFewLayers / layers, 1.0), kMost * later * later};
+  const double later = std::max(layers * layers / (kFewLayers * kFewLayers), 1.0);
+  const double share = std::min(substeps / (kSoonest * later), 1.0);
+  return {share, weight, radius / (kSoonest * h), kLeft, kMost * later};
 }
 
 }  // namespace throng

@@ -2,6 +2,7 @@
 // What ContactFinder does for two that near each other fast: which way they will press shows where they meet,
 // not where they are as the step begins. A plane between them as they are then would stop whoever passes.
 #include <algorithm>
+#include <cmath>
 
 #include "narrowphase/distance.h"
 #include "narrowphase/motion/first_contact.h"
@@ -9,6 +10,7 @@
 #include "sim/contact/contact_key.h"
 #include "sim/contact/find_contacts.h"
 #include "sim/contact/kept_impulses.h"
+#include "sim/contact/pressed.h"
 
 namespace throng {
 
@@ -34,6 +36,12 @@ double turn_way(const Colliders& colliders, std::uint32_t row, double turn) {
 
 }  // namespace
 
+/// m, how far the two may get in a step and are slow.
+double ContactFinder::slow_way(const Colliders& colliders, const Touch& touch) const {
+  const double a = colliders.radius[touch.pair.a];
+  return kSlowWay * (touch.obstacle ? a : std::min(a, colliders.radius[touch.pair.b]));
+}
+
 /// Whether the two may get past the plane between them within the step, and not by little.
 bool ContactFinder::nears_fast(const Colliders& colliders, std::span<const SolverBody> bodies,
                                std::size_t touch) const {
@@ -49,9 +57,7 @@ bool ContactFinder::nears_fast(const Colliders& colliders, std::span<const Solve
   const double drop = plan_.gravity && falls_a != falls_b ? dt * dt * scene_.gravity.dot(m.normal) : 0.0;
   const double fall = std::max(falls_a ? drop : -drop, 0.0);
   if (!(turn + fall - way.dot(m.normal) > least_separation(m))) return false;
-  const double radius_a = colliders.radius[pair.a];
-  const double smaller = obstacle ? radius_a : std::min(radius_a, colliders.radius[pair.b]);
-  return turn + way.norm() > kSlowWay * smaller;
+  return turn + way.norm() > slow_way(colliders, touches_[touch]);
 }
 
 void ContactFinder::look_ahead(const Candidates& candidates, const State& state,
@@ -60,7 +66,7 @@ void ContactFinder::look_ahead(const Candidates& candidates, const State& state,
   for (auto i = nears_.begin(); (i = std::find(i, nears_.end(), 1)) != nears_.end(); ++i)
     approaches_.push_back(static_cast<std::uint32_t>(i - nears_.begin()));
   if (approaches_.empty()) return;
-  if (plan_.gravity) find_who_presses(candidates.colliders(), state);
+  if (plan_.gravity) find_pressed(state, candidates.colliders(), pressed_);
   meetings_.resize(approaches_.size());
   workers.for_ranges(approaches_.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
@@ -77,20 +83,9 @@ void ContactFinder::look_ahead(const Candidates& candidates, const State& state,
   });
 }
 
-/// What something held in the last step it will hardly let fall in this one.
-void ContactFinder::find_who_presses(const Colliders& colliders, const State& state) {
-  presses_.assign(scene_.bodies.size(), 0);
-  for (const auto* contacts : {&state.disc_contacts, &state.point_contacts})
-    for (const ContactImpulse& contact : *contacts) {
-      const auto [a, b] = pair_of(contact.key);
-      presses_[colliders.body[a]] = 1;
-      if (!is_of_obstacle(contact.key)) presses_[colliders.body[b]] = 1;
-    }
-}
-
-/// m/s, the mean over the step.
+/// m/s, the mean over the step. What something held in the last one it will hardly let fall in this one.
 Vec ContactFinder::velocity_ahead(std::span<const SolverBody> bodies, std::uint32_t row) const {
-  const bool falls = plan_.gravity && bodies[row].inverse_mass > 0.0 && presses_[row] == 0;
+  const bool falls = plan_.gravity && bodies[row].inverse_mass > 0.0 && pressed_[row] == 0;
   if (!falls) return bodies[row].velocity;
   return bodies[row].velocity + 0.5 * (scene_.time.dt + plan_.substep) * scene_.gravity;
 }
@@ -116,9 +111,9 @@ ContactFinder::Meeting ContactFinder::meeting(const Candidates& candidates, cons
     return meeting(candidates, one, courses);
   // What touches now, and a straight border: the normal is known.
   const double closing = -(courses.b.velocity - courses.a.velocity).dot(m.normal), dt = scene_.time.dt;
-  const double deep = kSlowWay * candidates.colliders().radius[one.pair.a];
+  const double left = std::max(gap, 0.0);
   Meeting now{0.0, courses.a.position, courses.b.position - one.shift, kUndisturbed, m.normal};
-  if (closing * dt - gap > deep) now.turns_aside = std::max(gap, 0.0) / closing;
+  if (closing * dt - left > slow_way(candidates.colliders(), one)) now.turns_aside = left / closing;
   return now;
 }
 
@@ -142,7 +137,7 @@ ContactFinder::Meeting ContactFinder::meeting(const Candidates& candidates, cons
   if (!hit) return result;
   result.normal = separation(a, pose_at(courses.a, time), b, pose_at(courses.b, time)).normal;
   const double deep = -(courses.b.velocity - courses.a.velocity).dot(result.normal) * (left - time);
-  if (deep > kSlowWay * colliders.radius[touch.pair.a]) result.turns_aside = result.when;  // else it grazes
+  if (deep > slow_way(colliders, touch)) result.turns_aside = result.when;  // else it grazes
   return result;
 }
 

@@ -296,18 +296,6 @@ double speed_squared(const ContactBase& contact, std::span<const SolverBody> bod
   return (bodies[contact.b].velocity - bodies[contact.a].velocity).squaredNorm();
 }
 
-/// A turn of unit length, by the angle less a twelfth of its cube: longer arms would put energy in.
-struct Turn {
-  double cosine, sine;
-
-  explicit Turn(double angle) {
-    const double quarter = 0.25 * angle * angle, scale = 1.0 / (1.0 + quarter);
-    cosine = (1.0 - quarter) * scale, sine = angle * scale;
-  }
-
-  Vec operator()(const Vec& v) const { return cosine * v + sine * tangent(v); }
-};
-
 /// The way from a's centre to b's when they meet or are nearest within `ahead` (s); `between` (m) is what it
 /// is now, and stays where they are slow, part or overlap.
 Vec between_ahead(const DiscContact& contact, const Vec& between, const Vec& velocity, double ahead) {

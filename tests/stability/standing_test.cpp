@@ -143,7 +143,7 @@ TEST(Standing, HeavyBesideLight) {
 TEST(Standing, AHeapOfHundredsOfLayersComesToRest) {
   Trial run(
       "seed = 1\nsleep = false\ngravity = [0, -9.81]\n"
-      "time = { dt = 0.016666666666666666, until = 60, substeps = 7 }\n"
+      "time = { dt = 0.016666666666666666, until = 60, substeps = 8 }\n"
       "domain = { box = [[0, 0], [5, 360]] }\n[materials.default]\nfriction = 0\n"
       "[materials.sand]\nfriction = 0.5\n[shapes]\ngrain = { disc = { radius = { uniform = [0.3, 0.5] } } }\n"
       "[[bodies]]\nshape = \"grain\"\nmaterial = \"sand\"\ncount = 1450\n"
@@ -151,7 +151,7 @@ TEST(Standing, AHeapOfHundredsOfLayersComesToRest) {
   run.steps(3600);
   double fastest = 0.0;
   for (const Vec& velocity : run.state.velocity) fastest = std::max(fastest, velocity.norm());
-  EXPECT_LT(fastest, 0.1);
+  EXPECT_LT(fastest, 0.05);
   EXPECT_LT(overlap(run.scene, run.state).max, 0.015);
 }
 

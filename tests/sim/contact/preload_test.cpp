@@ -26,6 +26,18 @@ TEST(Preload, IsLearntFromBelowAndForgottenAtOnce) {
   EXPECT_DOUBLE_EQ(learn(0.4, kLoad, 1.0, 0.101 * 0.101), 0.4);  // who passes by
 }
 
+TEST(Preload, IsLearntMoreSlowlyInMoreThan110Layers) {
+  const auto in = [](double layers) { return learning_in(layers, 0.02, 0.002, 6, 0.5); };
+  for (const double layers : {1.0, 110.0}) {
+    EXPECT_DOUBLE_EQ(in(layers).share, 6.0 / 300.0);
+    EXPECT_DOUBLE_EQ(in(layers).most, 1000.0);
+  }
+  EXPECT_DOUBLE_EQ(in(220.0).share, 6.0 / 1200.0);
+  EXPECT_DOUBLE_EQ(in(220.0).most, 4000.0);
+  EXPECT_DOUBLE_EQ(in(220.0).slow, in(1.0).slow);
+  EXPECT_DOUBLE_EQ(in(220.0).left, in(1.0).left);
+}
+
 /// A disc that has come down on the floor. What it would sink there: the spring's gravity over the square of
 /// its frequency.
 TEST(Preload, LeavesAFifthOfTheSag) {
@@ -93,6 +105,18 @@ TEST(FirstLoads, LeaveWhoFliesAsHeFlies) {
   EXPECT_NEAR(trial.state.velocity[0].y(), 1.0 - 0.1 * kG, 1e-12);
   EXPECT_DOUBLE_EQ(trial.state.spin[0], 0.25);
   EXPECT_NEAR(trial.state.velocity[1].y(), -0.1 * kG, 1e-12);
+}
+
+/// Far below them, by more than a hundred layers.
+TEST(Preload, IsLearntWhoeverFallsElsewhere) {
+  std::string text = kSite;
+  for (int i = 0; i < 5; ++i) text += box_at(0.505 + 1.01 * i);
+  Trial alone(text), beside(text + "[[bodies]]\nshape = \"box\"\nat = [50, -200]\n");
+  alone.steps(200), beside.steps(200);
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(alone.state.position[i], beside.state.position[i]) << i;
+  ASSERT_EQ(alone.state.point_contacts.size(), beside.state.point_contacts.size());
+  for (std::size_t i = 0; i < alone.state.point_contacts.size(); ++i)
+    EXPECT_EQ(alone.state.point_contacts[i].preload, beside.state.point_contacts[i].preload) << i;
 }
 
 /// What bears no load yet closes its gaps at once.

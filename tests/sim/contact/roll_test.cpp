@@ -111,11 +111,12 @@ TEST(Rolling, IsNothingToPolygonsAndCostsNothingWhereNoSurfaceResists) {
   EXPECT_TRUE(trial.work.contacts.point_rolls.empty());
   Trial box(
       "gravity = [0, -9.81]\n[materials.default]\nrolling_resistance = 0.3\n[shapes]\nbox = { polygon = [[0, "
-      "0], [1, 0], [1, 1], [0, 1]] }\n[[bodies]]\nshape = \"box\"\nat = [0, 0.5]\n[[walls]]\nsegment = [[-5, "
-      "0], [5, 0]]\n");
+      "0], [1, 0], [1, 1], [0, 1]] }\nball = { disc = { radius = 0.5 } }\n[[bodies]]\nshape = \"box\"\nat = "
+      "[0, 0.5]\n[[walls]]\nsegment = [[-5, 0], [5, 0]]\n" +
+      ball(100, 0, 0, 0));
   box.steps(10);
   EXPECT_EQ(box.state.point_contacts.size(), 2u);
-  EXPECT_FALSE(box.plan.rolling);
+  EXPECT_TRUE(box.plan.rolling);
   EXPECT_TRUE(box.work.contacts.point_rolls.empty());
 }
 

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#include "sim/contact/pressed.h"
+
+#include "sim/contact/contact_key.h"
+
+namespace throng {
+
+void find_pressed(const State& state, const Colliders& colliders, std::vector<std::uint8_t>& pressed) {
+  pressed.assign(state.position.size(), 0);
+  for (const auto* contacts : {&state.disc_contacts, &state.point_contacts})
+    for (const ContactImpulse& contact : *contacts) {
+      const auto [a, b] = pair_of(contact.key);
+      pressed[colliders.body[a]] = 1;
+      if (!is_of_obstacle(contact.key)) pressed[colliders.body[b]] = 1;
+    }
+}
+
+}  // namespace throng

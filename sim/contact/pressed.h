@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sim/colliders.h"
+#include "sim/state.h"
+
+namespace throng {
+
+/// Sets `pressed` of each body to 1 where a contact pressed it in the step that ended with `state`, else to
+/// 0. O(contacts).
+void find_pressed(const State& state, const Colliders& colliders, std::vector<std::uint8_t>& pressed);
+
+}  // namespace throng
