@@ -284,6 +284,20 @@ Manifold manifold(const Convex& a, const Pose& pose_a, const Convex& b, const Po
   return polygon_manifold(a, pose_a, b, pose_b, reach, kept);
 }
 
+Manifold manifold_on_face(const Convex& part, const Pose& part_pose, std::size_t edge, const Convex& body,
+                          const Pose& body_pose, double reach, bool part_is_b) {
+  if (body.vertices.size() == 1) return {};
+  const Roles roles{part, body, part_pose, relative(part_pose, body_pose), !part_is_b};
+  const Face face = face_at(part, edge, body, roles.incident_in_reference);
+  const Clip c(roles, face);
+  if (!c.covers()) return {};
+  Manifold m;
+  for (const End& end : {c.low(), c.high()})
+    add(m, roles, c.frame.origin + end.along * c.frame.tangent, c.frame.normal, end.gap, end.name, reach);
+  m.normal = part_pose.rotate(c.frame.normal);
+  return m;
+}
+
 Reference reference(std::uint32_t feature, const Convex& a, const Convex& b) {
   if (touch_of(feature) == Touch::points) return {};
   const bool of_b = feature & kReferenceIsB;

@@ -45,6 +45,12 @@ constexpr double kMuchWider = 0x1p-18;
 Manifold manifold(const Convex& a, const Pose& pose_a, const Convex& b, const Pose& pose_b, double reach,
                   const Reference& kept = {});
 
+/// What of `body` lies over the face `edge` of `part`, within `reach`, on that face; empty of a disc and
+/// where nothing does. The normal points from the part to the body; `part_is_b`: names are those of a
+/// manifold whose b is the part.
+Manifold manifold_on_face(const Convex& part, const Pose& part_pose, std::size_t edge, const Convex& body,
+                          const Pose& body_pose, double reach, bool part_is_b);
+
 /// A point of a manifold on a face: an end of the incident edge over the face, or the place of it over an end
 /// of the face.
 enum class EndOf : std::uint8_t { head, tail, above_tail, above_head };

@@ -14,7 +14,8 @@ namespace throng::narrowphase {
 
 namespace {
 
-constexpr double kFlat = 1e-6;  // sine of the least turn that counts
+constexpr double kFlat = 1e-6;      // sine of the least turn that counts
+constexpr double kStraight = 1e-2;  // likewise, of the least beyond which the part beyond holds a body alone
 
 /// A directed edge of a part, the solid on its left, between numbered points.
 struct DirectedEdge {
@@ -95,9 +96,15 @@ bool is_between(const Vec& d, const Vec& from, const Vec& to) {
   return cross(from, d) >= -kFlat && cross(d, to) >= -kFlat && dot(from, d) + dot(d, to) >= -kFlat;
 }
 
+/// Whether an outline with these normals on either side of a corner hardly turns there.
+bool goes_straight_on(const Vec& one, const Vec& other) {
+  return std::abs(cross(one, other)) <= kStraight && dot(one, other) > 0.0;
+}
+
 /// A normal at a corner, and the way from there along an edge.
 struct Lean {
   Vec normal, along;
+  std::size_t edge;
 };
 
 /// A corner of a part, as the outline has it on either side.
@@ -115,12 +122,16 @@ struct Corner {
            (!out.inner && out.at_tail == Turn::convex && is_between(d, out.before, part.normals[after]));
   }
 
+  /// Whether the outline turns back from the edge, and not by little, to one with that normal.
+  bool is_hollow(std::size_t edge, Turn turn, const Vec& other) const {
+    return !rim[edge].inner && turn == Turn::concave && !goes_straight_on(part.normals[edge], other);
+  }
+
   /// The face that bounds the hollow of the outline in which `centre` is; or none.
   const Vec* hollow_face(const Vec& centre) const {
     const Vec way = centre - part.vertices[vertex];
     const auto is_in = [&](std::size_t edge, Turn turn, const Vec& other) {
-      return !rim[edge].inner && turn == Turn::concave && dot(part.normals[edge], way) >= 0.0 &&
-             dot(other, way) >= 0.0;
+      return is_hollow(edge, turn, other) && dot(part.normals[edge], way) >= 0.0 && dot(other, way) >= 0.0;
     };
     if (is_in(before, rim[before].at_head, rim[before].after)) return &part.normals[before];
     if (is_in(after, rim[after].at_tail, rim[after].before)) return &part.normals[after];
@@ -131,18 +142,18 @@ struct Corner {
   /// it; none where nothing but hollows is.
   std::optional<Lean> nearest(const Vec& d) const {
     std::optional<Lean> best;
-    const auto offer = [&](const Vec& normal, const Vec& along) {
-      if (!best || dot(normal, d) > dot(best->normal, d)) best = Lean{normal, along};
+    const auto offer = [&](const Vec& normal, const Vec& along, std::size_t edge) {
+      if (!best || dot(normal, d) > dot(best->normal, d)) best = Lean{normal, along, edge};
     };
     const RimEdge &in = rim[before], &out = rim[after];
     const Vec& here = part.vertices[vertex];
-    if (!in.inner && in.at_head != Turn::concave) {
-      offer(part.normals[before], part.vertices[before] - here),
-          offer(in.after, part.vertices[before] - here);
+    if (!in.inner && !is_hollow(before, in.at_head, in.after)) {
+      const Vec along = part.vertices[before] - here;
+      offer(part.normals[before], along, before), offer(in.after, along, before);
     }
-    if (!out.inner && out.at_tail != Turn::concave) {
+    if (!out.inner && !is_hollow(after, out.at_tail, out.before)) {
       const Vec along = part.vertices[next(after, rim.size())] - here;
-      offer(part.normals[after], along), offer(out.before, along);
+      offer(part.normals[after], along, after), offer(out.before, along, after);
     }
     return best;
   }
@@ -222,7 +233,7 @@ std::vector<Rim> rims(std::span<const Convex> parts) {
 }
 
 Manifold on_outline(const Manifold& m, const PlacedConvex& part, const Rim& rim, const PlacedConvex& body,
-                    double reach) {
+                    double reach, bool part_is_b) {
   if (m.count == 0) return m;
   const Vec d = part.pose.unrotate(m.normal);
   if (is_face(part.shape, rim, d)) return m;
@@ -234,6 +245,9 @@ Manifold on_outline(const Manifold& m, const PlacedConvex& part, const Rim& rim,
   if (const Vec* face = corner.hollow_face(from_world * body.pose.position))
     return face_contact(part, vertex, *face, body, reach);
   const std::optional<Lean> lean = corner.nearest(d);
+  if (lean && body.shape.vertices.size() > 1 &&
+      goes_straight_on(lean->normal, part.shape.normals[lean->edge]))
+    return manifold_on_face(part.shape, part.pose, lean->edge, body.shape, body.pose, reach, part_is_b);
   if (!lean || !is_over(body.shape, relative(part.pose, body.pose), vertex, *lean)) return {};
   return face_contact(part, vertex, lean->normal, body, reach);
 }

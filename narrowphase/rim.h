@@ -40,9 +40,12 @@ struct PlacedConvex {
 ///
 /// A normal that leans further than the outline does at that corner belongs to no corner of the whole. In a
 /// hollow the part's face presses instead. Anywhere else the nearest normal that the outline has there takes
-/// its place, if the body's deepest vertex is over this part; if it is beyond, the part beyond holds it, and
-/// this contact is dropped, as by the smooth chains of Box2D (Catto, 2020). O(n).
+/// its place. Where the outline goes straight on, each part holds what of a polygon is over its face, however
+/// the polygon leans: what rocks over a seam is let go by neither. Elsewhere, and for discs, the contact
+/// stays if the body's deepest vertex is over this part; if it is beyond, the part beyond holds it, and this
+/// contact is dropped, as by the smooth chains of Box2D (Catto, 2020). `part_is_b`: of the pair that points
+/// are named for. O(n).
 Manifold on_outline(const Manifold& m, const PlacedConvex& part, const Rim& rim, const PlacedConvex& body,
-                    double reach);
+                    double reach, bool part_is_b);
 
 }  // namespace throng::narrowphase

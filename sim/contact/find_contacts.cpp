@@ -37,13 +37,13 @@ using narrowphase::Rim;
 /// smaller than the part beside it.
 Manifold on_outline_of_a(const Manifold& m, const PlacedConvex& a, const Rim& rim, const PlacedConvex& b,
                          double reach) {
-  return rim.empty() ? m : on_outline(m, a, rim, b, reach);
+  return rim.empty() ? m : on_outline(m, a, rim, b, reach, false);
 }
 Manifold on_outline_of_b(Manifold m, const PlacedConvex& a, const PlacedConvex& b, const Rim& rim,
                          double reach) {
   if (rim.empty()) return m;
   m.normal = -m.normal;
-  m = on_outline(m, b, rim, a, reach);
+  m = on_outline(m, b, rim, a, reach, true);
   m.normal = -m.normal;
   return m;
 }

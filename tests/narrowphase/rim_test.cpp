@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -77,7 +79,7 @@ TEST(Rims, FindTheSeamsOfADecomposedPolygon) {
 Manifold against_second(const std::vector<Convex>& parts, const Convex& body, const Pose& at, double reach) {
   const Manifold bare = manifold(parts[1], {}, body, at, reach);
   const Rim rim = rims(parts)[1];
-  return rim.empty() ? bare : on_outline(bare, {parts[1], Pose{}}, rim, {body, at}, reach);
+  return rim.empty() ? bare : on_outline(bare, {parts[1], Pose{}}, rim, {body, at}, reach, false);
 }
 
 TEST(OnOutline, LeavesABodyOverTheFirstPieceToIt) {
@@ -88,6 +90,29 @@ TEST(OnOutline, LeavesABodyOverTheFirstPieceToIt) {
     EXPECT_EQ(against_second(parts, ball, {{-0.1, 0.5}}, 0.2).count, 0);
     EXPECT_GT(manifold(parts[1], {}, box, {{-0.6, 0.5}}, 0.2).count, 0);
     EXPECT_EQ(against_second(parts, box, {{-0.6, 0.5}}, 0.2).count, 0);
+  }
+}
+
+/// However little it leans: both pieces hold it all of the time, by the same names.
+TEST(OnOutline, LeavesABoxThatRocksOverASeamToBothPieces) {
+  const Convex box = convex({{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}});
+  for (const double bend : {0.0, 1e-9, 1e-5, -1e-5}) {
+    const std::vector<Convex> parts = bent_wall(bend);
+    std::array<std::uint32_t, 2> names{};
+    for (const double lean : {1e-9, -1e-4, 1e-4, -1e-3, 1e-3}) {
+      const Manifold m = against_second(parts, box, pose({0.1, 0.4999}, lean), 0.1);
+      ASSERT_EQ(m.count, 2) << bend << " " << lean;
+      EXPECT_NEAR(m.normal.x(), 0.0, 2e-5);
+      for (const ManifoldPoint& point : m.points) {
+        EXPECT_GT(point.point.x(), -1e-3);
+        EXPECT_NEAR(point.separation, -1e-4 + (point.point.x() - 0.1) * lean, 2e-6 + std::abs(bend));
+      }
+      std::array<std::uint32_t, 2> now{without_reference(m.points[0].feature),
+                                       without_reference(m.points[1].feature)};
+      std::ranges::sort(now);
+      if (lean == 1e-9) names = now;
+      EXPECT_EQ(now, names) << bend << " " << lean;
+    }
   }
 }
 

@@ -14,6 +14,14 @@ int steps(int usual) {
   return static_cast<int>(less_when_watched(static_cast<std::size_t>(usual)));
 }
 
+std::string box_at(double x, double y, const std::string& more = "") {
+  return "[[bodies]]\nshape = \"box\"\nat = [" + std::to_string(x) + ", " + std::to_string(y) + "]\n" + more;
+}
+
+std::string wall(const std::string& points) {
+  return "[[walls]]\npolyline = [" + points + "]\n";
+}
+
 class AStackOfTwentyBoxes : public ::testing::TestWithParam<double> {};  // dt, s
 
 TEST_P(AStackOfTwentyBoxes, StandsTenThousandSteps) {
@@ -140,6 +148,28 @@ TEST(Standing, HeavyBesideLight) {
 
 /// A heap of 240 layers between smooth walls, which bear nothing, comes to rest and doesn't swing on as a
 /// whole; and what it bears has hardly pressed its discs into each other.
+/// Where two pieces of a floor meet below it, nearly or quite straight on, or a wall ends below.
+TEST(Standing, ATowerOverASeam) {
+  const std::string tile = "kind = \"static\"\n";
+  std::string tower;
+  for (int i = 0; i < 4; ++i) tower += box_at(0.0, 0.5 + i);
+  for (const std::string& floor :
+       {wall("[-5, 0], [0, 1e-9], [5, 0]"), wall("[-5, 0], [0, 1e-5], [5, 0]"),
+        wall("[-5, 0], [0, 0], [5, 0]"), wall("[-5, 0], [5, 0]") + wall("[0, -3], [0, 0]"),
+        box_at(-0.5, -0.5, tile) + box_at(0.5, -0.5, tile)}) {
+    Trial run(
+        "sleep = false\ngravity = [0, -9.81]\ntime = { dt = 0.01, until = 60 }\n"
+        "[shapes]\nbox = { polygon = [[0, 0], [1, 0], [1, 1], [0, 1]] }\n" +
+        tower + floor);
+    run.steps(steps(3000));
+    for (std::size_t i = 0; i < 4; ++i) {
+      EXPECT_NEAR(run.state.position[i].x(), 0.0, 5e-4) << floor;
+      EXPECT_NEAR(run.state.position[i].y(), 0.5 + static_cast<double>(i), 5e-4) << floor;
+    }
+    EXPECT_LT(fastest(run.state), 1e-4) << floor;
+  }
+}
+
 TEST(Standing, AHeapOfHundredsOfLayersComesToRest) {
   Trial run(
       "seed = 1\nsleep = false\ngravity = [0, -9.81]\n"
