@@ -11,6 +11,8 @@
 #include <limits>
 #include <numeric>
 
+#include "sim/contact/bounce.h"
+#include "sim/contact/fast.h"
 #include "sim/contact/first_loads.h"
 #include "sim/contact/pressed.h"
 #include "sim/periodic.h"
@@ -27,7 +29,6 @@ constexpr double kAjar = 2.0;       // of the way that gravity gives in a subste
 constexpr double kPushOut = 2.0;    // radii a second: the fastest that overlap is undone
 constexpr int kElasticSweeps = 64;  // of bounces in a substep: what still meets then ends without bounce,
 constexpr int kBounceSweeps = 8;    // where each takes energy sooner, as dense clusters do anyway
-constexpr double kRestSpeed = 2.0;  // slower than what gravity gives in so many substeps, a contact rests
 
 /// At a step in which a body is hit so hard that it gets where nobody was looked for: after some of them all
 /// are looked at as far as the farthest one got.
@@ -79,10 +80,10 @@ void move(std::span<SolverBody> bodies, Rows awake, double h) {
 
 /// Bounces all that meets in this substep, and what that sets in motion, until nothing meets any more.
 void bounce(Workspace& work, const Vec& kick, int sweeps) {
-  const double threshold = kRestSpeed * kick.norm();
+  const BounceRule rule{work.solver.h, kRestSpeed * kick.norm(), work.finder.hit_speed(), kick};
   for (int sweep = 0; sweep < sweeps; ++sweep) {
-    const bool discs = bounce(work.contacts.disc_bounces, work.bodies, work.solver, threshold, kick);
-    const bool points = bounce(work.contacts.point_bounces, work.bodies, work.solver, threshold, kick);
+    const bool discs = bounce(work.contacts.disc_bounces, work.bodies, rule);
+    const bool points = bounce(work.contacts.point_bounces, work.bodies, rule);
     if (!discs && !points) return;
   }
 }
@@ -266,7 +267,7 @@ Workspace::Workspace(const Scene& scene, const Plan& plan, int threads)
   mean_radius = throng::mean_radius(candidates.colliders());
   const Softness spring = softness(kContactHertz / h, kContactDamping, h);
   const double ajar = plan.gravity ? kAjar * scene.gravity.norm() * h * h : 0.0;
-  solver = {h, spring, {}, kPushOut * mean_radius, plan.friction, ajar, finder.fast()};
+  solver = {h, spring, {}, kPushOut * mean_radius, plan.friction, ajar};
 }
 
 /// Agents choose their velocity and walk.

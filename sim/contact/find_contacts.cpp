@@ -8,7 +8,9 @@
 #include <utility>
 
 #include "narrowphase/half_plane.h"
+#include "sim/contact/arms.h"
 #include "sim/contact/contact_key.h"
+#include "sim/contact/fast.h"
 #include "sim/contact/find_rolls.h"
 #include "sim/contact/kept_impulses.h"
 
@@ -22,8 +24,6 @@ using narrowphase::Pose;
 using narrowphase::Reference;
 
 namespace {
-
-constexpr double kHits = 4.0;  // substeps
 
 /// The face that described the contact of a and b in the last step.
 Reference reference(const ContactImpulse* kept, const Convex& a, const Convex& b) {
@@ -92,11 +92,6 @@ double least_radius(const Colliders& colliders) {
   return least == colliders.radius.end() ? std::numeric_limits<double>::infinity() : *least;
 }
 
-/// Who is faster hits, and doesn't just rest: than what gravity gives in some substeps.
-double fast_speed(const Scene& scene, const Plan& plan) {
-  return plan.gravity ? kHits * scene.gravity.norm() * plan.substep : 0.0;
-}
-
 }  // namespace
 
 std::uint64_t ContactFinder::Touch::key() const {
@@ -106,8 +101,8 @@ std::uint64_t ContactFinder::Touch::key() const {
 ContactFinder::ContactFinder(const Scene& scene, const Plan& plan, const Colliders& colliders)
     : scene_(scene),
       plan_(plan),
-      fast_(fast_speed(scene, plan)),
-      slow_way_(kSlowWay * least_radius(colliders)),
+      hit_speed_(throng::hit_speed(scene, plan)),
+      slow_way_(kAheadWay * least_radius(colliders)),
       parts_(scene, plan),
       discs_(scene, plan) {}
 
@@ -146,7 +141,7 @@ void ContactFinder::find_touches(const Candidates& candidates, const State& stat
   }
   take_seats(faces);
   fill_faces(candidates, state, bodies, contacts, workers);
-  if (!plan_.restitution) list_fast(candidates, bodies, contacts.point_bounces);
+  if (!plan_.restitution) list_hits(candidates, bodies, contacts.point_bounces);
 }
 
 void ContactFinder::search(const Candidates& candidates, const State& state,
@@ -251,13 +246,10 @@ double ContactFinder::pace(const Candidates& candidates, std::span<const SolverB
 }
 
 /// Whether a point of the face comes nearer so fast that a sweep wouldn't do.
-bool ContactFinder::closes_fast(std::span<const PointContact> face,
-                                std::span<const SolverBody> bodies) const {
+bool ContactFinder::hits(std::span<const PointContact> face, std::span<const SolverBody> bodies) const {
   const SolverBody &a = bodies[face[0].a], &b = bodies[face[0].b];
-  return std::ranges::any_of(face, [&](const PointContact& c) {
-    const Vec velocity = b.velocity + b.spin * tangent(c.arm_b) - a.velocity - a.spin * tangent(c.arm_a);
-    return velocity.dot(c.normal) < -fast_;
-  });
+  return std::ranges::any_of(
+      face, [&](const PointContact& c) { return arms(c).normal_velocity(a, b) < -hit_speed_; });
 }
 
 /// The body that the touch's first one meets, or the row that stands for all obstacles.
@@ -292,7 +284,7 @@ std::span<PointContact> ContactFinder::face(const Candidates& candidates, std::s
       place(points[p], m.points[p], a, b, shift, about_a, about_b, false);
   }
   const std::span<PointContact> face(points.data(), count);
-  points[0].fast = points[1].fast = count == 2 && !(points[0].restitution > 0.0) && closes_fast(face, bodies);
+  points[0].hits = points[1].hits = count == 2 && !(points[0].restitution > 0.0) && hits(face, bodies);
   if (meeting)
     for (PointContact& contact : face)
       turn_back(contact, meeting->when * bodies[contact.a].spin, meeting->when * bodies[contact.b].spin);
@@ -304,7 +296,7 @@ void ContactFinder::fill_faces(const Candidates& candidates, const State& state,
   const std::size_t size = contacts.faces.size();
   contacts.point_key.resize(size), contacts.point_feature.resize(size);
   if (plan_.restitution) contacts.point_bounces.resize(size);
-  is_fast_.assign(touches_.size(), 0);
+  hits_.assign(touches_.size(), 0);
   workers.for_ranges(touches_.size(), [&](std::size_t begin, std::size_t end) {
     if (begin == end) return;
     KeptImpulses memory(state.point_contacts, touches_[begin].key());
@@ -342,17 +334,16 @@ void ContactFinder::fill_searched(const Candidates& candidates, std::span<const 
   }
   contacts.faces.fill(first_point_[touch], face);
   if (plan_.restitution) std::ranges::copy(face, contacts.point_bounces.begin() + first_point_[touch]);
-  is_fast_[touch] = face[0].fast;
+  hits_[touch] = face[0].hits;
 }
 
-/// Those of fast faces, where no surface bounces.
-void ContactFinder::list_fast(const Candidates& candidates, std::span<const SolverBody> bodies,
+/// Faces that hit, where no surface bounces.
+void ContactFinder::list_hits(const Candidates& candidates, std::span<const SolverBody> bodies,
                               std::vector<PointContact>& bounces) const {
-  if (std::ranges::find(is_fast_, 1) == is_fast_.end()) return;
+  if (std::ranges::find(hits_, 1) == hits_.end()) return;
   std::array<PointContact, 2> points;
-  for (auto fast = is_fast_.begin(); (fast = std::find(fast, is_fast_.end(), 1)) != is_fast_.end(); ++fast) {
-    const auto face =
-        this->face(candidates, bodies, static_cast<std::size_t>(fast - is_fast_.begin()), points);
+  for (auto hit = hits_.begin(); (hit = std::find(hit, hits_.end(), 1)) != hits_.end(); ++hit) {
+    const auto face = this->face(candidates, bodies, static_cast<std::size_t>(hit - hits_.begin()), points);
     bounces.insert(bounces.end(), face.begin(), face.end());
   }
 }

@@ -35,7 +35,7 @@ struct Contacts {
   std::vector<RollContact> disc_rolls;  ///< of the same contacts; empty where nothing resists rolling
   std::vector<RollContact> point_rolls;
   std::vector<DiscContact> disc_bounces;    ///< the same contacts once more; empty where no surface bounces
-  std::vector<PointContact> point_bounces;  ///< the same; those of fast faces alone where none bounces
+  std::vector<PointContact> point_bounces;  ///< the same; those of faces that hit alone where none bounces
 
   /// Forgets all; of so many rows of bodies the last ones, one a group, never move.
   void start(std::size_t bodies, std::size_t groups);
@@ -50,9 +50,8 @@ class ContactFinder {
  public:
   ContactFinder(const Scene& scene, const Plan& plan, const Colliders& colliders);
 
-  /// m/s: faces that don't bounce and close faster are listed among bounces, too, as one sweep over their two
-  /// corners leaves some of the speed.
-  double fast() const { return fast_; }
+  /// m/s: see fast.h; faces that don't bounce and hit are listed among bounces, too.
+  double hit_speed() const { return hit_speed_; }
 
   /// m: of two that get together no farther in a step, none nears the other fast.
   double slow_way() const { return slow_way_; }
@@ -143,7 +142,7 @@ class ContactFinder {
   void ask_held(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
                 Workers& workers);
   void answer_held(FaceBlocks& faces, Workers& workers);
-  double slow() const { return std::min(fast_, slow_way_ / scene_.time.dt); }  // m/s, who may be held
+  double slow() const { return std::min(hit_speed_, slow_way_ / scene_.time.dt); }  // m/s, who may be held
   bool is_worth_holding();
 
   void find_who_may_be_held(const Colliders& colliders);
@@ -174,10 +173,10 @@ class ContactFinder {
   const Surface& surface_of(const Colliders& colliders, broadphase::Pair pair) const {
     return surface(colliders.body[pair.a], scene_.bodies.material[colliders.body[pair.b]]);
   }
-  void list_fast(const Candidates& candidates, std::span<const SolverBody> bodies,
+  void list_hits(const Candidates& candidates, std::span<const SolverBody> bodies,
                  std::vector<PointContact>& bounces) const;
   double pace(const Candidates& candidates, std::span<const SolverBody> bodies, std::uint32_t collider) const;
-  bool closes_fast(std::span<const PointContact> face, std::span<const SolverBody> bodies) const;
+  bool hits(std::span<const PointContact> face, std::span<const SolverBody> bodies) const;
   std::span<PointContact> face(const Candidates& candidates, std::span<const SolverBody> bodies,
                                std::size_t touch, std::array<PointContact, 2>& points) const;
   void describe(const Colliders& colliders, const Obstacles& obstacles, const Touch& touch, const Vec& normal,
@@ -185,7 +184,7 @@ class ContactFinder {
 
   const Scene& scene_;
   const Plan& plan_;
-  double fast_, slow_way_;
+  double hit_speed_, slow_way_;
   Parts parts_;
   bool moved_ = false;  // somebody is in another part than when contacts were found last
   DiscFinder discs_;
@@ -213,7 +212,7 @@ class ContactFinder {
   std::vector<std::uint32_t> seat_;                 // of each touch, while they are made anew
   std::vector<HeldFaces::Move> moves_;              // likewise, of those that are held
   std::vector<std::uint32_t> first_point_;          // of each touch: how many come before
-  std::vector<std::uint8_t> is_fast_;               // of each touch
+  std::vector<std::uint8_t> hits_;                  // of each touch
 };
 
 }  // namespace throng

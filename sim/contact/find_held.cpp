@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What ContactFinder does for pairs of polygons that have hardly moved.
 #include <algorithm>
+#include <cmath>
 
 #include "narrowphase/relative.h"
 #include "sim/contact/contact_key.h"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-#include "sim/contact/strike.h"
+#include "sim/contact/collide_discs.h"
 #include "sim/periodic.h"
 #include "sim/simulation_error.h"
 
@@ -191,7 +191,7 @@ void Flights::collide(std::uint32_t pair, double now) {
   SolverBody obstacle{Vec(0.0, 0.0), 0.0, 0.0, Vec(0.0, 0.0), 0.0, 0.0};
   SolverBody &one = bent_[bent_of_[a]].body, &other = is_pair(pair) ? bent_[bent_of_[b]].body : obstacle;
   const Touch touch{n, radius[a], is_pair(pair) ? radius[b] : 0.0};
-  const double impulse = strike(one, other, touch, surface(pair));
+  const double impulse = collide_discs(one, other, touch, surface(pair));
   if (is_pair(pair))
     collisions_.add_pair(touch.radius_a + touch.radius_b, impulse, one.inverse_mass + other.inverse_mass);
   else

@@ -7,6 +7,8 @@
 #include <limits>
 #include <numeric>
 
+#include "sim/contact/arms.h"
+
 namespace throng {
 
 using narrowphase::FirstContact;
@@ -36,33 +38,13 @@ double way(const SolverBody& body, const Vec& position, double reach) {
   return (body.position - position).norm() + std::abs(body.turn) * reach;
 }
 
-/// At a contact of two hearts: the arms from the bodies' centres, and the normal from a to b.
-struct Blow {
-  Vec arm_a, arm_b, normal;
-
-  Vec velocity(const SolverBody& a, const SolverBody& b) const {
-    return b.velocity + b.spin * tangent(arm_b) - a.velocity - a.spin * tangent(arm_a);
-  }
-  void apply(SolverBody& a, SolverBody& b, const Vec& impulse) const {
-    a.velocity -= a.inverse_mass * impulse;
-    a.spin -= a.inverse_inertia * tangent(arm_a).dot(impulse);
-    b.velocity += b.inverse_mass * impulse;
-    b.spin += b.inverse_inertia * tangent(arm_b).dot(impulse);
-  }
-};
-
 /// Restitution along the normal, Coulomb friction across; then the two part at `leaves` (m/s) more.
-void strike(const Blow& blow, SolverBody& a, SolverBody& b, const Surface& surface, double leaves) {
-  const double speed = blow.velocity(a, b).dot(blow.normal);
+void part(const PointArms& at, SolverBody& a, SolverBody& b, const Surface& surface, double leaves) {
+  const double speed = at.normal_velocity(a, b);
   if (!(speed < 0.0)) return;
-  const double normal = (leaves - (1.0 + surface.restitution) * speed) *
-                        effective_mass(a, b, blow.arm_a, blow.arm_b, blow.normal);
-  blow.apply(a, b, normal * blow.normal);
-  const Vec across = tangent(blow.normal);
-  const double limit = surface.friction * normal;
-  const double stops =
-      -blow.velocity(a, b).dot(across) * effective_mass(a, b, blow.arm_a, blow.arm_b, across);
-  if (limit > 0.0) blow.apply(a, b, std::clamp(stops, -limit, limit) * across);
+  const double impulse =
+      (leaves - (1.0 + surface.restitution) * speed) * effective_mass(a, b, at.arm_a, at.arm_b, at.normal);
+  strike(at, a, b, impulse, surface.friction, effective_mass(a, b, at.arm_a, at.arm_b, at.t));
 }
 
 /// m/s, at which two whose hearts touch come nearer at that point.
@@ -325,7 +307,7 @@ void Guard::collide(const Substep& sub, Meeting& m) {
   const narrowphase::Manifold touch = manifold(m, of_a, of_b);
   if (touch.count > 0) {
     const Vec point = struck_point(touch, of_a, of_b);
-    strike({point - of_a.position, point - of_b.position, touch.normal}, a, b, surface(m), leaves);
+    part({point - of_a.position, point - of_b.position, touch.normal}, a, b, surface(m), leaves);
   }
   if (!is_last || !driven || ++m.pushes > kMostPushes) ++m.depth;
   if (is_last && !driven) stand(a, m.a), stand(b, m.b);

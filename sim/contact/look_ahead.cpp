@@ -8,6 +8,7 @@
 #include "narrowphase/motion/first_contact.h"
 #include "narrowphase/motion/nearest_time.h"
 #include "sim/contact/contact_key.h"
+#include "sim/contact/fast.h"
 #include "sim/contact/find_contacts.h"
 #include "sim/contact/kept_impulses.h"
 #include "sim/contact/pressed.h"
@@ -39,7 +40,7 @@ double turn_way(const Colliders& colliders, std::uint32_t row, double turn) {
 /// m, how far the two may get in a step and are slow.
 double ContactFinder::slow_way(const Colliders& colliders, const Touch& touch) const {
   const double a = colliders.radius[touch.pair.a];
-  return kSlowWay * (touch.obstacle ? a : std::min(a, colliders.radius[touch.pair.b]));
+  return kAheadWay * (touch.obstacle ? a : std::min(a, colliders.radius[touch.pair.b]));
 }
 
 /// Whether the two may get past the plane between them within the step, and not by little.

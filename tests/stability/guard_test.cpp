@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <sstream>
 
 #include "sim/contact/contact.h"
 #include "tests/sim/trial.h"

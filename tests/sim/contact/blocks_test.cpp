@@ -71,7 +71,7 @@ class Blocks : public ::testing::TestWithParam<std::int64_t> {
 
   SolverSettings settings(bool friction) const {
     // Half of what overlaps is so deep that the speed is limited.
-    return {0.0025, softness(0.18 / 0.0025, 10.0, 0.0025), Learning{}, 1.0, friction, 0.03, 1e9};
+    return {0.0025, softness(0.18 / 0.0025, 10.0, 0.0025), Learning{}, 1.0, friction, 0.03};
   }
 
   void move(std::vector<SolverBody>& bodies) const {

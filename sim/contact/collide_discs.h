@@ -17,6 +17,6 @@ struct Touch {
 
 /// A collision in no time: restitution along the normal, Coulomb friction across, which stops the slip where
 /// it can. Returns the impulse along the normal (N s).
-double strike(SolverBody& a, SolverBody& b, const Touch& touch, const Surface& surface);
+double collide_discs(SolverBody& a, SolverBody& b, const Touch& touch, const Surface& surface);
 
 }  // namespace throng
