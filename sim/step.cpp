@@ -131,8 +131,8 @@ void push(const Scene& scene, const Plan& plan, State& state, Workspace& work, b
   if (plan.contacts()) work.finder.divide(state, awake);
   by_parts(work, [&](Rows rows) { load(state, rows, work.bodies); });
   if (plan.contacts()) {
-    work.finder.find(work.candidates, state, work.bodies, work.contacts, work.workers);
-    work.ahead = 2.0 * work.candidates.chain() > work.finder.slow_way() ? work.solver.h : 0.0;
+    work.finder.find({work.candidates, state, work.bodies}, work.contacts, work.workers);
+    work.ahead = 2.0 * work.candidates.chain() > work.finder.least_way() ? work.solver.h : 0.0;
     clock.lap(work.times.find_contacts);
   }
   const bool learns = plan.gravity && plan.contacts();

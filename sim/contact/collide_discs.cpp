@@ -5,7 +5,7 @@
 
 namespace throng {
 
-double collide_discs(SolverBody& a, SolverBody& b, const Touch& touch, const Surface& surface) {
+double collide_discs(SolverBody& a, SolverBody& b, const DiscTouch& touch, const Surface& surface) {
   const Vec& n = touch.normal;
   const Vec t = tangent(n);
   const Vec velocity = b.velocity - a.velocity;

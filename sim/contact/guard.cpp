@@ -331,7 +331,7 @@ void Guard::look_again(const Substep& sub, std::uint32_t body) {
 const Surface& Guard::surface(const Meeting& m) const {
   const std::uint32_t other =
       m.obstacle ? candidates_.obstacles().material[m.row_b] : scene_.bodies.material[m.b];
-  return plan_.surfaces[scene_.bodies.material[m.a] * scene_.materials.size() + other];
+  return plan_.surface(scene_.bodies.material[m.a], other);
 }
 
 }  // namespace throng

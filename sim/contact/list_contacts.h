@@ -4,8 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "sim/contact/find_contacts.h"
+#include "sim/contact/contacts.h"
 #include "sim/contact_row.h"
+#include "sim/scene.h"
+#include "sim/state.h"
 
 namespace throng {
 
