@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "narrowphase/motion/first_contact.h"
 #include "sim/contact/arms.h"
 
 namespace throng {
@@ -22,6 +23,9 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 /// Who moves by less, of its thickness and in a step, isn't looked at: as much as the smallest heart is
 /// thick.
 constexpr double kUnseen = 0.0625;
+
+/// Contacts may take a body so many times as far in a step as the fastest would get as it begins.
+constexpr double kFarther = 3.0;
 
 /// Of the thickness: who slowly got so deep into a smallest heart, half of it, is still held.
 constexpr double kHeld = 0.03125;
@@ -161,10 +165,16 @@ bool Guard::list_far(const State& state, std::span<const SolverBody> bodies) {
 }
 
 bool Guard::saw_meeting(const State& state, std::span<const SolverBody> bodies, Workers& workers) {
-  if (!(3.0 * candidates_.farthest_way() > Hearts::kRims[0] * hearts_.least_thickness())) return false;
-  if (!list_far(state, bodies)) return false;
+  const double least = Hearts::kRims[0] * hearts_.least_thickness();
+  if (!(kFarther * candidates_.farthest_way() > least) || !list_far(state, bodies)) return false;
   hearts_.make();
+  if (!any_met(state, bodies, workers)) return false;
   stood_.assign(bodies.size(), 0);
+  ++guarded_steps_;
+  return true;
+}
+
+bool Guard::any_met(const State& state, std::span<const SolverBody> bodies, Workers& workers) const {
   const std::span<const broadphase::Pair> pairs = candidates_.pairs();
   const std::span<const broadphase::Pair> obstacle_pairs = candidates_.obstacle_pairs();
   const std::size_t sides = candidates_.obstacles().side.size();
