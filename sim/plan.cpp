@@ -59,8 +59,7 @@ bool all_elastic(const Scene& scene, const Plan& plan) {
   if (plan.box) met[0] = 1;
   for (std::size_t a = 0; a < count; ++a)
     for (std::size_t b = 0; b < count; ++b)
-      if (moves[a] && met[b] &&
-          (plan.surfaces[a * count + b].restitution < 1.0 || plan.surfaces[a * count + b].rolling > 0.0))
+      if (moves[a] && met[b] && (plan.surface(a, b).restitution < 1.0 || plan.surface(a, b).rolling > 0.0))
         return false;
   return true;
 }
@@ -179,6 +178,7 @@ Plan plan_for(const Scene& scene, ContactModel contact) {
   plan.polygons = any_moving(scene, [&](std::size_t row) { return !is_disc(scene, row); });
   plan.composites = any_moving(
       scene, [&](std::size_t row) { return scene.shapes[scene.bodies.shape[row]].parts.size() > 1; });
+  plan.materials = scene.materials.size();
   plan.surfaces = surfaces(scene);
   plan.friction =
       plan.contacts() && std::ranges::any_of(plan.surfaces, [](const Surface& s) { return s.friction > 0; });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -43,8 +44,13 @@ struct Plan {
   bool entrances = false;         ///< some agents appear in the course of time
   bool measures = false;          ///< something is counted while they walk
   bool sensors = false;           ///< somebody senses others
-  std::vector<Surface> surfaces;  ///< of materials i, j at i * materials.size() + j
+  std::size_t materials = 0;      ///< how many the scene has
+  std::vector<Surface> surfaces;  ///< of each two of them: see surface()
   std::vector<Stage> stages;      ///< in the order of the step, those that are skipped too
+
+  /// Of two materials: the row of their surface, and the surface.
+  std::size_t surface_row(std::size_t a, std::size_t b) const { return a * materials + b; }
+  const Surface& surface(std::size_t a, std::size_t b) const { return surfaces[surface_row(a, b)]; }
 
   bool contacts() const { return pairs || obstacles || box; }
 };

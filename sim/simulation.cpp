@@ -45,8 +45,7 @@ class Native : public Simulation {
       work_.soft.list(state_, work_.bodies, rows);
     else
       throng::list_contacts(scene_, work_.contacts, state_, work_.bodies, rows);
-    if (plan_.sleep) with_sleeping(state_, rows);
-    for (ContactRow& row : rows) row.impulse *= scene_.time.substeps;
+    if (plan_.sleep) with_sleeping(scene_, state_, rows);
   }
   const Collisions* collisions() const override { return plan_.flights ? &state_.collisions : nullptr; }
 

@@ -6,7 +6,7 @@
 
 #include "broadphase/box_index.h"
 #include "sim/contact/candidates.h"
-#include "sim/contact/find_contacts.h"
+#include "sim/contact/contacts.h"
 #include "sim/contact_row.h"
 #include "sim/islands.h"
 #include "sim/plan.h"

@@ -10,8 +10,9 @@
 /// What changes from step to step. One array per quantity, a row per body.
 namespace throng {
 
-/// Impulses of one contact point, kept from step to step to start the solver warm. Of soft contacts `tangent`
-/// (m) and `rolling` (rad) are how far their springs are stretched (SoftSprings).
+/// Impulses of one contact point in a substep, kept from step to step to start the solver warm (ContactRow
+/// has that of the whole step). Of soft contacts `tangent` (m) and `rolling` (rad) are how far their springs
+/// are stretched (SoftSprings).
 struct ContactImpulse {
   std::uint64_t key;       ///< which two colliders; see `Contacts`
   std::uint32_t feature;   ///< the pair of features in contact, and the reference face

@@ -1,33 +1,23 @@
 // SPDX-License-Identifier: MIT
 // The step is the story. Of bodies: wake, find pairs, then fly from collision to collision, or find contacts
-// (and, as a run begins, what they bear) and solve in substeps, or be pushed by soft contacts in substeps;
-// store, fall asleep. Of agents: look, steer, walk (kinematic bodies among them, which push them), leave,
-// appear. Of both: sense.
+// (and, as a run begins, what they bear) and solve in substeps, or be pushed by soft contacts in substeps.
+// All of it again where bodies got farther than pairs were looked for, or, under guard, where they may have
+// got into each other's hearts. Then store, fall asleep. Of agents: look, steer, walk (kinematic bodies among
+// them, which push them), leave, appear. Of both: sense.
 #include "sim/step.h"
 
-#include <algorithm>
 #include <atomic>
-#include <cmath>
-#include <limits>
-#include <numeric>
+#include <string>
 
-#include "sim/contact/first_loads.h"
-#include "sim/contact/pressed.h"
+#include "sim/learn_loads.h"
 #include "sim/periodic.h"
 #include "sim/simulation_error.h"
 #include "sim/stage_clock.h"
+#include "sim/substep.h"
 
 namespace throng {
 
 namespace {
-
-constexpr double kContactHertz = 0.18;  // of the substep's rate: stiffer, tall pyramids tremble
-constexpr double kContactDamping = 20.0;
-constexpr double kAjar = 2.0;       // of the way that gravity gives in a substep, g h²
-constexpr double kPushOut = 2.0;    // radii a second: the fastest that overlap is undone
-constexpr int kElasticSweeps = 64;  // of bounces in a substep: what still meets then ends without bounce,
-constexpr int kBounceSweeps = 8;    // where each takes energy sooner, as dense clusters do anyway
-constexpr double kRestSpeed = 2.0;  // slower than what gravity gives in so many substeps, a contact rests
 
 /// At a step in which a body is hit so hard that it gets where nobody was looked for: after some of them all
 /// are looked at as far as the farthest one got.
@@ -45,15 +35,6 @@ int steps_measured(const Scene& scene, StageTimes& times) {
   return step % kStepsPerMeasure == 0 ? kStepsPerMeasure : 0;
 }
 
-/// Calls f(rows) with those of each part, by the thread that solves the contacts of the part: it has the
-/// bodies at hand.
-template <class F>
-void by_parts(Workspace& work, F f) {
-  const Parts& parts = work.finder.parts();
-  if (parts.count() == 1) return f(work.sleepers.bodies());
-  work.workers.for_each(parts.count(), [&](std::size_t part) { f(parts.rows(part)); });
-}
-
 /// No velocity is -0: FaceBlocks' lanes without a face would make it 0.
 void load(const State& state, Rows awake, std::span<SolverBody> bodies) {
   awake.for_each([&](std::uint32_t i) {
@@ -62,141 +43,6 @@ void load(const State& state, Rows awake, std::span<SolverBody> bodies) {
     bodies[i].spin = state.spin[i] + 0.0;
     bodies[i].turn = 0.0;
   });
-}
-
-void fall(std::span<SolverBody> bodies, Rows awake, const Vec& kick) {
-  awake.for_each([&](std::uint32_t i) {
-    if (bodies[i].inverse_mass > 0.0) bodies[i].velocity += kick;
-  });
-}
-
-void move(std::span<SolverBody> bodies, Rows awake, double h) {
-  awake.for_each([&](std::uint32_t i) {
-    bodies[i].position += h * bodies[i].velocity;
-    bodies[i].turn += h * bodies[i].spin;
-  });
-}
-
-/// Bounces all that meets in this substep, and what that sets in motion, until nothing meets any more.
-void bounce(Workspace& work, const Vec& kick, int sweeps) {
-  const double threshold = kRestSpeed * kick.norm();
-  for (int sweep = 0; sweep < sweeps; ++sweep) {
-    const bool discs = bounce(work.contacts.disc_bounces, work.bodies, work.solver, threshold, kick);
-    const bool points = bounce(work.contacts.point_bounces, work.bodies, work.solver, threshold, kick);
-    if (!discs && !points) return;
-  }
-}
-
-/// What bounces is looked at contact after contact. The discs' normals, each on its own.
-void prepare_bounce(Workspace& work, const Vec* period) {
-  const std::span<DiscContact> discs = work.contacts.disc_bounces;
-  work.workers.for_ranges(discs.size(), [&](std::size_t begin, std::size_t end) {
-    prepare(discs.subspan(begin, end - begin), work.bodies, period, work.ahead);
-  });
-  prepare(work.contacts.point_bounces, work.bodies);
-}
-
-void resist_rolling(Workspace& work) {
-  Contacts& contacts = work.contacts;
-  resist(std::span<RollContact>(contacts.disc_rolls), contacts.discs, work.bodies);
-  resist(std::span<RollContact>(contacts.point_rolls), contacts.faces, work.bodies);
-}
-
-/// What the contacts of a group did before, and then what push_apart asks of them.
-void start(Workspace& work, std::size_t group, const Vec* period) {
-  prepare_and_start(work.contacts.discs.blocks(group), work.bodies, period, work.ahead);
-  prepare_and_start(work.contacts.faces.blocks(group), work.bodies);
-}
-void push_apart(Workspace& work, std::size_t group) {
-  const bool backward = work.solver.backward;
-  if (!backward) push_apart(work.contacts.discs.blocks(group), work.bodies, work.solver);
-  push_apart(work.contacts.faces.blocks(group), work.bodies, work.solver);
-  if (backward) push_apart(work.contacts.discs.blocks(group), work.bodies, work.solver);
-}
-void relax(Workspace& work, std::size_t group, bool periodic) {
-  const bool backward = work.solver.backward;
-  if (!backward) relax(work.contacts.discs.blocks(group), work.bodies, work.solver, periodic);
-  relax(work.contacts.faces.blocks(group), work.bodies, work.solver);
-  if (backward) relax(work.contacts.discs.blocks(group), work.bodies, work.solver, periodic);
-}
-
-/// Parts side by side; what joins them begins before and is pushed apart after.
-void start_and_push_apart(Workspace& work, const Vec* period) {
-  const std::size_t parts = work.finder.parts().count();
-  const bool joined = parts > 1;
-  warm_start(work.contacts.disc_rolls, work.bodies);
-  warm_start(work.contacts.point_rolls, work.bodies);
-  if (joined) start(work, parts, period);
-  work.workers.for_each(parts, [&](std::size_t part) { start(work, part, period), push_apart(work, part); });
-  if (joined) push_apart(work, parts);
-  resist_rolling(work);
-}
-
-void relax(Workspace& work, bool periodic) {
-  const std::size_t parts = work.finder.parts().count();
-  work.workers.for_each(parts, [&](std::size_t part) { relax(work, part, periodic); });
-  if (parts > 1) relax(work, parts, periodic);
-  resist_rolling(work);
-}
-
-/// How high the highest of those stands above the lowest (m), of dynamic bodies.
-template <class F>
-double height(const Scene& scene, const Workspace& work, F counts) {
-  const Vec up = -scene.gravity.normalized();
-  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-  work.sleepers.bodies().for_each([&](std::uint32_t i) {
-    if (work.bodies[i].inverse_mass == 0.0 || !counts(i)) return;
-    const double at = up.dot(work.bodies[i].position);
-    lowest = std::min(lowest, at), highest = std::max(highest, at);
-  });
-  return std::max(highest - lowest, 0.0);
-}
-
-/// How contacts learn whose bodies stand as high as now. Where that seems so high that it matters, those
-/// count alone that something presses: who falls far from a tower changes nothing in it.
-Learning learning(const Scene& scene, const State& state, Workspace& work) {
-  const auto layers = [&](double height) { return 1.0 + height / (2.0 * work.mean_radius); };
-  double most = layers(height(scene, work, [](std::uint32_t) { return true; }));
-  if (most > kFewLayers && state.step > 0) {
-    find_pressed(state, work.candidates.colliders(), work.pressed);
-    most = layers(height(scene, work, [&](std::uint32_t i) { return work.pressed[i] != 0; }));
-  }
-  const double weight = scene.gravity.norm() * work.solver.h;
-  return learning_in(most, weight, work.solver.h, scene.time.substeps, work.mean_radius);
-}
-
-void learn(Workspace& work) {
-  work.workers.for_each(work.finder.parts().groups(), [&](std::size_t group) {
-    learn(work.contacts.discs.blocks(group), work.bodies, work.solver.learning);
-    learn(work.contacts.faces.blocks(group), work.bodies, work.solver.learning);
-  });
-}
-
-void find_first_loads(const Scene& scene, const Plan& plan, Workspace& work) {
-  const Vec kick = work.solver.h * scene.gravity;
-  const Vec size = scene.domain.max - scene.domain.min, *period = plan.periodic ? &size : nullptr;
-  find_first_loads(work.contacts, work.finder.parts(), work.bodies, work.solver, kick, period, work.workers);
-}
-
-/// `backward`: pushes apart from each part's last contact on, and relaxes from its first; else the other way.
-/// `guarded`: nobody gets through another or a wall, however fast.
-void substep(const Scene& scene, const Plan& plan, const State& state, Workspace& work, bool backward,
-             bool guarded) {
-  const Vec kick = work.solver.h * scene.gravity;
-  const Vec size = scene.domain.max - scene.domain.min, *period = plan.periodic ? &size : nullptr;
-  if (plan.restitution || !work.contacts.point_bounces.empty()) {
-    prepare_bounce(work, period);
-    bounce(work, plan.gravity ? kick : Vec(0.0, 0.0), plan.elastic ? kElasticSweeps : kBounceSweeps);
-  }
-  if (plan.gravity) by_parts(work, [&](Rows rows) { fall(work.bodies, rows, kick); });
-  work.solver.backward = backward;
-  if (plan.contacts()) start_and_push_apart(work, period);
-  if (guarded)
-    work.guard.move(state, work.bodies, work.sleepers.bodies(), work.solver.h);
-  else
-    by_parts(work, [&](Rows rows) { move(work.bodies, rows, work.solver.h); });
-  work.solver.backward = !backward;
-  if (plan.contacts()) relax(work, plan.periodic);
 }
 
 /// False where a body can't go on; that one is left where it got.
@@ -236,37 +82,6 @@ void land(State& state, Workspace& work) {
 [[noreturn]] void fail_at_chain(const State& state) {
   throw SimulationError("step " + std::to_string(state.step + 1) +
                         ": bodies hit one another on and on within it: take a shorter dt");
-}
-
-double mean_radius(const Colliders& colliders) {
-  const double sum = std::accumulate(colliders.radius.begin(), colliders.radius.end(), 0.0);
-  return colliders.radius.empty() ? 0.0 : sum / static_cast<double>(colliders.size());
-}
-
-}  // namespace
-
-Workspace::Workspace(const Scene& scene, const Plan& plan, int threads)
-    : workers(threads),
-      candidates(scene, plan),
-      guard(scene, plan, candidates),
-      sleepers(scene, plan),
-      flights(scene, plan),
-      soft(scene, plan),
-      finder(scene, plan, candidates.colliders()),
-      bodies(scene.bodies.size() + finder.parts().groups()),
-      crowd(scene),
-      sensing(scene, threads) {
-  for (SolverBody& body : bodies) body = {Vec(0.0, 0.0), 0.0, 0.0, Vec(0.0, 0.0), 0.0, 0.0};
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    if (scene.bodies.kind[i] != BodyKind::dynamic) continue;
-    bodies[i].inverse_mass = 1.0 / mass(scene, i);
-    bodies[i].inverse_inertia = 1.0 / inertia(scene, i);
-  }
-  const double h = plan.substep;
-  mean_radius = throng::mean_radius(candidates.colliders());
-  const Softness spring = softness(kContactHertz / h, kContactDamping, h);
-  const double ajar = plan.gravity ? kAjar * scene.gravity.norm() * h * h : 0.0;
-  solver = {h, spring, {}, kPushOut * mean_radius, plan.friction, ajar, finder.fast()};
 }
 
 /// Agents choose their velocity and walk.
@@ -316,48 +131,65 @@ void push(const Scene& scene, const Plan& plan, State& state, Workspace& work, b
   if (plan.contacts()) work.finder.divide(state, awake);
   by_parts(work, [&](Rows rows) { load(state, rows, work.bodies); });
   if (plan.contacts()) {
-    work.finder.find(work.candidates, state, work.bodies, work.contacts, work.workers);
-    work.ahead = 2.0 * work.candidates.chain() > work.finder.slow_way() ? work.solver.h : 0.0;
+    work.finder.find({work.candidates, state, work.bodies}, work.contacts, work.workers);
+    work.ahead = 2.0 * work.candidates.chain() > work.finder.least_way() ? work.solver.h : 0.0;
     clock.lap(work.times.find_contacts);
   }
-  if (plan.gravity && plan.contacts()) work.solver.learning = learning(scene, state, work);
-  if (state.step == 0 && plan.gravity && plan.contacts()) find_first_loads(scene, plan, work);
+  const bool learns = plan.gravity && plan.contacts();
+  if (learns) prepare_to_learn(scene, plan, state, work);
   for (int i = 0; i < scene.time.substeps; ++i) {
     const bool backward = (state.step * scene.time.substeps + i) % 2 == 1;
-    substep(scene, plan, state, work, backward, guarded);
+    substep(scene, plan, state, work, {backward, guarded});
   }
-  if (plan.gravity && plan.contacts()) learn(work);
+  if (learns) learn_loads(work);
   clock.lap(work.times.solve);
 }
 
-/// Whether the step must be taken again as bodies got where nobody was looked for.
+/// Where bodies are looked for as far as they got.
 bool widen(Workspace& work, bool flown, bool all) {
   if (flown) return work.candidates.widen(work.flights.reached(), all);
   return work.candidates.widen(work.bodies, {}, all);
 }
 
+/// How a step of bodies is taken.
+struct Attempt {
+  int number = 1;
+  bool flown = false;    ///< from collision to collision
+  bool guarded = false;  ///< in the substeps nobody gets into another's heart
+};
+
+/// Whether the step must be taken again: as bodies got where nobody was looked for, or, under guard, as
+/// hearts may have met.
+bool again(const State& state, Workspace& work, Attempt& attempt) {
+  if (widen(work, attempt.flown, attempt.number >= kLocalAttempts)) return true;
+  if (attempt.flown || attempt.guarded) return false;
+  return attempt.guarded = work.guard->saw_meeting(state, work.bodies, work.workers);
+}
+
+/// Takes the bodies, not yet `state`, to the step's end. Returns whether they flew there.
+bool advance(const Scene& scene, const Plan& plan, State& state, Workspace& work, StageClock& clock) {
+  for (Attempt attempt;; ++attempt.number) {
+    attempt.flown = plan.flights && fly(scene, state, work, clock);
+    if (!attempt.flown) push(scene, plan, state, work, attempt.guarded, clock);
+    if (!plan.contacts()) return false;
+    const bool done = !again(state, work, attempt);
+    clock.lap(attempt.flown ? work.times.collide : work.times.solve);
+    if (done) return attempt.flown;
+    if (attempt.number == kAttempts) fail_at_chain(state);
+  }
+}
+
 void step_bodies(const Scene& scene, const Plan& plan, State& state, Workspace& work) {
   StageClock clock(steps_measured(scene, work.times));
-  bool flown = false, guarded = false;
-  for (int attempt = 1;; ++attempt) {
-    flown = plan.flights && fly(scene, state, work, clock);
-    if (!flown) push(scene, plan, state, work, guarded, clock);
-    if (!plan.contacts()) break;
-    if (!widen(work, flown, attempt >= kLocalAttempts)) {
-      if (flown || guarded || !work.guard.saw_meeting(state, work.bodies, work.workers)) break;
-      guarded = true;
-    }
-    if (attempt == kAttempts) fail_at_chain(state);
-  }
+  const bool flown = advance(scene, plan, state, work, clock);
   ++state.step;
-  if (flown)
+  if (flown) {
     state.collisions += work.flights.collisions();
-  else if (plan.flights)
-    ++state.collisions.pushed;
-  if (flown)
     land(state, work);
-  else
+  } else {
+    if (plan.flights) ++state.collisions.pushed;
     store_all(scene, plan, state, work);
+  }
   if (plan.contacts()) work.contacts.save(state);
   clock.lap(work.times.store);
   if (!plan.sleep) return;
@@ -384,6 +216,8 @@ void step_soft(const Scene& scene, const Plan& plan, State& state, Workspace& wo
   work.soft.save(state);
   clock.lap(work.times.store);
 }
+
+}  // namespace
 
 void step(const Scene& scene, const Plan& plan, State& state, Workspace& work) {
   if (plan.crowd)

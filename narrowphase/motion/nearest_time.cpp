@@ -2,6 +2,7 @@
 #include "narrowphase/motion/nearest_time.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "narrowphase/relative.h"
 #include "narrowphase/tracker.h"

@@ -8,6 +8,9 @@
 /// Which contacts may be solved at once.
 namespace throng {
 
+/// Instead of a lane, where there is none.
+inline constexpr std::uint32_t kNoLane = ~std::uint32_t{0};
+
 /// What a contact in a block keeps for the next step (N s), as in ContactBase.
 struct BlockImpulses {
   double normal, tangent, preload;

@@ -6,8 +6,9 @@
 
 #include "sim/scene.h"
 
-/// What the contact solver works on: bodies as it sees them, and contacts. All of it lives for one step; what
-/// outlives the step are the impulses in `State`.
+/// What the contact solver works on: bodies as it sees them, and contacts. All that it holds is that of one
+/// step: the next one may leave contacts in their seats (disc_blocks.h, face_blocks.h), but takes nothing
+/// over that isn't among the impulses in `State`.
 namespace throng {
 
 /// `v` turned left by a right angle.
@@ -26,20 +27,18 @@ struct alignas(64) SolverBody {
 };
 static_assert(sizeof(SolverBody) == 64);
 
-/// Of the smaller radius: two that get no farther past each other press as they stand, not as they will meet.
-constexpr double kSlowWay = 0.02;
-
 /// What each kind of contact has.
 struct ContactBase {
-  Vec normal{0.0, 0.0};          ///< unit, from a to b
-  std::uint32_t a = 0, b = 0;    ///< rows of the bodies
-  double offset = 0.0;           ///< m, what a separation has besides normal . (position_b - position_a)
-  double normal_mass = 0.0;      ///< kg, what the contact feels along its normal
+  Vec normal{0.0, 0.0};        ///< unit, from a to b
+  std::uint32_t a = 0, b = 0;  ///< rows of the bodies
+  double offset = 0.0;       ///< m, the separation less normal . (position_b - position_a), now; points: less
+                             ///< what their arms have turned, too
+  double normal_mass = 0.0;  ///< kg, what the contact feels along its normal
   double tangent_mass = 0.0;     ///< kg, and across
   double friction = 0.0;         ///< Coulomb's coefficient
   double restitution = 0.0;      ///< 0 to 1
   double lever = 0.0;            ///< m, as in RollContact; for bounces, and 0 where nothing resists rolling
-  double normal_impulse = 0.0;   ///< N s, on b; a feels the opposite
+  double normal_impulse = 0.0;   ///< N s, on b, of one substep; a feels the opposite
   double tangent_impulse = 0.0;  ///< N s, likewise, along the normal turned left
   double preload = 0.0;     ///< N s, of the normal impulse, what it bears without giving way: see Learning
   double separation = 0.0;  ///< m, before bodies move in a substep
@@ -59,7 +58,7 @@ struct PointContact : ContactBase {
   Vec first_a{0.0, 0.0}, first_b{0.0, 0.0};  ///< m, what of them turns, as the step begins
   double round_a = 0.0, round_b = 0.0;       ///< m, the radius of a disc, which doesn't
   double gap = 0.0;   ///< m, separation = gap + normal . (position_b + arm_b - position_a - arm_a)
-  bool fast = false;  ///< of a face of two points that doesn't bounce and closes fast as the step begins
+  bool hits = false;  ///< of a face of two points that doesn't bounce: see hit_speed()
 };
 
 /// How arms turn with their bodies: by the angle (rad) less a twelfth of its cube, at unit length, as longer
@@ -75,26 +74,22 @@ struct Turn {
   Vec operator()(const Vec& v) const { return cosine * v + sine * tangent(v); }
 };
 
-/// A contact as a damped spring of that stiffness which h, and not the masses, limits. Soft constraints as in
-/// Catto, "Solver2D" (2024): rate and scales follow from frequency and damping ratio.
-struct Softness {
-  double bias_rate;  ///< 1/s, penetration to push-out velocity
-  double mass_scale, impulse_scale;
-};
+/// kg, the mass that bodies a and b show to an impulse that reaches them at those levers (m), how far from
+/// their centres its line passes.
+inline double effective_mass(const SolverBody& a, const SolverBody& b, double lever_a, double lever_b) {
+  return 1.0 / (a.inverse_mass + b.inverse_mass + a.inverse_inertia * lever_a * lever_a +
+                b.inverse_inertia * lever_b * lever_b);
+}
 
-/// `hertz`: the spring's frequency; `damping`: its ratio; `h`: the substep (s).
-Softness softness(double hertz, double damping, double h);
-
-/// rad: where a body has turned by more in a step, contacts feel masses as their arms are then.
-inline constexpr double kFarTurn = 0.1;
-
-/// The mass that bodies a and b show to an impulse along `direction` at those arms.
+/// The same to an impulse along `direction` (unit) at those arms (m).
 inline double effective_mass(const SolverBody& a, const SolverBody& b, const Vec& arm_a, const Vec& arm_b,
                              const Vec& direction) {
-  const double turn_a = arm_a.x() * direction.y() - arm_a.y() * direction.x();
-  const double turn_b = arm_b.x() * direction.y() - arm_b.y() * direction.x();
-  return 1.0 / (a.inverse_mass + b.inverse_mass + a.inverse_inertia * turn_a * turn_a +
-                b.inverse_inertia * turn_b * turn_b);
+  return effective_mass(a, b, cross(arm_a, direction), cross(arm_b, direction));
+}
+
+/// Whether the two are points of one face.
+inline bool share_face(const PointContact& i, const PointContact& j) {
+  return i.a == j.a && i.b == j.b && i.normal == j.normal;
 }
 
 }  // namespace throng

@@ -93,7 +93,7 @@ void FaceBlocks::set_ranks(const Group& group, std::size_t first) {
 
 std::uint32_t FaceBlocks::squeeze_in(std::size_t points, std::size_t group, std::size_t first,
                                      std::size_t end) {
-  if (first > end) return kNone;
+  if (first > end) return kNoLane;
   for (Squeezed& one : squeezed_)
     if (one.group == group && one.filled < BlockOrder::kWidth && room_[one.block] == points &&
         first <= rank_[one.block] && rank_[one.block] < end)
@@ -104,7 +104,7 @@ std::uint32_t FaceBlocks::squeeze_in(std::size_t points, std::size_t group, std:
 std::uint32_t FaceBlocks::add_squeezed(std::size_t points, std::size_t group, std::size_t rank) {
   Group& own = groups_[group];
   const std::size_t block = groups_.back().first + groups_.back().room.size() + squeezed_.size();
-  if (block == room_.size()) return kNone;
+  if (block == room_.size()) return kNoLane;
   const auto number = static_cast<std::uint32_t>(block);
   squeezed_.push_back({number, static_cast<std::uint32_t>(group), 1});
   own.sequence.insert(own.sequence.begin() + static_cast<std::ptrdiff_t>(rank), number);

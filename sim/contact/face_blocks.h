@@ -53,8 +53,6 @@ class FaceSequence {
 /// come with a velocity of -0, which becomes 0 where no impulse acts on it.)
 class FaceBlocks {
  public:
-  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
-
   /// Forgets all seats. `bodies`: how many rows there are, of which the last `groups` never move.
   void start(std::size_t bodies, std::size_t groups = 1);
 
@@ -71,7 +69,7 @@ class FaceBlocks {
   std::size_t rank(std::uint32_t lane) const { return rank_[lane / BlockOrder::kWidth]; }
 
   /// After finish(): makes one more seat, in a block of the group that has at least rank `first` and less
-  /// than `end`, or would have if it were there: ranks from there on grow by one. kNone where there is no
+  /// than `end`, or would have if it were there: ranks from there on grow by one. kNoLane where there is no
   /// room left. O(blocks).
   std::uint32_t squeeze_in(std::size_t points, std::size_t group, std::size_t first, std::size_t end);
 

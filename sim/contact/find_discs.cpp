@@ -27,14 +27,11 @@ DiscContact DiscFinder::contact_of(const Colliders& colliders, Pair pair,
   contact.a = colliders.body[pair.a], contact.b = colliders.body[pair.b];
   contact.radius_a = colliders.radius[pair.a], contact.radius_b = colliders.radius[pair.b];
   const std::vector<std::uint32_t>& material = scene_.bodies.material;
-  const Surface& surface =
-      plan_.surfaces[material[contact.a] * scene_.materials.size() + material[contact.b]];
+  const Surface& surface = plan_.surface(material[contact.a], material[contact.b]);
   contact.friction = surface.friction, contact.restitution = surface.restitution;
   const SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
-  const double masses = a.inverse_mass + b.inverse_mass;
-  contact.normal_mass = 1.0 / masses;
-  contact.tangent_mass = 1.0 / (masses + a.inverse_inertia * contact.radius_a * contact.radius_a +
-                                b.inverse_inertia * contact.radius_b * contact.radius_b);
+  contact.normal_mass = effective_mass(a, b, 0.0, 0.0);
+  contact.tangent_mass = effective_mass(a, b, contact.radius_a, contact.radius_b);
   return contact;
 }
 

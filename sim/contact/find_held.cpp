@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What ContactFinder does for pairs of polygons that have hardly moved.
 #include <algorithm>
+#include <cmath>
 
 #include "narrowphase/relative.h"
 #include "sim/contact/contact_key.h"
@@ -38,41 +39,35 @@ bool ContactFinder::is_worth_holding() {
 }
 
 /// Polygons that are all of their body: what is left of contacts with a part depends on its neighbours.
-void ContactFinder::find_who_may_be_held(const Colliders& colliders) {
-  placed_.resize(colliders.size());
-  for (std::uint32_t row = 0; row < colliders.size(); ++row) {
-    const bool alone = colliders.rim.empty() || colliders.rims[colliders.rim[row]].empty();
-    const std::size_t vertices = is_disc(colliders, row) ? 0 : colliders.shape[row]->vertices.size();
+void ContactFinder::find_who_may_be_held() {
+  placed_.resize(colliders_.size());
+  for (std::uint32_t row = 0; row < colliders_.size(); ++row) {
+    const bool alone = colliders_.rim.empty() || colliders_.rims[colliders_.rim[row]].empty();
+    const std::size_t vertices = is_disc(colliders_, row) ? 0 : colliders_.shape[row]->vertices.size();
     may_be_held_.push_back(alone && vertices > 2 && vertices <= kMostVertices);
   }
 }
 
-PlacedPart ContactFinder::place_part(const Candidates& candidates, const State& state,
-                                     std::span<const SolverBody> bodies, std::uint32_t collider) const {
-  const Colliders& colliders = candidates.colliders();
-  const std::uint32_t row = colliders.body[collider];
-  const SolverBody& body = bodies[row];
-  const Pose at = candidates.pose(state, row);
-  return {at.position.x(),
-          at.position.y(),
-          at.cos,
-          at.sin,
-          body.inverse_mass,
-          body.inverse_inertia,
-          candidates.reach(collider),
-          pace(candidates, bodies, collider)};
+PlacedPart ContactFinder::place_part(const StepStart& start, std::uint32_t collider) const {
+  const std::uint32_t row = colliders_.body[collider];
+  const SolverBody& body = start.bodies[row];
+  const Pose at = start.candidates.pose(start.state, row);
+  const double reach = start.candidates.reach(collider);
+  const double centre = colliders_.centre.empty() ? 0.0 : colliders_.centre[collider].norm();
+  const double arm = centre + colliders_.radius[collider] + reach;
+  return {at.position.x(),   at.position.y(),      at.cos, at.sin,
+          body.inverse_mass, body.inverse_inertia, reach,  body.velocity.norm() + std::abs(body.spin) * arm};
 }
 
-void ContactFinder::ask_held(const Candidates& candidates, const State& state,
-                             std::span<const SolverBody> bodies, Workers& workers) {
-  const Rows rows = candidates.rows();
+void ContactFinder::ask_held(const StepStart& start, Workers& workers) {
+  const Rows rows = start.candidates.rows();
   workers.for_ranges(rows.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      if (may_be_held_[rows[i]]) placed_[rows[i]] = place_part(candidates, state, bodies, rows[i]);
+      if (may_be_held_[rows[i]]) placed_[rows[i]] = place_part(start, rows[i]);
   });
   workers.for_ranges(touches_.size(), [&](std::size_t begin, std::size_t end) {
     if (begin == end) return;
-    KeptImpulses memory(state.point_contacts, touches_[begin].key());
+    KeptImpulses memory(start.state.point_contacts, touches_[begin].key());
     for (std::size_t i = begin; i < end; ++i) {
       if (!touches_[i].held) continue;
       const ContactImpulse* kept = memory.find(touches_[i].key());
@@ -84,12 +79,12 @@ void ContactFinder::ask_held(const Candidates& candidates, const State& state,
 
 void ContactFinder::answer_held(FaceBlocks& faces, Workers& workers) {
   workers.for_ranges(held_.blocks(), [&](std::size_t begin, std::size_t end) {
-    held_.answer(begin, end, placed_, slow(), faces.all_blocks());
+    held_.answer(begin, end, placed_, held_speed(), faces.all_blocks());
   });
 }
 
 /// Lanes follow their faces to new seats.
-void ContactFinder::hold_seats(const Colliders& colliders, FaceBlocks& faces) {
+void ContactFinder::hold_seats(FaceBlocks& faces) {
   moves_.clear();
   for (std::size_t i = 0; i < touches_.size(); ++i)
     if (touches_[i].held) moves_.push_back({touches_[i].pair, touches_[i].lane, seat_[i]});
@@ -98,8 +93,13 @@ void ContactFinder::hold_seats(const Colliders& colliders, FaceBlocks& faces) {
   for (std::size_t i = 0; i < touches_.size(); ++i) {
     if (!touches_[i].held) continue;
     seat_[i] = (move++)->to;
-    if (points_[i] > 0) faces.set_polygons(seat_[i], surface_of(colliders, touches_[i].pair).friction);
+    if (points_[i] > 0) set_polygons(touches_[i], seat_[i], faces);
   }
+}
+
+void ContactFinder::set_polygons(const Touch& touch, std::uint32_t lane, FaceBlocks& faces) const {
+  const std::vector<std::uint32_t>& material = scene_.bodies.material;
+  faces.set_polygons(lane, plan_.surface(material[touch.a], material[touch.b]).friction);
 }
 
 /// What comes some touches later.
@@ -123,25 +123,24 @@ void ContactFinder::fill_held(std::size_t touch, KeptImpulses& memory, Contacts&
 }
 
 /// After a search that found the touch's manifold.
-void ContactFinder::hold(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
-                         std::size_t touch) {
-  const Colliders& colliders = candidates.colliders();
-  const auto& [pair, obstacle, shift, held, lane] = touches_[touch];
-  const SolverBody &a = bodies[colliders.body[pair.a]], &b = bodies[colliders.body[pair.b]];
-  const double radius_a = colliders.radius[pair.a], radius_b = colliders.radius[pair.b];
+void ContactFinder::hold(const StepStart& start, std::size_t touch) {
+  const Touch& one = touches_[touch];
+  const auto& [row_a, row_b] = one.pair;
+  const SolverBody &a = start.bodies[one.a], &b = start.bodies[one.b];
+  const double radius_a = colliders_.radius[row_a], radius_b = colliders_.radius[row_b];
   const double steps = kWorthwhile * scene_.time.dt, spin = std::abs(a.spin) + std::abs(b.spin);
   const double speed = (b.velocity - a.velocity).norm(), widest = 2.0 * (radius_a + radius_b);
   if (steps * (speed + widest * spin) > kSlow * std::min(radius_a, radius_b)) return;
-  Pose pose_b = candidates.pose(state, colliders.body[pair.b]);
-  pose_b.position += shift;
-  const Pose b_in_a = narrowphase::relative(candidates.pose(state, colliders.body[pair.a]), pose_b);
+  const TouchPoses poses = touch_poses(start, one);
+  const Pose b_in_a = narrowphase::relative(poses.a, poses.b);
   const Manifold& m = manifolds_[touch];
-  if (!held_.wants_hold(lane, m.count > 0 ? &m.points[0].feature : nullptr, b_in_a)) return;
-  const Convex &shape_a = *colliders.shape[pair.a], &shape_b = *colliders.shape[pair.b];
+  if (!held_.wants_hold(one.lane, m.count > 0 ? &m.points[0].feature : nullptr, b_in_a)) return;
+  const Convex &shape_a = *colliders_.shape[row_a], &shape_b = *colliders_.shape[row_b];
   const HeldFace face = narrowphase::hold(shape_a, shape_b, b_in_a, m);
-  const double enough =
-      face.kind == HeldFace::Kind::apart ? candidates.reach(pair) + shape_a.radius + shape_b.radius : 0.0;
-  held_.hold(lane, face, shape_a, shape_b, enough + steps * (speed + face.lever * spin));
+  const double enough = face.kind == HeldFace::Kind::apart
+                            ? start.candidates.reach(one.pair) + shape_a.radius + shape_b.radius
+                            : 0.0;
+  held_.hold(one.lane, face, shape_a, shape_b, enough + steps * (speed + face.lever * spin));
 }
 
 }  // namespace throng

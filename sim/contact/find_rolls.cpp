@@ -42,8 +42,7 @@ class RollFinder {
     const std::uint32_t a = colliders.body[row_a];
     const std::uint32_t b = fixed ? static_cast<std::uint32_t>(bodies_.size() - 1) : colliders.body[row_b];
     const std::uint32_t material_b = fixed ? obstacles.material[row_b] : scene_.bodies.material[b];
-    const double coefficient =
-        plan_.surfaces[scene_.bodies.material[a] * scene_.materials.size() + material_b].rolling;
+    const double coefficient = plan_.surface(scene_.bodies.material[a], material_b).rolling;
     const double radius =
         effective_radius(rolling_radius(colliders, row_a),
                          fixed ? rolling_radius(obstacles, row_b) : rolling_radius(colliders, row_b));

@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "sim/contact/find_contacts.h"
+#include <span>
+
+#include "sim/contact/candidates.h"
+#include "sim/contact/contacts.h"
+#include "sim/plan.h"
+#include "sim/scene.h"
+#include "sim/state.h"
 
 namespace throng {
 
@@ -10,16 +16,5 @@ namespace throng {
 /// resists.
 void find_rolls(const Scene& scene, const Plan& plan, const Candidates& candidates, const State& state,
                 std::span<const SolverBody> bodies, Contacts& contacts);
-
-/// Writes their impulses to the contacts kept, which are those that press, in their order.
-template <class Blocks>
-void save_rolls(const Blocks& contacts, std::span<const RollContact> rolls, std::span<ContactImpulse> kept) {
-  std::uint32_t contact = 0;
-  std::size_t row = 0;
-  for (const RollContact& roll : rolls) {
-    for (; contact < roll.contact; ++contact) row += contacts.normal_impulse(contact) > 0.0;
-    if (contacts.normal_impulse(contact) > 0.0) kept[row].rolling = roll.impulse;
-  }
-}
 
 }  // namespace throng

@@ -3,7 +3,9 @@
 
 #include <span>
 
-#include "sim/contact/find_contacts.h"
+#include "sim/contact/contacts.h"
+#include "sim/contact/parts.h"
+#include "sim/contact/solve.h"
 #include "sim/workers.h"
 
 /// The loads that a run begins with.
@@ -14,7 +16,7 @@ namespace throng {
 /// Sweeps of rigid contacts (Gauss and Seidel) from one end and back, from `kick` on, the velocity that
 /// gravity gives in a substep; accelerated as in Mazhar, Heyn, Negrut and Tasora (2015), until two change the
 /// impulses by no more than 1e-6 of them: 280 times for a pyramid of 100 rows, each as long as three sweeps
-/// of the step, 2,000 times at most. What bears more than `Learning::kMost` own weights begins without. All
+/// of the step, 2,000 times at most. What bears more than `Learning::most` own weights begins without. All
 /// of a load is taken, where Learning leaves some to springs: what is given here balances. Leaves bodies as
 /// they are.
 void find_first_loads(Contacts& contacts, const Parts& parts, std::span<SolverBody> bodies,

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-#include "sim/contact/strike.h"
+#include "sim/contact/collide_discs.h"
 #include "sim/periodic.h"
 #include "sim/simulation_error.h"
 
@@ -104,7 +104,7 @@ const Surface& Flights::surface(std::uint32_t pair) const {
   const auto [a, b] = discs(pair);
   const std::vector<std::uint32_t>&material = scene_.bodies.material, &body = candidates_->colliders().body;
   const std::uint32_t of_b = is_pair(pair) ? material[body[b]] : candidates_->obstacles().material[b];
-  return plan_.surfaces[material[body[a]] * scene_.materials.size() + of_b];
+  return plan_.surface(material[body[a]], of_b);
 }
 
 /// The collisions that the step begins with. False where discs overlap.
@@ -190,8 +190,8 @@ void Flights::collide(std::uint32_t pair, double now) {
   if (is_pair(pair)) stop(b, now);
   SolverBody obstacle{Vec(0.0, 0.0), 0.0, 0.0, Vec(0.0, 0.0), 0.0, 0.0};
   SolverBody &one = bent_[bent_of_[a]].body, &other = is_pair(pair) ? bent_[bent_of_[b]].body : obstacle;
-  const Touch touch{n, radius[a], is_pair(pair) ? radius[b] : 0.0};
-  const double impulse = strike(one, other, touch, surface(pair));
+  const DiscTouch touch{n, radius[a], is_pair(pair) ? radius[b] : 0.0};
+  const double impulse = collide_discs(one, other, touch, surface(pair));
   if (is_pair(pair))
     collisions_.add_pair(touch.radius_a + touch.radius_b, impulse, one.inverse_mass + other.inverse_mass);
   else

@@ -7,6 +7,9 @@
 #include <limits>
 #include <numeric>
 
+#include "narrowphase/motion/first_contact.h"
+#include "sim/contact/arms.h"
+
 namespace throng {
 
 using narrowphase::FirstContact;
@@ -20,6 +23,9 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 /// Who moves by less, of its thickness and in a step, isn't looked at: as much as the smallest heart is
 /// thick.
 constexpr double kUnseen = 0.0625;
+
+/// Contacts may take a body so many times as far in a step as the fastest would get as it begins.
+constexpr double kFarther = 3.0;
 
 /// Of the thickness: who slowly got so deep into a smallest heart, half of it, is still held.
 constexpr double kHeld = 0.03125;
@@ -36,33 +42,13 @@ double way(const SolverBody& body, const Vec& position, double reach) {
   return (body.position - position).norm() + std::abs(body.turn) * reach;
 }
 
-/// At a contact of two hearts: the arms from the bodies' centres, and the normal from a to b.
-struct Blow {
-  Vec arm_a, arm_b, normal;
-
-  Vec velocity(const SolverBody& a, const SolverBody& b) const {
-    return b.velocity + b.spin * tangent(arm_b) - a.velocity - a.spin * tangent(arm_a);
-  }
-  void apply(SolverBody& a, SolverBody& b, const Vec& impulse) const {
-    a.velocity -= a.inverse_mass * impulse;
-    a.spin -= a.inverse_inertia * tangent(arm_a).dot(impulse);
-    b.velocity += b.inverse_mass * impulse;
-    b.spin += b.inverse_inertia * tangent(arm_b).dot(impulse);
-  }
-};
-
 /// Restitution along the normal, Coulomb friction across; then the two part at `leaves` (m/s) more.
-void strike(const Blow& blow, SolverBody& a, SolverBody& b, const Surface& surface, double leaves) {
-  const double speed = blow.velocity(a, b).dot(blow.normal);
+void part(const PointArms& at, SolverBody& a, SolverBody& b, const Surface& surface, double leaves) {
+  const double speed = at.normal_velocity(a, b);
   if (!(speed < 0.0)) return;
-  const double normal = (leaves - (1.0 + surface.restitution) * speed) *
-                        effective_mass(a, b, blow.arm_a, blow.arm_b, blow.normal);
-  blow.apply(a, b, normal * blow.normal);
-  const Vec across = tangent(blow.normal);
-  const double limit = surface.friction * normal;
-  const double stops =
-      -blow.velocity(a, b).dot(across) * effective_mass(a, b, blow.arm_a, blow.arm_b, across);
-  if (limit > 0.0) blow.apply(a, b, std::clamp(stops, -limit, limit) * across);
+  const double impulse =
+      (leaves - (1.0 + surface.restitution) * speed) * effective_mass(a, b, at.arm_a, at.arm_b, at.normal);
+  strike(at, a, b, impulse, surface.friction, effective_mass(a, b, at.arm_a, at.arm_b, at.t));
 }
 
 /// m/s, at which two whose hearts touch come nearer at that point.
@@ -179,10 +165,16 @@ bool Guard::list_far(const State& state, std::span<const SolverBody> bodies) {
 }
 
 bool Guard::saw_meeting(const State& state, std::span<const SolverBody> bodies, Workers& workers) {
-  if (!(3.0 * candidates_.farthest_way() > Hearts::kRims[0] * hearts_.least_thickness())) return false;
-  if (!list_far(state, bodies)) return false;
+  const double least = Hearts::kRims[0] * hearts_.least_thickness();
+  if (!(kFarther * candidates_.farthest_way() > least) || !list_far(state, bodies)) return false;
   hearts_.make();
+  if (!any_met(state, bodies, workers)) return false;
   stood_.assign(bodies.size(), 0);
+  ++guarded_steps_;
+  return true;
+}
+
+bool Guard::any_met(const State& state, std::span<const SolverBody> bodies, Workers& workers) const {
   const std::span<const broadphase::Pair> pairs = candidates_.pairs();
   const std::span<const broadphase::Pair> obstacle_pairs = candidates_.obstacle_pairs();
   const std::size_t sides = candidates_.obstacles().side.size();
@@ -325,7 +317,7 @@ void Guard::collide(const Substep& sub, Meeting& m) {
   const narrowphase::Manifold touch = manifold(m, of_a, of_b);
   if (touch.count > 0) {
     const Vec point = struck_point(touch, of_a, of_b);
-    strike({point - of_a.position, point - of_b.position, touch.normal}, a, b, surface(m), leaves);
+    part({point - of_a.position, point - of_b.position, touch.normal}, a, b, surface(m), leaves);
   }
   if (!is_last || !driven || ++m.pushes > kMostPushes) ++m.depth;
   if (is_last && !driven) stand(a, m.a), stand(b, m.b);
@@ -349,7 +341,7 @@ void Guard::look_again(const Substep& sub, std::uint32_t body) {
 const Surface& Guard::surface(const Meeting& m) const {
   const std::uint32_t other =
       m.obstacle ? candidates_.obstacles().material[m.row_b] : scene_.bodies.material[m.b];
-  return plan_.surfaces[scene_.bodies.material[m.a] * scene_.materials.size() + other];
+  return plan_.surface(scene_.bodies.material[m.a], other);
 }
 
 }  // namespace throng

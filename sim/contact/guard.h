@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "narrowphase/manifold.h"
-#include "narrowphase/motion/first_contact.h"
+#include "narrowphase/motion/motion.h"
 #include "sim/contact/candidates.h"
 #include "sim/contact/contact.h"
 #include "sim/contact/hearts.h"
@@ -22,7 +22,7 @@ namespace throng {
 /// solved by sweeps: whoever goes or turns far in it may have been missed, or may have been stopped too late.
 /// So each step looks back on how far bodies got: where a heart may have met another's, or an obstacle, the
 /// step is taken again, under guard. Then each substep moves bodies as far as their hearts meet, strikes the
-/// two, and lets them go on.
+/// two, and lets them go on. Keeps where `scene`, `plan` and `candidates` are.
 class Guard {
  public:
   Guard(const Scene& scene, const Plan& plan, const Candidates& candidates);
@@ -31,6 +31,9 @@ class Guard {
   /// apart before. Surely so where one went through another on a straight way, turning evenly; a way that
   /// contacts bent is straightened. O(1) where nobody is fast, else O(candidates).
   bool saw_meeting(const State& state, std::span<const SolverBody> bodies, Workers& workers);
+
+  /// How many steps saw_meeting() was true of: all of these are taken under guard.
+  std::int64_t guarded_steps() const { return guarded_steps_; }
 
   /// Moves those bodies by h (s): none gets into another's heart, nor into an obstacle, but for those that
   /// were in the smallest already, and who is crushed between what no impulse moves. Where no hearts meet,
@@ -65,6 +68,7 @@ class Guard {
   const narrowphase::Convex& heart_of_b(const Meeting& m) const;
 
   bool list_far(const State& state, std::span<const SolverBody> bodies);
+  bool any_met(const State& state, std::span<const SolverBody> bodies, Workers& workers) const;
   bool met(Meeting m, const State& state, std::span<const SolverBody> bodies) const;
 
   double first_meeting(Meeting& m, const narrowphase::Motion& a, const narrowphase::Motion& b,
@@ -92,6 +96,7 @@ class Guard {
   const Plan& plan_;
   const Candidates& candidates_;
   Hearts hearts_;
+  std::int64_t guarded_steps_ = 0;
   std::vector<double> reach_;         // m, of each body: how far from its centre turning moves points
   std::vector<std::uint8_t> is_far_;  // of each collider, as saw_meeting() looks back
   std::uint64_t listed_ = 0;          // the candidates' pairs that are listed below

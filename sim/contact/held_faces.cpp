@@ -68,12 +68,12 @@ void HeldFaces::move(std::size_t blocks, std::span<Move> moves) {
   talks_.clear(), notes_.clear();
   lanes_ = blocks * BlockOrder::kWidth;
   for (Move& move : moves)
-    if (move.to == kNone) move.to = static_cast<std::uint32_t>(lanes_++);
+    if (move.to == kNoLane) move.to = static_cast<std::uint32_t>(lanes_++);
   grow((lanes_ + BlockOrder::kWidth - 1) / BlockOrder::kWidth);
   for (const Move& move : moves) {
     HeldBlock& own = own_block(move.to);
     own.a[at(move.to)] = move.pair.a, own.b[at(move.to)] = move.pair.b;
-    if (move.from == kNone) continue;
+    if (move.from == kNoLane) continue;
     talk(move.to).asked[at(move.to)] = last_talks_[move.from / BlockOrder::kWidth].asked[at(move.from)];
     notes_[move.to] = last_notes_[move.from];
     if (notes_[move.to].kind != HeldFace::Kind::none)

@@ -62,8 +62,6 @@ enum class Wanted : std::uint8_t {
 /// where they are solved. Those that haven't come behind.
 class HeldFaces {
  public:
-  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
-
   /// A pair that is held, its lane so far, or none, and its seat, or none.
   struct Move {
     broadphase::Pair pair;

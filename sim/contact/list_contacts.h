@@ -4,18 +4,20 @@
 #include <span>
 #include <vector>
 
-#include "sim/contact/find_contacts.h"
+#include "sim/contact/contacts.h"
 #include "sim/contact_row.h"
+#include "sim/scene.h"
+#include "sim/state.h"
 
 namespace throng {
 
 /// Replaces `rows` by the contacts that press, in the solver's order, where the step that has just ended left
-/// them: those whose impulses `Contacts::save` keeps, as the last substep gave them. `bodies`: as that step
-/// left them, the obstacles last. O(contacts); allocates only to grow.
+/// them: those whose impulses `Contacts::save` keeps, each substep's taken for the last one's. `bodies`: as
+/// that step left them, the obstacles last. O(contacts); allocates only to grow.
 void list_contacts(const Scene& scene, const Contacts& contacts, const State& state,
                    std::span<const SolverBody> bodies, std::vector<ContactRow>& rows);
 
 /// Leaves of those rows the ones of bodies that are awake, and adds the contacts that sleep.
-void with_sleeping(const State& state, std::vector<ContactRow>& rows);
+void with_sleeping(const Scene& scene, const State& state, std::vector<ContactRow>& rows);
 
 }  // namespace throng

@@ -12,9 +12,7 @@ namespace throng {
 /// Which lane each contact has, over steps.
 class SeatBook {
  public:
-  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
-
-  /// Between the two, for keys that ascend: the lane that the contact was given; kNone where it was given
+  /// Between the two, for keys that ascend: the lane that the contact was given; kNoLane where it was given
   /// none, and may be by add(). Allocates only to grow. O(1) amortized.
   void start() {
     std::swap(seats_, last_);
@@ -22,7 +20,7 @@ class SeatBook {
   }
   std::uint32_t lane_of(std::uint64_t key) {
     while (next_ < last_.size() && last_[next_].key < key) leave_out();
-    if (next_ == last_.size() || last_[next_].key != key) return kNone;
+    if (next_ == last_.size() || last_[next_].key != key) return kNoLane;
     seats_.push_back(last_[next_++]);
     return seats_.back().lane;
   }

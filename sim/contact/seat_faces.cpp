@@ -18,6 +18,10 @@ constexpr std::uint32_t kNobody = ~std::uint32_t{0};
 
 }  // namespace
 
+std::size_t ContactFinder::group_of(const Touch& touch) const {
+  return touch.obstacle ? parts_.group(touch.a) : parts_.group(touch.a, touch.b);
+}
+
 void ContactFinder::name_lanes(FaceBlocks& faces) {
   book_.start(), named_ = 0;
   for (Touch& touch : touches_) {
@@ -25,7 +29,7 @@ void ContactFinder::name_lanes(FaceBlocks& faces) {
     touch.lane = book_.lane_of(key);
     touch.held = holds_ && !touch.obstacle && may_be_held_[touch.pair.a] && may_be_held_[touch.pair.b];
     named_ += touch.held;
-    if (touch.held && touch.lane == SeatBook::kNone) book_.add(key, touch.lane = held_.take(touch.pair));
+    if (touch.held && touch.lane == kNoLane) book_.add(key, touch.lane = held_.take(touch.pair));
   }
   book_.finish();
   for (const std::uint32_t lane : book_.unnamed()) {
@@ -36,7 +40,7 @@ void ContactFinder::name_lanes(FaceBlocks& faces) {
 
 /// Whether everybody has a seat with room for its points, and they aren't too many seats. Gives seats to a
 /// few who haven't.
-bool ContactFinder::all_sit_well(const Colliders& colliders, FaceBlocks& faces) {
+bool ContactFinder::all_sit_well(FaceBlocks& faces) {
   newcomers_.clear(), held_again_.clear();
   std::size_t points = 0;
   for (std::uint32_t i = 0; i < touches_.size(); ++i) {
@@ -50,30 +54,26 @@ bool ContactFinder::all_sit_well(const Colliders& colliders, FaceBlocks& faces) 
   }
   const double most = kMostRoom * static_cast<double>(points + kFewPoints);
   if (age_ >= kLeastAge && static_cast<double>(faces.room()) > most) return false;
-  return newcomers_.empty() || seat_newcomers(colliders, faces);
+  return newcomers_.empty() || seat_newcomers(faces);
 }
 
-bool ContactFinder::seat_newcomers(const Colliders& colliders, FaceBlocks& faces) {
-  list_neighbours(colliders, faces);
-  return std::ranges::all_of(newcomers_,
-                             [&](std::uint32_t touch) { return squeeze_in(colliders, faces, touch); });
+bool ContactFinder::seat_newcomers(FaceBlocks& faces) {
+  list_neighbours(faces);
+  return std::ranges::all_of(newcomers_, [&](std::uint32_t touch) { return squeeze_in(faces, touch); });
 }
 
-ContactFinder::Neighbour ContactFinder::neighbour(const Colliders& colliders, const Touch& touch) const {
-  const auto [row_a, row_b] = touch.pair;
-  const auto mover = [&](std::uint32_t row) {
-    return colliders.movable[row] ? colliders.body[row] : kNobody;
-  };
-  return {touch.key(), mover(row_a), touch.obstacle ? kNobody : mover(row_b),
-          static_cast<std::uint32_t>(group_of(colliders, touch)), touch.lane};
+ContactFinder::Neighbour ContactFinder::neighbour(const Touch& touch) const {
+  const std::uint32_t a = colliders_.movable[touch.pair.a] ? touch.a : kNobody;
+  const std::uint32_t b = !touch.obstacle && colliders_.movable[touch.pair.b] ? touch.b : kNobody;
+  return {touch.key(), a, b, static_cast<std::uint32_t>(group_of(touch)), touch.lane};
 }
 
 /// Who shares a body that moves with them and has a seat, whether or not it is taken.
-void ContactFinder::list_neighbours(const Colliders& colliders, const FaceBlocks& faces) {
+void ContactFinder::list_neighbours(const FaceBlocks& faces) {
   is_newcomer_.resize(scene_.bodies.size());
   const auto mark = [&](std::uint8_t marked) {
     for (const std::uint32_t i : newcomers_) {
-      const Neighbour one = neighbour(colliders, touches_[i]);
+      const Neighbour one = neighbour(touches_[i]);
       if (one.a != kNobody) is_newcomer_[one.a] = marked;
       if (one.b != kNobody) is_newcomer_[one.b] = marked;
     }
@@ -83,7 +83,9 @@ void ContactFinder::list_neighbours(const Colliders& colliders, const FaceBlocks
   neighbours_.clear();
   book_.for_each([&](std::uint64_t key, std::uint32_t lane) {
     if (lane >= faces.lanes()) return;
-    const Neighbour one = neighbour(colliders, {pair_of(key), is_of_obstacle(key), Vec(), false, lane});
+    Touch touch = this->touch(pair_of(key), is_of_obstacle(key), Vec(0.0, 0.0));
+    touch.lane = lane;
+    const Neighbour one = neighbour(touch);
     if (is_marked(one.a) || is_marked(one.b)) neighbours_.push_back(one);
   });
   mark(0);
@@ -91,9 +93,9 @@ void ContactFinder::list_neighbours(const Colliders& colliders, const FaceBlocks
 
 /// Behind the seats of earlier contacts of its bodies, and before those of later ones. False where that can't
 /// be.
-bool ContactFinder::squeeze_in(const Colliders& colliders, FaceBlocks& faces, std::uint32_t i) {
+bool ContactFinder::squeeze_in(FaceBlocks& faces, std::uint32_t i) {
   Touch& touch = touches_[i];
-  Neighbour own = neighbour(colliders, touch);
+  Neighbour own = neighbour(touch);
   const auto is_own = [&](std::uint32_t body) { return body != kNobody && (body == own.a || body == own.b); };
   std::size_t first = 0, end = faces.blocks(own.group).size();
   for (const Neighbour& one : neighbours_) {
@@ -102,15 +104,15 @@ bool ContactFinder::squeeze_in(const Colliders& colliders, FaceBlocks& faces, st
     if (one.key > own.key) end = std::min(end, faces.rank(one.lane));
   }
   own.lane = faces.squeeze_in(points_[i], own.group, first, end);
-  if (own.lane == FaceBlocks::kNone) return false;
+  if (own.lane == kNoLane) return false;
   std::erase_if(neighbours_, [&](const Neighbour& one) { return one.key == own.key; });
   neighbours_.push_back(own);
   book_.change(own.key, own.lane);
-  faces.name(own.lane, colliders.body[touch.pair.a], other_row(colliders, touch));
+  faces.name(own.lane, touch.a, touch.b);
   if (touch.lane < faces.lanes()) faces.leave(touch.lane, own.group);
   if (touch.held) {
     held_.move(touch.lane, own.lane), held_again_.push_back(own.lane / BlockOrder::kWidth);
-    faces.set_polygons(own.lane, surface_of(colliders, touch.pair).friction);
+    set_polygons(touch, own.lane, faces);
   }
   touch.lane = own.lane;
   return true;
@@ -125,35 +127,33 @@ void ContactFinder::take_seats(FaceBlocks& faces) {
 }
 
 /// In the order of touches, each group by itself: what a lane then holds may come in any.
-void ContactFinder::seat_anew(const Colliders& colliders, std::size_t bodies, FaceBlocks& faces,
-                              Workers& workers) {
-  seated_.resize(parts_.groups()), seat_.assign(touches_.size(), SeatBook::kNone);
+void ContactFinder::seat_anew(std::size_t bodies, FaceBlocks& faces, Workers& workers) {
+  seated_.resize(parts_.groups()), seat_.assign(touches_.size(), kNoLane);
   for (auto& touches : seated_) touches.clear();
   for (std::uint32_t i = 0; i < touches_.size(); ++i)
-    if (points_[i] > 0) seated_[group_of(colliders, touches_[i])].push_back(i);
+    if (points_[i] > 0) seated_[group_of(touches_[i])].push_back(i);
   faces.start(bodies, parts_.groups());
-  workers.for_each(parts_.groups(), [&](std::size_t group) { seat_group(colliders, group, faces); });
+  workers.for_each(parts_.groups(), [&](std::size_t group) { seat_group(group, faces); });
   faces.finish();
   for (std::size_t group = 0; group < seated_.size(); ++group)
     for (const std::uint32_t i : seated_[group]) {
       seat_[i] = faces.lane(group, seat_[i]);
-      faces.name(seat_[i], colliders.body[touches_[i].pair.a], other_row(colliders, touches_[i]));
+      faces.name(seat_[i], touches_[i].a, touches_[i].b);
     }
-  if (holds_) hold_seats(colliders, faces);
+  if (holds_) hold_seats(faces);
   book_.forget_all();
   for (std::size_t i = 0; i < touches_.size(); ++i) {
     touches_[i].lane = seat_[i];
-    if (seat_[i] != SeatBook::kNone) book_.add(touches_[i].key(), seat_[i]);
+    if (seat_[i] != kNoLane) book_.add(touches_[i].key(), seat_[i]);
   }
 }
 
-void ContactFinder::seat_group(const Colliders& colliders, std::size_t group, FaceBlocks& faces) {
+void ContactFinder::seat_group(std::size_t group, FaceBlocks& faces) {
   for (const std::uint32_t i : seated_[group]) {
     const Touch& touch = touches_[i];
-    const std::uint32_t a = colliders.body[touch.pair.a], b = other_row(colliders, touch);
-    const bool a_moves = colliders.movable[touch.pair.a];
-    const bool b_moves = !touch.obstacle && colliders.movable[touch.pair.b];
-    seat_[i] = faces.seat(points_[i], a, a_moves, b, b_moves, group);
+    const bool a_moves = colliders_.movable[touch.pair.a];
+    const bool b_moves = !touch.obstacle && colliders_.movable[touch.pair.b];
+    seat_[i] = faces.seat(points_[i], touch.a, a_moves, touch.b, b_moves, group);
   }
 }
 

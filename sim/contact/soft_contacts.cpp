@@ -155,6 +155,7 @@ void SoftContacts::list(const State& state, std::span<const SolverBody> bodies,
   rows.clear();
   discs_.list(state, h_, places_, bodies, rows);
   solids_.list(state, h_, places_, bodies, rows);
+  for (ContactRow& row : rows) row.impulse *= scene_.time.substeps;
 }
 
 }  // namespace throng

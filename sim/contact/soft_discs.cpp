@@ -85,8 +85,7 @@ void SoftDiscs::fill_blocks(const Candidates& candidates, const State& state, co
 SoftPair SoftDiscs::law_of(std::uint32_t a, std::uint32_t b, const SoftPlaces& places,
                            std::span<const SolverBody> bodies) const {
   const std::uint32_t row_a = places.row(a), row_b = places.row(b);
-  const std::size_t surface =
-      scene_.bodies.material[row_a] * scene_.materials.size() + scene_.bodies.material[row_b];
+  const std::size_t surface = plan_.surface_row(scene_.bodies.material[row_a], scene_.bodies.material[row_b]);
   const double mass = 1.0 / (bodies[a].inverse_mass + bodies[b].inverse_mass);
   const double radius = effective_radius(scene_.bodies.radius[row_a], scene_.bodies.radius[row_b]);
   SoftPair law = soft_pair(scene_, mass, radius, ratios_[surface]);

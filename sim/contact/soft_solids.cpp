@@ -74,7 +74,7 @@ void SoftSolids::find_obstacles(const Candidates& candidates, const SoftPlaces& 
 
 /// `disc`: its row.
 void SoftSolids::add(Pair pair, std::uint32_t disc, std::uint32_t material, const SolverBody& body) {
-  const std::size_t row = scene_.bodies.material[disc] * scene_.materials.size() + material;
+  const std::size_t row = plan_.surface_row(scene_.bodies.material[disc], material);
   pair.radius = scene_.bodies.radius[disc];
   const double radius = effective_radius(pair.radius, pair.part ? rolling_radius(*pair.part) : 0.0);
   pair.law = soft_pair(scene_, 1.0 / body.inverse_mass, radius, ratios_[row]);

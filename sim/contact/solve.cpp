@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/contact/arms.h"
+#include "sim/contact/fast.h"
 #include "sim/periodic.h"
 
 namespace throng {
@@ -18,55 +20,6 @@ Softness softness(double hertz, double damping, double h) {
 }
 
 namespace {
-
-/// How the two kinds of contact reach their bodies: the velocity of b against a at the contact, and impulses
-/// there. For discs about their centres a normal impulse turns nothing and a tangential one has the radius as
-/// its arm.
-struct DiscArms {
-  const DiscContact& contact;
-  const Vec t = tangent(contact.normal);
-
-  double normal_velocity(const SolverBody& a, const SolverBody& b) const {
-    return (b.velocity - a.velocity).dot(contact.normal);
-  }
-  double tangent_velocity(const SolverBody& a, const SolverBody& b) const {
-    return (b.velocity - a.velocity).dot(t) - (a.spin * contact.radius_a + b.spin * contact.radius_b);
-  }
-  void apply(SolverBody& a, SolverBody& b, double normal_impulse, double tangent_impulse) const {
-    const Vec impulse = normal_impulse * contact.normal + tangent_impulse * t;
-    a.velocity -= a.inverse_mass * impulse;
-    a.spin -= a.inverse_inertia * contact.radius_a * tangent_impulse;
-    b.velocity += b.inverse_mass * impulse;
-    b.spin -= b.inverse_inertia * contact.radius_b * tangent_impulse;
-  }
-};
-
-struct PointArms {
-  const PointContact& contact;
-  const Vec t = tangent(contact.normal);
-
-  Vec velocity(const SolverBody& a, const SolverBody& b) const {
-    return b.velocity + b.spin * tangent(contact.arm_b) - a.velocity - a.spin * tangent(contact.arm_a);
-  }
-  double normal_velocity(const SolverBody& a, const SolverBody& b) const {
-    return velocity(a, b).dot(contact.normal);
-  }
-  double tangent_velocity(const SolverBody& a, const SolverBody& b) const { return velocity(a, b).dot(t); }
-  void apply(SolverBody& a, SolverBody& b, double normal_impulse, double tangent_impulse) const {
-    const Vec impulse = normal_impulse * contact.normal + tangent_impulse * t;
-    a.velocity -= a.inverse_mass * impulse;
-    a.spin -= a.inverse_inertia * cross(contact.arm_a, impulse);
-    b.velocity += b.inverse_mass * impulse;
-    b.spin += b.inverse_inertia * cross(contact.arm_b, impulse);
-  }
-};
-
-DiscArms arms(const DiscContact& contact) {
-  return {contact};
-}
-PointArms arms(const PointContact& contact) {
-  return {contact};
-}
 
 double separation(const DiscContact& c, const SolverBody& a, const SolverBody& b) {
   return c.offset + c.normal.dot(b.position - a.position);
@@ -143,10 +96,6 @@ Wish wish_at(const ContactBase& contact, double separation, const SolverSettings
           soft.impulse_scale * limited};
 }
 
-bool share_face(const PointContact& i, const PointContact& j) {
-  return i.a == j.a && i.b == j.b && i.normal == j.normal;
-}
-
 template <class Contact, class F>
 void for_each_in_turn(std::span<Contact> contacts, bool backward, F f) {
   for (std::size_t i = 0; i < contacts.size(); ++i) f(contacts[backward ? contacts.size() - 1 - i : i]);
@@ -181,116 +130,6 @@ void warm_start_all(std::span<const Contact> contacts, std::span<SolverBody> bod
                           contact.tangent_impulse);
 }
 
-/// The velocity that gravity adds to b against a, along the normal: nothing where both fall.
-double relative_kick(const ContactBase& c, const SolverBody& a, const SolverBody& b, const Vec& kick) {
-  const double falls_a = a.inverse_mass > 0.0 ? 1.0 : 0.0, falls_b = b.inverse_mass > 0.0 ? 1.0 : 0.0;
-  return (falls_b - falls_a) * kick.dot(c.normal);
-}
-
-/// What a normal impulse at one contact of a body pair does to the normal velocity at another, 1/kg.
-double coupling(const PointContact& i, const PointContact& j, const SolverBody& a, const SolverBody& b) {
-  return a.inverse_mass + b.inverse_mass +
-         a.inverse_inertia * cross(i.arm_a, i.normal) * cross(j.arm_a, j.normal) +
-         b.inverse_inertia * cross(i.arm_b, i.normal) * cross(j.arm_b, j.normal);
-}
-
-/// With the arms of this substep: those of the step's beginning would cost energy.
-double normal_mass(const PointContact& contact, const SolverBody& a, const SolverBody& b) {
-  return 1.0 / coupling(contact, contact, a, b);
-}
-double normal_mass(const DiscContact& contact, const SolverBody&, const SolverBody&) {
-  return contact.normal_mass;
-}
-
-/// When contacts bounce.
-struct BounceRule {
-  double h;          ///< s, the substep
-  double threshold;  ///< m/s, slower ones rest
-  double fast;       ///< m/s, points of fast faces are struck above it although they don't bounce
-  Vec kick;          ///< m/s, what gravity adds in a substep
-};
-
-/// One sweep stops a disc, and a corner alone, however fast.
-bool is_fast(const DiscContact&) {
-  return false;
-}
-bool is_fast(const PointContact& contact) {
-  return contact.fast;
-}
-
-/// The speed with which two part that meet at `speed` (m/s, below 0) while `s` (m) apart, after `fall` (m/s),
-/// what gravity does between them in the substep. As if they went on to the surface, bounced there, and came
-/// back to where they are: the flight's energy is that of the parabola on which substeps lie, at their
-/// middle. Not above 0 where they wouldn't get back: they arrive at the surface.
-double parting_speed(double restitution, double speed, double s, double fall, double h) {
-  if (restitution == 1.0) return -speed - fall;
-  const double middle = speed + 0.5 * fall, drop = -2.0 * s * fall / h;
-  const double after = restitution * restitution * (middle * middle + drop) - drop;
-  return after > 0.0 ? std::sqrt(after) - 0.5 * fall : 0.0;
-}
-
-/// The velocity that a bounce adds along the normal (m/s); 0 where the two don't meet in this substep. What
-/// doesn't bounce and is fast arrives at the other's surface.
-template <class Contact>
-double rebound(const Contact& contact, const SolverBody& a, const SolverBody& b, const BounceRule& rule) {
-  const bool bounces = contact.restitution > 0.0;
-  if (!bounces && !is_fast(contact)) return 0.0;
-  const double speed = arms(contact).normal_velocity(a, b);
-  if (!(speed < -(bounces ? rule.threshold : rule.fast))) return 0.0;
-  const double fall = relative_kick(contact, a, b, rule.kick);
-  const double s = contact.separation;
-  if (!(s + rule.h * (speed + fall) < 0.0)) return 0.0;
-  const double parts = bounces ? parting_speed(contact.restitution, speed, s, fall, rule.h) : 0.0;
-  return (parts > 0.0 ? parts : -std::max(s, 0.0) / rule.h - fall) - speed;
-}
-
-/// Holds the two spins together, by a torque's impulse (N m s) up to `limit`.
-void resist_rolling(SolverBody& a, SolverBody& b, double limit) {
-  const double stops = (a.spin - b.spin) / (a.inverse_inertia + b.inverse_inertia);
-  const double impulse = std::clamp(stops, -limit, limit);
-  a.spin -= a.inverse_inertia * impulse;
-  b.spin += b.inverse_inertia * impulse;
-}
-
-/// However short a bounce is, the impulses of friction and of rolling resistance stay within what the normal
-/// one allows: both laws hold at each instant of it.
-template <class Contact>
-void strike(const Contact& contact, SolverBody& a, SolverBody& b, double impulse) {
-  const auto at = arms(contact);
-  at.apply(a, b, impulse, 0.0);
-  const double limit = contact.friction * impulse;
-  if (limit > 0.0)
-    at.apply(a, b, 0.0, std::clamp(-contact.tangent_mass * at.tangent_velocity(a, b), -limit, limit));
-  if (contact.lever > 0.0) resist_rolling(a, b, contact.lever * impulse);
-}
-
-template <class Contact>
-bool bounce(const Contact& contact, std::span<SolverBody> bodies, const BounceRule& rule) {
-  SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
-  const double added = rebound(contact, a, b, rule);
-  if (!(added > 0.0)) return false;
-  strike(contact, a, b, normal_mass(contact, a, b) * added);
-  return true;
-}
-
-/// Two points of one face that meet at once: one after the other would set a box that lands flat spinning.
-bool bounce(const PointContact& i, const PointContact& j, std::span<SolverBody> bodies,
-            const BounceRule& rule) {
-  if (!share_face(i, j)) return false;
-  SolverBody &a = bodies[i.a], &b = bodies[i.b];
-  const double added_i = rebound(i, a, b, rule), added_j = rebound(j, a, b, rule);
-  if (!(added_i > 0.0 && added_j > 0.0)) return false;
-  const double ii = coupling(i, i, a, b), jj = coupling(j, j, a, b), ij = coupling(i, j, a, b);
-  const double determinant = ii * jj - ij * ij;
-  if (!(determinant > 1e-9 * ii * jj)) return false;  // the two are one point
-  const double impulse_i = (jj * added_i - ij * added_j) / determinant;
-  const double impulse_j = (ii * added_j - ij * added_i) / determinant;
-  if (!(impulse_i >= 0.0 && impulse_j >= 0.0)) return false;
-  strike(i, a, b, impulse_i);
-  strike(j, a, b, impulse_j);
-  return true;
-}
-
 /// m²/s², of b against a.
 double speed_squared(const ContactBase& contact, std::span<const SolverBody> bodies) {
   return (bodies[contact.b].velocity - bodies[contact.a].velocity).squaredNorm();
@@ -300,7 +139,7 @@ double speed_squared(const ContactBase& contact, std::span<const SolverBody> bod
 /// is now, and stays where they are slow, part or overlap.
 Vec between_ahead(const DiscContact& contact, const Vec& between, const Vec& velocity, double ahead) {
   const double reach = contact.radius_a + contact.radius_b;
-  const double slow = kSlowWay * std::min(contact.radius_a, contact.radius_b);
+  const double slow = kAheadWay * std::min(contact.radius_a, contact.radius_b);
   const double excess = between.dot(between) - reach * reach, nearing = -between.dot(velocity);
   const double squared = velocity.dot(velocity);
   if (!(squared * (ahead * ahead) > slow * slow && excess > 0.0 && nearing > 0.0)) return between;
@@ -376,29 +215,6 @@ void learn(std::span<PointContact> contacts, std::span<const SolverBody> bodies,
     first.preload = std::min(learnt, first.normal_impulse);
     if (second) second->preload = std::min(learnt, second->normal_impulse);
   }
-}
-
-bool bounce(std::span<DiscContact> contacts, std::span<SolverBody> bodies, const SolverSettings& settings,
-            double threshold, const Vec& kick) {
-  bool bounced = false;
-  for (const DiscContact& contact : contacts)
-    bounced |= bounce(contact, bodies, {settings.h, threshold, settings.fast, kick});
-  return bounced;
-}
-
-bool bounce(std::span<PointContact> contacts, std::span<SolverBody> bodies, const SolverSettings& settings,
-            double threshold, const Vec& kick) {
-  const BounceRule rule{settings.h, threshold, settings.fast, kick};
-  bool bounced = false;
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    if (i + 1 < contacts.size() && bounce(contacts[i], contacts[i + 1], bodies, rule)) {
-      bounced = true;
-      ++i;
-    } else {
-      bounced |= bounce(contacts[i], bodies, rule);
-    }
-  }
-  return bounced;
 }
 
 }  // namespace throng

@@ -8,8 +8,18 @@
 
 /// Sequential impulses (Catto 2005) over all contacts, in their order or against it: one sweep of Gauss and
 /// Seidel a call.
-/// But for bounces, steps run the same in blocks (disc_blocks.h, face_blocks.h), and this is the definition.
+/// Steps run the same in blocks (disc_blocks.h, face_blocks.h), and this is the definition.
 namespace throng {
+
+/// A contact as a damped spring of that stiffness which h, and not the masses, limits. Soft constraints as in
+/// Catto, "Solver2D" (2024): rate and scales follow from frequency and damping ratio.
+struct Softness {
+  double bias_rate;  ///< 1/s, penetration to push-out velocity
+  double mass_scale, impulse_scale;
+};
+
+/// `hertz`: the spring's frequency; `damping`: its ratio; `h`: the substep (s).
+Softness softness(double hertz, double damping, double h);
 
 struct SolverSettings {
   double h;           ///< s, the substep
@@ -20,15 +30,15 @@ struct SolverSettings {
   /// m: what has a preload may open by so much and stays a spring. As rigid gaps, closed one after the other,
   /// the contacts of what stands high and has hardly sunk would shake each other open.
   double ajar;
-  double fast;  ///< m/s, from which on a sweep leaves too much speed to a face that meets with two corners
   /// A sweep begins with the last contact. In turn from either end, as in symmetric successive
   /// over-relaxation: else all that stands straight is turned to one side.
   bool backward = false;
 };
 
-/// Normals, arms and offsets at the bodies' present positions. `period`: the domain's, or null. `ahead` (s):
-/// for so long they go on as they do; the normal of two discs that near each other fast is that of when they
-/// meet or pass in this time. 0 where all are slow.
+/// To begin a substep with, before all else here: normals, arms, offsets and separations at the bodies'
+/// present positions. `period`: the domain's, or null. `ahead` (s): for so long they go on as they do; the
+/// normal of two discs that get past each other by more than kAheadWay in this time is that of when they meet
+/// or pass. 0 where nobody gets so far.
 void prepare(std::span<DiscContact> contacts, std::span<const SolverBody> bodies, const Vec* period,
              double ahead = 0.0);
 void prepare(std::span<PointContact> contacts, std::span<const SolverBody> bodies);
@@ -53,16 +63,5 @@ void relax(std::span<PointContact> contacts, std::span<SolverBody> bodies, const
 /// more or less than one another.
 void learn(std::span<DiscContact> contacts, std::span<const SolverBody> bodies, const Learning& learning);
 void learn(std::span<PointContact> contacts, std::span<const SolverBody> bodies, const Learning& learning);
-
-/// Bounces, one pair after the other as in Guendelman, Bridson and Fedkiw (2003), where bodies would meet in
-/// this substep faster than `threshold` (m/s). What doesn't bounce is left to the sweeps, but for points of
-/// fast faces: they are stopped at the other's surface where they still close faster than `settings.fast`,
-/// whatever other surfaces of the scene do. `kick` (m/s): what gravity adds to a dynamic body's velocity in
-/// the substep. To be called before gravity acts: then the flight after a bounce with e = 1 mirrors the one
-/// before, and energy stays. Returns whether anything bounced: call again until nothing does.
-bool bounce(std::span<DiscContact> contacts, std::span<SolverBody> bodies, const SolverSettings& settings,
-            double threshold, const Vec& kick);
-bool bounce(std::span<PointContact> contacts, std::span<SolverBody> bodies, const SolverSettings& settings,
-            double threshold, const Vec& kick);
 
 }  // namespace throng

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sim/contact/disc_blocks.h"
 
+#include "sim/contact/fast.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sim/contact/solve_disc_blocks.cpp"
 #include <hwy/foreach_target.h>
@@ -75,7 +77,7 @@ HWY_INLINE Way between_ahead(const DiscBlock& c, std::size_t k, const SolverBody
   const Reals vx = hn::Sub(b.velocity_x, a.velocity_x), vy = hn::Sub(b.velocity_y, a.velocity_y);
   const Reals radius_a = load(c.radius_a + k), radius_b = load(c.radius_b + k), zero = hn::Zero(d);
   const Reals reach = hn::Add(radius_a, radius_b);
-  const Reals slow = hn::Mul(hn::Set(d, kSlowWay), hn::Min(radius_a, radius_b));
+  const Reals slow = hn::Mul(hn::Set(d, kAheadWay), hn::Min(radius_a, radius_b));
   const Reals excess = hn::Sub(dot(now.x, now.y, now.x, now.y), hn::Mul(reach, reach));
   const Reals nearing = hn::Neg(dot(now.x, now.y, vx, vy)), squared = dot(vx, vy, vx, vy);
   const Mask fast = hn::Gt(hn::Mul(squared, hn::Set(d, ahead * ahead)), hn::Mul(slow, slow));

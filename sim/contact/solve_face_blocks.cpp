@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sim/contact/face_blocks.h"
 
+#include "sim/contact/fast.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sim/contact/solve_face_blocks.cpp"
 #include <hwy/foreach_target.h>

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "broadphase/box_index.h"
-#include "sim/crowd/prefetch.h"
 #include "sim/crowd/region.h"
+#include "sim/prefetch.h"
 
 namespace throng {
 

@@ -7,8 +7,8 @@
 
 #include "sim/crowd/barriers.h"
 #include "sim/crowd/floor_plan.h"
-#include "sim/crowd/prefetch.h"
 #include "sim/crowd/region.h"
+#include "sim/prefetch.h"
 
 namespace throng {
 

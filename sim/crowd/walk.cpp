@@ -7,9 +7,9 @@
 #include <map>
 
 #include "sim/crowd/entrance.h"
-#include "sim/crowd/prefetch.h"
 #include "sim/crowd/row_order.h"
 #include "sim/crowd/stuck.h"
+#include "sim/prefetch.h"
 #include "sim/simulation_error.h"
 
 namespace throng {

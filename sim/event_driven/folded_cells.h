@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "sim/colliders.h"
-#include "sim/crowd/prefetch.h"
 #include "sim/event_driven/huge_pages.h"
+#include "sim/prefetch.h"
 #include "sim/scene.h"
 
 namespace throng {

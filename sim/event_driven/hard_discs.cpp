@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "narrowphase/disc_flight.h"
-#include "sim/contact/strike.h"
-#include "sim/crowd/prefetch.h"
+#include "sim/contact/collide_discs.h"
 #include "sim/input_error.h"
 #include "sim/periodic.h"
+#include "sim/prefetch.h"
 #include "sim/simulation_error.h"
 
 namespace throng {
@@ -131,7 +131,7 @@ const Surface& HardDiscs::surface(std::uint32_t disc, std::uint32_t other) const
   const std::vector<std::uint32_t>& material = scene_.bodies.material;
   const std::uint32_t second =
       is_disc(other) ? material[body(other)] : obstacles_.material[other - discs_.size()];
-  return plan_.surfaces[material[body(disc)] * scene_.materials.size() + second];
+  return plan_.surface(material[body(disc)], second);
 }
 
 bool HardDiscs::run_until(double time, std::vector<ContactRow>& rows, bool (*stop)()) {
@@ -282,8 +282,8 @@ void HardDiscs::collide(std::uint32_t disc, double now, std::vector<ContactRow>&
   watch_for_collapse(disc, other, flown, speed);
   if (pair) watch_for_collapse(other, disc, other_flown, speed);
   SolverBody a = solver_body(disc), b = solver_body(other);
-  const Touch touch{n, discs_[disc].radius, pair ? discs_[other].radius : 0.0};
-  const double impulse = strike(a, b, touch, surface(disc, other));
+  const DiscTouch touch{n, discs_[disc].radius, pair ? discs_[other].radius : 0.0};
+  const double impulse = collide_discs(a, b, touch, surface(disc, other));
   discs_[disc].velocity = a.velocity, discs_[disc].spin = a.spin;
   if (pair) discs_[other].velocity = b.velocity, discs_[other].spin = b.spin;
   if (pair)

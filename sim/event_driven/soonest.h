@@ -7,8 +7,8 @@
 #include <limits>
 #include <vector>
 
-#include "sim/crowd/prefetch.h"
 #include "sim/event_driven/huge_pages.h"
+#include "sim/prefetch.h"
 
 namespace throng {
 

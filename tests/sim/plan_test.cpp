@@ -120,6 +120,7 @@ TEST(Plan, AStageThatIsSkippedAllocatesNothing) {
   State state = initial_state(scene);
   Workspace work(scene, plan, 1);
   for (int i = 0; i < 10; ++i) step(scene, plan, state, work);
+  EXPECT_FALSE(work.guard);
   EXPECT_EQ(work.contacts.disc_key.capacity(), 0u);
   EXPECT_EQ(work.contacts.point_key.capacity(), 0u);
   EXPECT_EQ(work.candidates.pairs().size(), 0u);

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Whoever begins a step on one side of a wall, or of another body, ends it there: swept over speeds, spins,
-// time steps and angles of incidence.
+// time steps and angles of incidence. Contacts alone hold most of them: each test counts the steps that were
+// guarded.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <random>
+#include <sstream>
 
 #include "sim/contact/contact.h"
+#include "sim/recording/checkpoint.h"
+#include "tests/sim/recording/scenes.h"
 #include "tests/sim/trial.h"
 
 namespace throng {
@@ -19,6 +24,9 @@ const char* const kThrownShapes =
     "bar = { polygon = [[-0.5, -0.01], [0.5, -0.01], [0.5, 0.01], [-0.5, 0.01]] }\n"
     "triangle = { polygon = [[0, 0], [0.2, 0], [0.1, 0.17]] }\n"
     "square = { polygon = [[-0.1, -0.1], [0.1, -0.1], [0.1, 0.1], [-0.1, 0.1]] }\n"
+    "bell = { discs = [[-0.15, 0, 0.1], [0.15, 0, 0.1]] }\n"
+    "hook = { polygon = [[0, 0], [0.4, 0], [0.4, 0.05], [0.05, 0.05], [0.05, 0.4], [0, 0.4]] }\n"
+    "tile = { polygon = [[-0.5, -0.05], [0.5, -0.05], [0.5, 0.05], [-0.5, 0.05]] }\n"
     "flat = { polygon = [[-3, -0.01], [3, -0.01], [3, 0.01], [-3, 0.01]] }\n"
     "tall = { polygon = [[-0.01, -3], [0.01, -3], [0.01, 3], [-0.01, 3]] }\n";
 
@@ -70,8 +78,13 @@ struct Throw {
   Box box;
 };
 
-/// Of `count` bodies, each thrown in a box of its own somewhere, who is outside after a second.
-std::vector<std::size_t> escaped(const Throw& t, std::size_t count, unsigned seed) {
+std::int64_t guarded(const Trial& run) {
+  return run.work.guard->guarded_steps();
+}
+
+/// Of `count` bodies, each thrown in a box of its own somewhere, who is outside after a second. Adds to
+/// `steps` how many were guarded.
+std::vector<std::size_t> escaped(const Throw& t, std::size_t count, unsigned seed, std::int64_t& steps) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   std::string bodies, boxes;
@@ -83,6 +96,7 @@ std::vector<std::size_t> escaped(const Throw& t, std::size_t count, unsigned see
   }
   Trial run(thrown_with(t.dt, t.restitution, 0.5) + bodies + boxes);
   run.steps(static_cast<int>(std::ceil(1.0 / t.dt)));
+  steps += guarded(run);
   std::vector<std::size_t> out;
   for (std::size_t i = 0; i < count; ++i) {
     const Vec at = run.state.position[i] - Vec(10.0 * static_cast<double>(i), 0.0);
@@ -92,23 +106,41 @@ std::vector<std::size_t> escaped(const Throw& t, std::size_t count, unsigned see
 }
 
 TEST(Guard, NobodyGetsOutOfABox) {
+  std::int64_t steps = 0;
   for (const double dt : {0.01, 1.0 / 60.0})
     for (const auto& [shape, spin] : std::vector<std::pair<std::string, double>>{
              {"disc", 0.0}, {"disc", 100.0}, {"bar", 0.0}, {"bar", 30.0}, {"bar", 100.0}, {"triangle", 30.0}})
       for (const double restitution : {0.0, 0.5})
         for (const double speed : {20.0, 80.0, 160.0, 300.0})
           for (const Box kind : {Box::polygon, Box::bars})
-            EXPECT_EQ(escaped({shape, speed, spin, dt, restitution, kind}, 60, 1), std::vector<std::size_t>())
+            EXPECT_EQ(escaped({shape, speed, spin, dt, restitution, kind}, 60, 1, steps),
+                      std::vector<std::size_t>())
                 << shape << ", spin " << spin << ", e = " << restitution << ", " << speed << " m/s, dt " << dt
                 << ", box " << static_cast<int>(kind);
+  EXPECT_GT(steps, 100);
+}
+
+TEST(Guard, NobodyOfSeveralPartsGetsOutOfABox) {
+  std::int64_t steps = 0;
+  for (const std::string shape : {"bell", "hook"})
+    for (const double restitution : {0.0, 0.5})
+      for (const double speed : {40.0, 160.0, 300.0})
+        for (const Box kind : {Box::polygon, Box::bars, Box::segments})
+          EXPECT_EQ(escaped({shape, speed, 20.0, 1.0 / 60.0, restitution, kind}, 60, 4, steps),
+                    std::vector<std::size_t>())
+              << shape << ", e = " << restitution << ", " << speed << " m/s, box " << static_cast<int>(kind);
+  EXPECT_GT(steps, 20);
 }
 
 TEST(Guard, NobodyGetsOutOfABoxOfSegmentsOrOfAPolyline) {
+  std::int64_t steps = 0;
   for (const std::string shape : {"disc", "bar", "triangle"})
     for (const double speed : {40.0, 200.0})
       for (const Box kind : {Box::polyline, Box::segments})
-        EXPECT_EQ(escaped({shape, speed, 20.0, 1.0 / 60.0, 0.0, kind}, 60, 2), std::vector<std::size_t>())
+        EXPECT_EQ(escaped({shape, speed, 20.0, 1.0 / 60.0, 0.0, kind}, 60, 2, steps),
+                  std::vector<std::size_t>())
             << shape << ", " << speed << " m/s, box " << static_cast<int>(kind);
+  EXPECT_GT(steps, 10);
 }
 
 /// It spun by 1.67 rad a step, and the points where it was to meet the wall, halfway from there, with it.
@@ -121,6 +153,7 @@ TEST(Guard, ABarThatSpinsAt200MetresASecondStaysInItsBox) {
       ASSERT_TRUE((run.state.position[0].array() > 0.0).all() && (run.state.position[0].array() < 5.0).all())
           << "step " << step << " at " << run.state.position[0].transpose();
     }
+    EXPECT_GT(guarded(run), 0);
   }
 }
 
@@ -143,6 +176,7 @@ TEST(Guard, ADiscThatRollsIntoACornerAt100MetresASecondStaysBeforeTheWall) {
       run.steps(1);
       ASSERT_LT(run.state.position[0].x(), 5.0) << "step " << step;
     }
+    EXPECT_GT(guarded(run), 0);
   }
 }
 
@@ -150,6 +184,7 @@ TEST(Guard, ADiscThatRollsIntoACornerAt100MetresASecondStaysBeforeTheWall) {
 TEST(Guard, ThinBarsThatSpinDontPassEachOther) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  std::int64_t steps = 0;
   for (int i = 0; i < 150; ++i) {
     const double spin = 20.0 * unit(random);
     Trial run(
@@ -162,7 +197,9 @@ TEST(Guard, ThinBarsThatSpinDontPassEachOther) {
       ASSERT_LT(std::cos(angle) * way.x() + std::sin(angle) * way.y(), 0.0)
           << "run " << i << ", step " << step;
     }
+    steps += guarded(run);
   }
+  EXPECT_GT(steps, 10);
 }
 
 /// Poured so fast that they are pressed through one another's surfaces.
@@ -186,7 +223,30 @@ TEST(Guard, ACupHoldsAllThatIsPouredIntoIt) {
       EXPECT_TRUE(at.x() > 0.0 && at.x() < 4.0 && at.y() > 0.0)
           << speed << " m/s, body " << i + 1 << " at " << at.transpose();
     }
+    EXPECT_GT(guarded(run), 5) << speed;
   }
+}
+
+/// Its floor is covered with tiles that sleep when the first of them come: they are woken, and held, too.
+TEST(Guard, ACupWhoseTilesSleepHoldsAllThatFallsIntoIt) {
+  std::string scene = "gravity = [0, -9.81]\nsleep = true\n" + thrown_with(1.0 / 60.0, 0.0, 0.5) +
+                      "[[walls]]\npolyline = [[0, 300], [0, 0], [5, 0], [5, 300]]\n";
+  for (int i = 0; i < 4; ++i) scene += thrown("tile", {0.6 + 1.2 * i, 0.05}, {0.0, 0.0});
+  for (int i = 0; i < 120; ++i)
+    scene +=
+        thrown(i % 2 ? "triangle" : "bell", {0.5 + i % 6 * 0.8, 200.0 + 0.5 * (i / 6)}, {0.0, -80.0}, i % 5);
+  Trial run(scene);
+  std::size_t most = 0;
+  for (int step = 0; step < 180; ++step) {
+    run.steps(1);
+    if (guarded(run) == 0) most = std::max(most, asleep(run.state.sleep));
+  }
+  EXPECT_EQ(most, 4u) << "nobody slept before anybody was guarded";
+  for (std::size_t i = 0; i < run.state.position.size(); ++i) {
+    const Vec& at = run.state.position[i];
+    EXPECT_TRUE(at.x() > 0.0 && at.x() < 5.0 && at.y() > 0.0) << "body " << i << " at " << at.transpose();
+  }
+  EXPECT_GT(guarded(run), 5);
 }
 
 /// Driven, it gives way to nobody: who is in its way is taken along.
@@ -207,8 +267,9 @@ TEST(Guard, ABladeThatIsDrivenTakesAlongWhoeverItMeets) {
     }
 }
 
-/// By up to 0.3 rad a step; from 0.6 rad on it still passes.
+/// By up to 0.2 rad a step; at 0.3 it still passes two of these 46, at 0.5 eight.
 TEST(Guard, ABladeThatIsTurnedPassesNobody) {
+  std::int64_t steps = 0;
   for (const std::string shape : {"disc", "square"})
     for (const double spin : {10.0, 20.0})
       for (int i = 2; i < 25; ++i) {
@@ -224,18 +285,95 @@ TEST(Guard, ABladeThatIsTurnedPassesNobody) {
           ASSERT_GT(tangent(along).dot(where), 0.0)
               << shape << " at " << at << ", spin " << spin << ", step " << step;
         }
+        steps += guarded(run);
       }
+  EXPECT_GT(steps, 2);
+}
+
+/// Two hundred of those, at 100 m/s in all directions, the first of them there.
+std::string swarm(const std::vector<std::string>& shapes, const Vec& at) {
+  std::string bodies;
+  for (int i = 0; i < 200; ++i)
+    bodies += thrown(shapes[i % shapes.size()], at + 1.1 * Vec(i % 20, i / 20),
+                     {100.0 * std::cos(i), 100.0 * std::sin(i)}, i % 7);
+  return bodies;
+}
+
+std::string crowded_box(const std::vector<std::string>& shapes = {"disc", "bar"}) {
+  return thrown_with(1.0 / 60.0, 0.0, 0.5) + swarm(shapes, {0.0, 0.0}) +
+         "[[walls]]\npolygon = [[-1, -1], [23, -1], [23, 12], [-1, 12]]\n";
+}
+
+TEST(Guard, ASwarmOfSeveralPartsEachStaysInItsBox) {
+  Trial run(crowded_box({"bell", "hook"}));
+  run.steps(60);
+  for (const Vec& at : run.state.position)
+    EXPECT_TRUE(at.x() > -1.0 && at.x() < 23.0 && at.y() > -1.0 && at.y() < 12.0) << at.transpose();
+  EXPECT_GT(guarded(run), 10);
+}
+
+/// A box of bars of that kind round a corner of a domain that repeats, with sixteen of the shape in it,
+/// thrown in all directions.
+std::string box_across_the_border(const std::string& shape, const std::string& kind) {
+  const auto folded = [](const Vec& at) {
+    return Vec(at.x() - 40.0 * std::floor(at.x() / 40.0), at.y() - 40.0 * std::floor(at.y() / 40.0));
+  };
+  const std::string bar = "kind = \"" + kind + "\"\n";
+  std::string scene = "domain = { periodic = [[0, 0], [40, 40]] }\n" + thrown_with(1.0 / 60.0, 0.0, 0.5) +
+                      thrown("flat", folded({0.0, -2.51}), {0, 0}, 0, bar) +
+                      thrown("flat", folded({0.0, 2.51}), {0, 0}, 0, bar) +
+                      thrown("tall", folded({-2.51, 0.0}), {0, 0}, 0, bar) +
+                      thrown("tall", folded({2.51, 0.0}), {0, 0}, 0, bar);
+  for (int i = 0; i < 16; ++i)
+    scene += thrown(shape, folded({-1.7 + 1.1 * (i % 4), -1.7 + 1.1 * (i / 4)}),
+                    {150.0 * std::cos(i), 150.0 * std::sin(i)}, 3.0 * (i % 7));
+  return scene;
+}
+
+/// Static bars are obstacles, kinematic ones bodies: both are met where their images are.
+TEST(Guard, NobodyGetsOutOfABoxAcrossTheBorderOfADomainThatRepeats) {
+  std::int64_t steps = 0;
+  for (const std::string kind : {"static", "kinematic"})
+    for (const std::string shape : {"disc", "bar", "hook"}) {
+      Trial run(box_across_the_border(shape, kind));
+      run.steps(60);
+      for (std::size_t i = 4; i < run.state.position.size(); ++i)
+        for (const double x : {run.state.position[i].x(), run.state.position[i].y()})
+          EXPECT_LT(std::abs(std::remainder(x, 40.0)), 2.5) << kind << " " << shape << " " << i;
+      steps += guarded(run);
+    }
+  EXPECT_GT(steps, 8);
 }
 
 TEST(Guard, FastOnesEndAlikeForAnyNumberOfThreads) {
-  std::string scene = thrown_with(1.0 / 60.0, 0.0, 0.5);
-  for (int i = 0; i < 200; ++i)
-    scene += thrown(i % 2 ? "bar" : "disc", {1.1 * (i % 20), 1.1 * (i / 20)},
-                    {100.0 * std::cos(i), 100.0 * std::sin(i)}, i % 7);
-  scene += "[[walls]]\npolygon = [[-1, -1], [23, -1], [23, 12], [-1, 12]]\n";
-  Trial one(scene_from(scene), 1), two(scene_from(scene), 2);
+  Trial one(scene_from(crowded_box()), 1), two(scene_from(crowded_box()), 2);
   one.steps(20), two.steps(20);
   EXPECT_EQ(hash(one.state), hash(two.state));
+  EXPECT_GT(guarded(one), 10);
+  EXPECT_EQ(guarded(one), guarded(two));
+}
+
+/// A guarded step begins with nothing but the state: from a checkpoint between two of them all goes on alike.
+TEST(Guard, FastOnesGoOnAlikeFromACheckpointBetweenGuardedSteps) {
+  const testing_recordings::Folder folder;
+  Trial whole(crowded_box());
+  std::optional<Trial> resumed;
+  int between = 0;
+  for (int step = 0; step < 20; ++step) {
+    const std::int64_t before = guarded(whole);
+    whole.steps(1);
+    if (resumed) {
+      resumed->steps(1);
+      EXPECT_EQ(hash(resumed->state), hash(whole.state)) << "step " << step;
+      EXPECT_EQ(guarded(*resumed), guarded(whole) - before) << "step " << step;
+      between += guarded(*resumed) > 0;
+      resumed.reset();
+    }
+    if (guarded(whole) == before) continue;
+    recording::write_checkpoint(folder / "a.ckpt", {"0", "", 1, 0}, whole.state);
+    resumed.emplace(whole.scene).state = recording::read_checkpoint(folder / "a.ckpt").state;
+  }
+  EXPECT_GT(between, 5);
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ class Blocks : public ::testing::TestWithParam<std::int64_t> {
 
   SolverSettings settings(bool friction) const {
     // Half of what overlaps is so deep that the speed is limited.
-    return {0.0025, softness(0.18 / 0.0025, 10.0, 0.0025), Learning{}, 1.0, friction, 0.03, 1e9};
+    return {0.0025, softness(0.18 / 0.0025, 10.0, 0.0025), Learning{}, 1.0, friction, 0.03};
   }
 
   void move(std::vector<SolverBody>& bodies) const {
@@ -270,7 +270,7 @@ class FaceBlocksOnEachTarget : public Blocks {
   struct Face {
     std::span<const PointContact> points;
     bool seated, kept;  // from the beginning on; until the end
-    std::uint32_t lane = FaceBlocks::kNone;
+    std::uint32_t lane = kNoLane;
   };
 
   bool moves(std::uint32_t row) const { return bodies_[row].inverse_mass > 0.0; }
@@ -312,14 +312,14 @@ class FaceBlocksOnEachTarget : public Blocks {
     std::size_t first = 0, end = blocks.blocks().size();
     for (std::size_t j = 0; j < faces.size(); ++j) {
       const auto is_shared = [&](std::uint32_t row) { return moves(row) && (row == a || row == b); };
-      if (faces[j].lane == FaceBlocks::kNone) continue;
+      if (faces[j].lane == kNoLane) continue;
       if (!is_shared(faces[j].points[0].a) && !is_shared(faces[j].points[0].b)) continue;
       if (j < i) first = std::max(first, blocks.rank(faces[j].lane) + 1);
       if (j > i) end = std::min(end, blocks.rank(faces[j].lane));
     }
     faces[i].lane = blocks.squeeze_in(faces[i].points.size(), 0, first, end);
-    if (faces[i].lane != FaceBlocks::kNone) blocks.name(faces[i].lane, a, b);
-    return faces[i].lane != FaceBlocks::kNone;
+    if (faces[i].lane != kNoLane) blocks.name(faces[i].lane, a, b);
+    return faces[i].lane != kNoLane;
   }
 
   void fill(FaceBlocks& blocks, std::span<const PointContact> points) const {
@@ -385,11 +385,11 @@ TEST_P(FaceBlocksOnEachTarget, GiveThemWhicheverSeatsThereAre) {
   std::size_t squeezed = 0, out = 0;
   for (std::size_t i = 0; i < faces.size(); ++i) {
     if (faces[i].seated) continue;
-    if (squeeze_in(blocks, faces, i)) blocks.leave(std::exchange(faces[i].lane, FaceBlocks::kNone), 0);
+    if (squeeze_in(blocks, faces, i)) blocks.leave(std::exchange(faces[i].lane, kNoLane), 0);
     ++(squeeze_in(blocks, faces, i) ? squeezed : out);
   }
   EXPECT_GT(squeezed, 5u) << "beside " << out;
-  std::erase_if(faces, [](const Face& face) { return face.lane == FaceBlocks::kNone; });
+  std::erase_if(faces, [](const Face& face) { return face.lane == kNoLane; });
   fill(blocks, faces);
   std::vector<PointContact> kept;
   for (const Face& face : faces)
@@ -403,13 +403,13 @@ TEST_P(FaceBlocksOnEachTarget, SqueezeInNobodyWhereTheOrderForbidsIt) {
   const std::vector<PointContact> all = contacts();
   std::vector<Face> faces = faces_of(all);
   seat(blocks, faces, [] { return 0u; });
-  EXPECT_EQ(blocks.squeeze_in(1, 0, 3, 2), FaceBlocks::kNone);
+  EXPECT_EQ(blocks.squeeze_in(1, 0, 3, 2), kNoLane);
   const std::uint32_t lane = blocks.squeeze_in(1, 0, 3, 3);
   EXPECT_EQ(blocks.rank(lane), 3u);
   EXPECT_EQ(blocks.squeeze_in(1, 0, 3, 4), lane + 1) << "in the same block";
   EXPECT_NE(blocks.squeeze_in(2, 0, 3, 4), lane + 2) << "which has no room for two points";
-  while (blocks.squeeze_in(1, 0, 3, 3) != FaceBlocks::kNone) continue;
-  EXPECT_EQ(blocks.squeeze_in(1, 0, 3, 3), FaceBlocks::kNone) << "there is no end of them";
+  while (blocks.squeeze_in(1, 0, 3, 3) != kNoLane) continue;
+  EXPECT_EQ(blocks.squeeze_in(1, 0, 3, 3), kNoLane) << "there is no end of them";
 }
 
 // Else the lane would write back what it read of a body that another one in the block has pushed meanwhile.

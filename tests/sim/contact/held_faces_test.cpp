@@ -281,7 +281,7 @@ TEST(HeldFaces, FollowThePairToAnotherLane) {
   squares.move(3);
   EXPECT_EQ(squares.points({0.25, 0.99}, true), 2);
   EXPECT_EQ(squares.face().normal_y[3], 1.0);
-  squares.move_to_seat(SeatBook::kNone);
+  squares.move_to_seat(kNoLane);
   EXPECT_EQ(squares.lane(), 8u) << "behind the seats";
   EXPECT_EQ(squares.points({0.25, 0.99}, true), 2);
 }

@@ -121,7 +121,7 @@ TEST(Preload, IsLearntWhoeverFallsElsewhere) {
 
 /// What bears no load yet closes its gaps at once.
 TEST(Preload, KeepsASpringThatHardlyOpens) {
-  const SolverSettings settings{0.01, softness(18.0, 20.0, 0.01), Learning{}, 1.0, false, 1e-3, 1e9};
+  const SolverSettings settings{0.01, softness(18.0, 20.0, 0.01), Learning{}, 1.0, false, 1e-3};
   for (const bool loaded : {false, true})
     for (const double gap : {0.9e-3, 1.1e-3}) {
       std::vector<SolverBody> bodies(2);

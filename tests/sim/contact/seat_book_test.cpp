@@ -9,7 +9,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-constexpr std::uint32_t kNew = SeatBook::kNone;
+constexpr std::uint32_t kNew = kNoLane;
 
 std::vector<std::uint32_t> lanes_of(SeatBook& book, std::initializer_list<std::uint64_t> keys) {
   std::vector<std::uint32_t> lanes;

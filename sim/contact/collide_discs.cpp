@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "sim/contact/strike.h"
+#include "sim/contact/collide_discs.h"
 
 #include <algorithm>
 
 namespace throng {
 
-namespace {
-
-double tangent_mass(const SolverBody& a, const SolverBody& b, const Touch& touch) {
-  return 1.0 / (a.inverse_mass + b.inverse_mass + a.inverse_inertia * touch.radius_a * touch.radius_a +
-                b.inverse_inertia * touch.radius_b * touch.radius_b);
-}
-
-}  // namespace
-
-double strike(SolverBody& a, SolverBody& b, const Touch& touch, const Surface& surface) {
+double collide_discs(SolverBody& a, SolverBody& b, const DiscTouch& touch, const Surface& surface) {
   const Vec& n = touch.normal;
   const Vec t = tangent(n);
   const Vec velocity = b.velocity - a.velocity;
@@ -24,7 +15,8 @@ double strike(SolverBody& a, SolverBody& b, const Touch& touch, const Surface& s
   if (surface.friction > 0.0) {
     const double slip = velocity.dot(t) - (a.spin * touch.radius_a + b.spin * touch.radius_b);
     const double limit = surface.friction * normal;
-    const double rub = std::clamp(-tangent_mass(a, b, touch) * slip, -limit, limit);
+    const double rub =
+        std::clamp(-effective_mass(a, b, touch.radius_a, touch.radius_b) * slip, -limit, limit);
     impulse += rub * t;
     a.spin -= a.inverse_inertia * touch.radius_a * rub;
     b.spin -= b.inverse_inertia * touch.radius_b * rub;

@@ -10,13 +10,13 @@ namespace throng {
 inline constexpr double kTouchRounding = 1e-9;
 
 /// How two discs touch.
-struct Touch {
+struct DiscTouch {
   Vec normal;                 ///< unit, from a to b
   double radius_a, radius_b;  ///< m
 };
 
 /// A collision in no time: restitution along the normal, Coulomb friction across, which stops the slip where
 /// it can. Returns the impulse along the normal (N s).
-double strike(SolverBody& a, SolverBody& b, const Touch& touch, const Surface& surface);
+double collide_discs(SolverBody& a, SolverBody& b, const DiscTouch& touch, const Surface& surface);
 
 }  // namespace throng

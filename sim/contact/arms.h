@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+
+#include "sim/contact/contact.h"
+
+/// How contacts reach their bodies: the velocity of b against a at the contact (m/s), and impulses there
+/// (N s), on b; a feels the opposite.
+namespace throng {
+
+/// Of two discs about their bodies' centres: a normal impulse turns nothing, and a tangential one has the
+/// radius as its arm.
+struct DiscArms {
+  const DiscContact& contact;
+  const Vec t = tangent(contact.normal);
+
+  double normal_velocity(const SolverBody& a, const SolverBody& b) const {
+    return (b.velocity - a.velocity).dot(contact.normal);
+  }
+  double tangent_velocity(const SolverBody& a, const SolverBody& b) const {
+    return (b.velocity - a.velocity).dot(t) - (a.spin * contact.radius_a + b.spin * contact.radius_b);
+  }
+  void apply(SolverBody& a, SolverBody& b, double normal_impulse, double tangent_impulse) const {
+    const Vec impulse = normal_impulse * contact.normal + tangent_impulse * t;
+    a.velocity -= a.inverse_mass * impulse;
+    a.spin -= a.inverse_inertia * contact.radius_a * tangent_impulse;
+    b.velocity += b.inverse_mass * impulse;
+    b.spin -= b.inverse_inertia * contact.radius_b * tangent_impulse;
+  }
+};
+
+/// Of any two at a point.
+struct PointArms {
+  Vec arm_a, arm_b;  ///< m, from the bodies' centres
+  Vec normal;        ///< unit, from a to b
+  Vec t = tangent(normal);
+
+  Vec velocity(const SolverBody& a, const SolverBody& b) const {
+    return b.velocity + b.spin * tangent(arm_b) - a.velocity - a.spin * tangent(arm_a);
+  }
+  double normal_velocity(const SolverBody& a, const SolverBody& b) const {
+    return velocity(a, b).dot(normal);
+  }
+  double tangent_velocity(const SolverBody& a, const SolverBody& b) const { return velocity(a, b).dot(t); }
+  void apply(SolverBody& a, SolverBody& b, double normal_impulse, double tangent_impulse) const {
+    const Vec impulse = normal_impulse * normal + tangent_impulse * t;
+    a.velocity -= a.inverse_mass * impulse;
+    a.spin -= a.inverse_inertia * cross(arm_a, impulse);
+    b.velocity += b.inverse_mass * impulse;
+    b.spin += b.inverse_inertia * cross(arm_b, impulse);
+  }
+};
+
+inline DiscArms arms(const DiscContact& contact) {
+  return {contact};
+}
+inline PointArms arms(const PointContact& contact) {
+  return {contact.arm_a, contact.arm_b, contact.normal};
+}
+
+/// An impact in no time: the impulse along the normal and, where the surfaces rub, Coulomb's across it, which
+/// stops the slip where it can. `tangent_mass`: what they feel across, kg.
+template <class Arms>
+void strike(const Arms& at, SolverBody& a, SolverBody& b, double impulse, double friction,
+            double tangent_mass) {
+  at.apply(a, b, impulse, 0.0);
+  const double limit = friction * impulse;
+  if (!(limit > 0.0)) return;
+  at.apply(a, b, 0.0, std::clamp(-tangent_mass * at.tangent_velocity(a, b), -limit, limit));
+}
+
+}  // namespace throng

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "sim/contact/bounce.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/contact/arms.h"
+
+namespace throng {
+
+namespace {
+
+/// The velocity that gravity adds to b against a, along the normal: nothing where both fall.
+double relative_kick(const ContactBase& c, const SolverBody& a, const SolverBody& b, const Vec& kick) {
+  const double falls_a = a.inverse_mass > 0.0 ? 1.0 : 0.0, falls_b = b.inverse_mass > 0.0 ? 1.0 : 0.0;
+  return (falls_b - falls_a) * kick.dot(c.normal);
+}
+
+/// What a normal impulse at one contact of a body pair does to the normal velocity at another, 1/kg.
+double coupling(const PointContact& i, const PointContact& j, const SolverBody& a, const SolverBody& b) {
+  return a.inverse_mass + b.inverse_mass +
+         a.inverse_inertia * cross(i.arm_a, i.normal) * cross(j.arm_a, j.normal) +
+         b.inverse_inertia * cross(i.arm_b, i.normal) * cross(j.arm_b, j.normal);
+}
+
+/// With the arms of this substep: those of the step's beginning would cost energy.
+double normal_mass(const PointContact& contact, const SolverBody& a, const SolverBody& b) {
+  return effective_mass(a, b, contact.arm_a, contact.arm_b, contact.normal);
+}
+double normal_mass(const DiscContact& contact, const SolverBody&, const SolverBody&) {
+  return contact.normal_mass;
+}
+
+/// One sweep stops a disc, and a corner alone, however fast.
+bool hits(const DiscContact&) {
+  return false;
+}
+bool hits(const PointContact& contact) {
+  return contact.hits;
+}
+
+/// The speed with which two part that meet at `speed` (m/s, below 0) while `s` (m) apart, after `fall` (m/s),
+/// what gravity does between them in the substep. As if they went on to the surface, bounced there, and came
+/// back to where they are: the flight's energy is that of the parabola on which substeps lie, at their
+/// middle. Not above 0 where they wouldn't get back: they arrive at the surface.
+double parting_speed(double restitution, double speed, double s, double fall, double h) {
+  if (restitution == 1.0) return -speed - fall;
+  const double middle = speed + 0.5 * fall, drop = -2.0 * s * fall / h;
+  const double after = restitution * restitution * (middle * middle + drop) - drop;
+  return after > 0.0 ? std::sqrt(after) - 0.5 * fall : 0.0;
+}
+
+/// The velocity that a bounce adds along the normal (m/s); 0 where the two don't meet in this substep. What
+/// doesn't bounce and hits arrives at the other's surface.
+template <class Contact>
+double rebound(const Contact& contact, const SolverBody& a, const SolverBody& b, const BounceRule& rule) {
+  const bool bounces = contact.restitution > 0.0;
+  if (!bounces && !hits(contact)) return 0.0;
+  const double speed = arms(contact).normal_velocity(a, b);
+  if (!(speed < -(bounces ? rule.threshold : rule.hit_speed))) return 0.0;
+  const double fall = relative_kick(contact, a, b, rule.kick);
+  const double s = contact.separation;
+  if (!(s + rule.h * (speed + fall) < 0.0)) return 0.0;
+  const double parts = bounces ? parting_speed(contact.restitution, speed, s, fall, rule.h) : 0.0;
+  return (parts > 0.0 ? parts : -std::max(s, 0.0) / rule.h - fall) - speed;
+}
+
+/// Holds the two spins together, by a torque's impulse (N m s) up to `limit`.
+void resist_rolling(SolverBody& a, SolverBody& b, double limit) {
+  const double stops = (a.spin - b.spin) / (a.inverse_inertia + b.inverse_inertia);
+  const double impulse = std::clamp(stops, -limit, limit);
+  a.spin -= a.inverse_inertia * impulse;
+  b.spin += b.inverse_inertia * impulse;
+}
+
+/// However short a bounce is, the impulses of friction and of rolling resistance stay within what the normal
+/// one allows: both laws hold at each instant of it.
+template <class Contact>
+void strike_at(const Contact& contact, SolverBody& a, SolverBody& b, double impulse) {
+  strike(arms(contact), a, b, impulse, contact.friction, contact.tangent_mass);
+  if (contact.lever > 0.0) resist_rolling(a, b, contact.lever * impulse);
+}
+
+template <class Contact>
+bool bounce_one(const Contact& contact, std::span<SolverBody> bodies, const BounceRule& rule) {
+  SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
+  const double added = rebound(contact, a, b, rule);
+  if (!(added > 0.0)) return false;
+  strike_at(contact, a, b, normal_mass(contact, a, b) * added);
+  return true;
+}
+
+/// Two points of one face that meet at once: one after the other would set a box that lands flat spinning.
+bool bounce_face(const PointContact& i, const PointContact& j, std::span<SolverBody> bodies,
+                 const BounceRule& rule) {
+  if (!share_face(i, j)) return false;
+  SolverBody &a = bodies[i.a], &b = bodies[i.b];
+  const double added_i = rebound(i, a, b, rule), added_j = rebound(j, a, b, rule);
+  if (!(added_i > 0.0 && added_j > 0.0)) return false;
+  const double ii = coupling(i, i, a, b), jj = coupling(j, j, a, b), ij = coupling(i, j, a, b);
+  const double determinant = ii * jj - ij * ij;
+  if (!(determinant > 1e-9 * ii * jj)) return false;  // the two are one point
+  const double impulse_i = (jj * added_i - ij * added_j) / determinant;
+  const double impulse_j = (ii * added_j - ij * added_i) / determinant;
+  if (!(impulse_i >= 0.0 && impulse_j >= 0.0)) return false;
+  strike_at(i, a, b, impulse_i);
+  strike_at(j, a, b, impulse_j);
+  return true;
+}
+
+}  // namespace
+
+bool bounce(std::span<DiscContact> contacts, std::span<SolverBody> bodies, const BounceRule& rule) {
+  bool bounced = false;
+  for (const DiscContact& contact : contacts) bounced |= bounce_one(contact, bodies, rule);
+  return bounced;
+}
+
+bool bounce(std::span<PointContact> contacts, std::span<SolverBody> bodies, const BounceRule& rule) {
+  bool bounced = false;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    if (i + 1 < contacts.size() && bounce_face(contacts[i], contacts[i + 1], bodies, rule)) {
+      bounced = true;
+      ++i;
+    } else {
+      bounced |= bounce_one(contacts[i], bodies, rule);
+    }
+  }
+  return bounced;
+}
+
+}  // namespace throng

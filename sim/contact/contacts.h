@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sim/contact/contact.h"
+#include "sim/contact/disc_blocks.h"
+#include "sim/contact/face_blocks.h"
+#include "sim/contact/roll.h"
+#include "sim/state.h"
+
+namespace throng {
+
+/// The contacts of one step, with the names under which `State` keeps their impulses. Ascending by key: the
+/// smaller collider, then the other; contacts with obstacles come after all pairs.
+struct Contacts {
+  DiscBlocks discs;
+  std::vector<std::uint64_t> disc_key;
+  FaceBlocks faces;
+  std::vector<std::uint64_t> point_key;
+  std::vector<std::uint32_t> point_feature;
+  std::vector<RollContact> disc_rolls;  ///< of the same contacts; empty where nothing resists rolling
+  std::vector<RollContact> point_rolls;
+  std::vector<DiscContact> disc_bounces;    ///< the same contacts once more; empty where no surface bounces
+  std::vector<PointContact> point_bounces;  ///< the same; those of faces that hit alone where none bounces
+
+  /// Forgets all; of so many rows of bodies the last ones, one a group, never move.
+  void start(std::size_t bodies, std::size_t groups);
+
+  /// The impulses of contacts that press, for the next step.
+  void save(State& state) const;
+};
+
+}  // namespace throng

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "sim/contact/describe_face.h"
+
+namespace throng {
+
+using narrowphase::Manifold;
+using narrowphase::ManifoldPoint;
+
+namespace {
+
+/// m, the radius of a disc; 0 for a polygon.
+double rounding(const Colliders& colliders, std::uint32_t row) {
+  return is_disc(colliders, row) ? colliders.radius[row] : colliders.shape[row]->radius;
+}
+
+/// Sets what all points of one manifold share. Number after number: to copy it from one point to the other
+/// would wait until all that was written before has left the processor.
+void describe(const Colliders& colliders, const Touch& touch, const Surface& surface, const Vec& normal,
+              PointContact& contact) {
+  contact.normal = normal;
+  contact.a = touch.a, contact.b = touch.b;
+  contact.round_a = rounding(colliders, touch.pair.a);
+  contact.round_b = touch.obstacle ? 0.0 : rounding(colliders, touch.pair.b);
+  contact.friction = surface.friction;
+  contact.restitution = surface.restitution;
+}
+
+/// Fills in what one point of a manifold adds. The point is midway between the surfaces: `own` puts it on
+/// those of the bodies, as it turns with neither where they are far apart.
+void place(PointContact& contact, const ManifoldPoint& point, const SolverBody& a, const SolverBody& b,
+           const Vec& shift, bool about_a, bool about_b, bool own) {
+  const Vec& n = contact.normal;
+  const double half = 0.5 * point.separation;
+  const Vec to_a = point.point - a.position, to_b = point.point - (b.position + shift);
+  const bool round_a = own || contact.round_a > 0.0, round_b = own || contact.round_b > 0.0;
+  contact.first_a = about_a ? Vec(0.0, 0.0) : round_a ? Vec(to_a - (contact.round_a + half) * n) : to_a;
+  contact.first_b = about_b ? Vec(0.0, 0.0) : round_b ? Vec(to_b + (contact.round_b + half) * n) : to_b;
+  contact.arm_a = contact.first_a + contact.round_a * n,
+  contact.arm_b = contact.first_b - contact.round_b * n;
+  contact.gap = point.separation - n.dot((b.position - a.position) + (contact.arm_b - contact.arm_a));
+  contact.normal_mass = effective_mass(a, b, contact.arm_a, contact.arm_b, n);
+  contact.tangent_mass = effective_mass(a, b, contact.arm_a, contact.arm_b, tangent(n));
+}
+
+SolverBody moved(SolverBody body, const Vec& to) {
+  body.position = to;
+  return body;
+}
+
+/// What turns of the arms of a contact that was found when its bodies had turned by so much (rad), as they
+/// begin.
+void turn_back(PointContact& contact, double turn_a, double turn_b) {
+  contact.first_a = Turn(-turn_a)(contact.first_a);
+  contact.first_b = Turn(-turn_b)(contact.first_b);
+}
+
+}  // namespace
+
+std::span<PointContact> describe_face(const StepStart& start, const Touch& touch, const Surface& surface,
+                                      const Manifold& m, const LookAhead::Meeting* meeting,
+                                      std::array<PointContact, 2>& points) {
+  const Colliders& colliders = start.colliders();
+  const bool about_a = is_disc(colliders, touch.pair.a);
+  const bool about_b = !touch.obstacle && is_disc(colliders, touch.pair.b);
+  const SolverBody &a = start.bodies[touch.a], &b = start.bodies[touch.b];
+  const auto count = static_cast<std::size_t>(m.count);
+  for (std::size_t p = 0; p < count; ++p) {
+    describe(colliders, touch, surface, m.normal, points[p]);
+    if (meeting) {
+      place(points[p], m.points[p], moved(a, meeting->at_a), moved(b, meeting->at_b), touch.shift, about_a,
+            about_b, true);
+      turn_back(points[p], meeting->when * a.spin, meeting->when * b.spin);
+    } else {
+      place(points[p], m.points[p], a, b, touch.shift, about_a, about_b, false);
+    }
+  }
+  return {points.data(), count};
+}
+
+}  // namespace throng

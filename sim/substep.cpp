@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "sim/substep.h"
+
+#include <span>
+
+#include "sim/contact/bounce.h"
+#include "sim/contact/fast.h"
+
+namespace throng {
+
+namespace {
+
+constexpr int kElasticSweeps = 64;  // of bounces in a substep: what still meets then ends without bounce,
+constexpr int kBounceSweeps = 8;    // where each takes energy sooner, as dense clusters do anyway
+
+void fall(std::span<SolverBody> bodies, Rows awake, const Vec& kick) {
+  awake.for_each([&](std::uint32_t i) {
+    if (bodies[i].inverse_mass > 0.0) bodies[i].velocity += kick;
+  });
+}
+
+void move(std::span<SolverBody> bodies, Rows awake, double h) {
+  awake.for_each([&](std::uint32_t i) {
+    bodies[i].position += h * bodies[i].velocity;
+    bodies[i].turn += h * bodies[i].spin;
+  });
+}
+
+/// Bounces all that meets in this substep, and what that sets in motion, until nothing meets any more.
+void bounce(Workspace& work, const Vec& kick, int sweeps) {
+  const BounceRule rule{work.solver.h, kRestSpeed * kick.norm(), work.finder.hit_speed(), kick};
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    const bool discs = bounce(work.contacts.disc_bounces, work.bodies, rule);
+    const bool points = bounce(work.contacts.point_bounces, work.bodies, rule);
+    if (!discs && !points) return;
+  }
+}
+
+/// What bounces is looked at contact after contact. The discs' normals, each on its own.
+void prepare_bounce(Workspace& work, const Vec* period) {
+  const std::span<DiscContact> discs = work.contacts.disc_bounces;
+  work.workers.for_ranges(discs.size(), [&](std::size_t begin, std::size_t end) {
+    prepare(discs.subspan(begin, end - begin), work.bodies, period, work.ahead);
+  });
+  prepare(work.contacts.point_bounces, work.bodies);
+}
+
+void resist_rolling(Workspace& work) {
+  Contacts& contacts = work.contacts;
+  resist(std::span<RollContact>(contacts.disc_rolls), contacts.discs, work.bodies);
+  resist(std::span<RollContact>(contacts.point_rolls), contacts.faces, work.bodies);
+}
+
+/// What the contacts of a group did before, and then what push_apart asks of them.
+void start(Workspace& work, std::size_t group, const Vec* period) {
+  prepare_and_start(work.contacts.discs.blocks(group), work.bodies, period, work.ahead);
+  prepare_and_start(work.contacts.faces.blocks(group), work.bodies);
+}
+void push_apart(Workspace& work, std::size_t group) {
+  const bool backward = work.solver.backward;
+  if (!backward) push_apart(work.contacts.discs.blocks(group), work.bodies, work.solver);
+  push_apart(work.contacts.faces.blocks(group), work.bodies, work.solver);
+  if (backward) push_apart(work.contacts.discs.blocks(group), work.bodies, work.solver);
+}
+void relax(Workspace& work, std::size_t group, bool periodic) {
+  const bool backward = work.solver.backward;
+  if (!backward) relax(work.contacts.discs.blocks(group), work.bodies, work.solver, periodic);
+  relax(work.contacts.faces.blocks(group), work.bodies, work.solver);
+  if (backward) relax(work.contacts.discs.blocks(group), work.bodies, work.solver, periodic);
+}
+
+/// Parts side by side; what joins them begins before and is pushed apart after.
+void start_and_push_apart(Workspace& work, const Vec* period) {
+  const std::size_t parts = work.finder.parts().count();
+  const bool joined = parts > 1;
+  warm_start(work.contacts.disc_rolls, work.bodies);
+  warm_start(work.contacts.point_rolls, work.bodies);
+  if (joined) start(work, parts, period);
+  work.workers.for_each(parts, [&](std::size_t part) { start(work, part, period), push_apart(work, part); });
+  if (joined) push_apart(work, parts);
+  resist_rolling(work);
+}
+
+void relax(Workspace& work, bool periodic) {
+  const std::size_t parts = work.finder.parts().count();
+  work.workers.for_each(parts, [&](std::size_t part) { relax(work, part, periodic); });
+  if (parts > 1) relax(work, parts, periodic);
+  resist_rolling(work);
+}
+
+}  // namespace
+
+void substep(const Scene& scene, const Plan& plan, const State& state, Workspace& work, SubstepWay way) {
+  const Vec kick = work.solver.h * scene.gravity;
+  const Vec size = scene.domain.max - scene.domain.min, *period = plan.periodic ? &size : nullptr;
+  if (plan.restitution || !work.contacts.point_bounces.empty()) {
+    prepare_bounce(work, period);
+    bounce(work, plan.gravity ? kick : Vec(0.0, 0.0), plan.elastic ? kElasticSweeps : kBounceSweeps);
+  }
+  if (plan.gravity) by_parts(work, [&](Rows rows) { fall(work.bodies, rows, kick); });
+  work.solver.backward = way.backward;
+  if (plan.contacts()) start_and_push_apart(work, period);
+  if (way.guarded)
+    work.guard->move(state, work.bodies, work.sleepers.bodies(), work.solver.h);
+  else
+    by_parts(work, [&](Rows rows) { move(work.bodies, rows, work.solver.h); });
+  work.solver.backward = !way.backward;
+  if (plan.contacts()) relax(work, plan.periodic);
+}
+
+}  // namespace throng
