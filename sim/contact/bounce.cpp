@@ -31,9 +31,9 @@ double normal_mass(const DiscContact& contact, const SolverBody&, const SolverBo
   return contact.normal_mass;
 }
 
-/// One sweep stops a disc, and a corner alone, however fast.
+/// All discs that are listed where nothing bounces.
 bool hits(const DiscContact&) {
-  return false;
+  return true;
 }
 bool hits(const PointContact& contact) {
   return contact.hits;
