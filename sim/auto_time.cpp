@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "sim/contact/soft_law.h"
+#include "sim/engine_event_driven.h"
+#include "sim/lone_ways.h"
 #include "sim/observe.h"
 #include "sim/plan.h"
 #include "sim/soft_timing.h"
@@ -19,8 +21,11 @@ namespace throng {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr double kSoftness = 1.28;  // a contact sags by F h² / (kSoftness m): see README, of 16 substeps
-constexpr double kStands = 3.0;     // sqrt(L / g) / n², the substep up to which towers stand
+constexpr double kSoftness = 1.28;    // a contact sags by F h² / (kSoftness m): see README, of 16 substeps
+constexpr double kLateBounces = 1.5;  // of g h t, how late who bounces is
+constexpr double kLeans = 2.0;        // times the mean load, as who lies between others presses aside, too
+constexpr double kJams = 6.0;         // widths of a body, in a box narrower than which it jams
+constexpr double kStands = 3.0;       // sqrt(L / g) / n², the substep up to which towers stand
 constexpr double kLongestStep = 1.0 / 60.0;  // s, of steps in which contacts are found once
 constexpr int kSubsteps = 16;                // as cheap as fewer, longer steps of as many substeps are dear
 constexpr int kFewestSubsteps = 4;           // of them
@@ -77,13 +82,31 @@ AutoTime exact(const Scene& scene, std::string why) {
   return result;
 }
 
-AutoTime falling(const Scene& scene, double longest) {
-  const double g = scene.gravity.norm(), allowed = scene.time.error * smallest_radius(scene);
-  AutoTime result = steps(scene, longest, 2.0 * allowed / (g * scene.time.until));
+/// Steps in which nobody is off by more than allowed who is off by `speed` (m/s) times a substep at most.
+AutoTime falling(const Scene& scene, double longest, double speed, const char* late) {
+  const double allowed = scene.time.error * smallest_radius(scene), substep = allowed / speed;
+  AutoTime result = steps(scene, longest, substep);
   result.promise = "how far off its exact way a body is at the end, of its radius";
-  result.why = text("free fall is late by g h t / 2, and %.3g m are allowed at %.3g s: h <= %.3g s", allowed,
-                    scene.time.until, 2.0 * allowed / (g * scene.time.until));
+  result.why = text("%.3g m are allowed at %.3g s: h <= %.3g s", allowed, scene.time.until, substep);
+  result.why = late + result.why;
   return result;
+}
+
+AutoTime falling(const Scene& scene, double longest) {
+  return falling(scene, longest, 0.5 * scene.gravity.norm() * scene.time.until,
+                 "free fall is late by g h t / 2, and ");
+}
+
+/// A fall is late by g h t / 2, and so are all that follow; a bounce is by what is left of its substep, and
+/// the way to go then is longer by what it turns round: as measured, 3 g h t / 2 and (1 + e) v h.
+AutoTime alone(const Scene& scene, double impact) {
+  if (impact == 0.0 && scene.gravity == Vec(0.0, 0.0)) return exact(scene, "nothing pulls, nothing is met");
+  const double longest = std::min(0.1, time_of_a_radius(scene));
+  if (impact == 0.0) return falling(scene, longest);
+  double restitution = 0.0;
+  for (const Material& material : scene.materials) restitution = std::max(restitution, material.restitution);
+  const double speed = kLateBounces * scene.gravity.norm() * scene.time.until + (1.0 + restitution) * impact;
+  return falling(scene, longest, speed, "who hits a wall is off by 3 g h t / 2 + (1 + e) v h, and ");
 }
 
 AutoTime impacts(const Scene& scene) {
@@ -120,28 +143,98 @@ AutoTime standing(const Scene& scene) {
   return result;
 }
 
+/// Whether what isn't a disc may jam between walls, where no step is short enough for contacts to bear it.
+bool may_jam(const Scene& scene) {
+  bool discs = true;
+  double widest = 0.0;
+  for_dynamic(scene, [&](std::size_t row) {
+    discs = discs && scene.shapes[scene.bodies.shape[row]].kind == ShapeKind::disc;
+    widest = std::max(widest, 2.0 * scene.bodies.radius[row]);
+  });
+  if (discs) return false;
+  const Vec size = scene.domain.max - scene.domain.min;
+  if (scene.domain.kind == DomainKind::box && size.minCoeff() < kJams * widest) return true;
+  return std::ranges::any_of(scene.walls, [&](const Wall& wall) {
+    for (std::size_t i = 1; i < wall.points.size(); ++i) {
+      const Vec way = wall.points[i] - wall.points[i - 1];
+      if (std::abs(way.dot(scene.gravity)) > 0.5 * way.norm() * scene.gravity.norm()) return true;
+    }
+    return wall.closed;
+  });
+}
+
 AutoTime pressing(const Scene& scene) {
+  if (may_jam(scene)) return refused("what isn't a disc may jam between walls, and overlap more");
   const double above = load_of(scene).mean, g = scene.gravity.norm();
   const double allowed = scene.time.error * smallest_radius(scene);
-  const double sag = above * g / (0.5 * kSoftness);  // m, over h²: two alike feel half a mass
+  const double sag = kLeans * above * g / (0.5 * kSoftness);  // m, over h²: two alike feel half a mass
   const double substep = std::sqrt(allowed / sag);
   AutoTime result = steps(scene, kLongestStep, substep);
-  result.promise = "how deep those that press on one another overlap by the mean, of a radius";
+  result.promise = "how deep those that press on one another overlap by the mean once all lie, of a radius";
   result.why = text("the lowest bear up to %.3g of the lightest, and may sag by %.3g m: h <= %.3g s", above,
                     allowed, substep);
   return result;
 }
 
-/// Bodies that begin to move and needn't ever hit each other: as good as one alone, and as those that press.
-AutoTime sliding(const Scene& scene) {
-  const AutoTime way = falling(scene, std::min(kLongestStep, time_of_a_radius(scene)));
-  const AutoTime pressed = pressing(scene);
-  AutoTime result = way.dt / way.substeps <= pressed.dt / pressed.substeps ? way : pressed;
-  result.promise =
-      "how far off its exact way at the end is who hits no other, and how deep those that press on one "
-      "another overlap by the mean, of a radius";
-  result.why = "they don't stay where they are, and " + result.why;
-  return result;
+/// The shorter steps of the two, for what both promise.
+AutoTime both(AutoTime a, AutoTime b) {
+  if (!a.refusal.empty()) return a;
+  if (!b.refusal.empty()) return b;
+  const std::string promise = a.promise + "; " + b.promise;
+  AutoTime& shorter = a.dt / a.substeps <= b.dt / b.substeps ? a : b;
+  shorter.promise = promise;
+  return shorter;
+}
+
+/// A scene without those dynamic bodies that aren't `who`.
+Scene only(const Scene& scene, const std::vector<bool>& who) {
+  Scene part = scene;
+  part.bodies = {};
+  const Bodies& all = scene.bodies;
+  for (std::size_t row = 0; row < all.size(); ++row) {
+    if (all.kind[row] == BodyKind::dynamic && !who[row]) continue;
+    part.bodies.shape.push_back(all.shape[row]);
+    part.bodies.material.push_back(all.material[row]);
+    part.bodies.kind.push_back(all.kind[row]);
+    part.bodies.radius.push_back(all.radius[row]);
+    part.bodies.position.push_back(all.position[row]);
+    part.bodies.angle.push_back(all.angle[row]);
+    part.bodies.velocity.push_back(all.velocity[row]);
+    part.bodies.spin.push_back(all.spin[row]);
+  }
+  return part;
+}
+
+/// Of bodies that may meet; `doubt`: of the way of one of them, if it meets none.
+AutoTime together(const Scene& scene, const Plan& plan, const std::string& doubt) {
+  if (plan.restitution || !plan.gravity) return refused("bodies may meet, and errors grow at each collision");
+  if (!touch_at_rest(scene)) return pressing(scene);
+  if (const std::string edges = doubt_of_obstacles(scene, plan); !edges.empty()) return refused(edges);
+  if (stay(scene, scene.time.error * smallest_radius(scene))) return standing(scene);
+  if (!doubt.empty()) return pressing(scene);
+  AutoTime slides = both(alone(scene, 0.0), pressing(scene));
+  slides.promise = "who hits no other: " + slides.promise;
+  slides.why = "they don't stay where they are, and " + slides.why;
+  return slides;
+}
+
+/// What hard contacts do.
+AutoTime hard(const Scene& scene, const Plan& plan) {
+  const std::vector<LoneWay> ways = lone_ways(scene, plan);
+  const std::vector<bool> meets = may_meet(scene, ways);
+  double impact = 0.0;
+  std::string doubt_alone, doubt_together;
+  std::size_t some_alone = 0, some_together = 0;
+  for_dynamic(scene, [&](std::size_t row) {
+    std::string& doubt = meets[row] ? doubt_together : doubt_alone;
+    if (doubt.empty()) doubt = ways[row].doubt;
+    ++(meets[row] ? some_together : some_alone);
+    if (!meets[row]) impact = std::max(impact, ways[row].impact);
+  });
+  if (!doubt_alone.empty()) return refused(doubt_alone);
+  if (some_together == 0) return alone(scene, impact);
+  AutoTime result = together(only(scene, meets), plan, doubt_together);
+  return some_alone == 0 ? result : both(alone(scene, impact), std::move(result));
 }
 
 AutoTime native(const Scene& scene) {
@@ -152,28 +245,25 @@ AutoTime native(const Scene& scene) {
   if (plan.flights) return exact(scene, "discs fly from collision to collision");
   if (std::ranges::count(scene.bodies.kind, BodyKind::kinematic) > 0)
     return refused("kinematic bodies stir the others for ever");
-  if (!plan.gravity) return refused("errors grow at each collision of bodies that bounce");
-  if (!plan.pairs) {
-    const std::string doubt = doubt_of_one(scene, plan.restitution);
-    return doubt.empty() ? falling(scene, std::min(0.1, time_of_a_radius(scene))) : refused(doubt);
-  }
-  if (plan.restitution) return refused("errors grow at each collision of bodies that bounce");
-  if (!touch_at_rest(scene)) return pressing(scene);
-  if (stay(scene, scene.time.error * smallest_radius(scene))) return standing(scene);
-  return doubt_of_one(scene, false).empty() ? sliding(scene) : pressing(scene);
+  return hard(scene, plan);
+}
+
+/// What to do where nothing is promised.
+std::string instead(const Scene& scene) {
+  const bool flies = scene.engine == Engine::native && event_driven_refusal(scene).empty();
+  return std::string(": give dt, and look how results change with it") +
+         (flies ? ", or take engine event_driven" : "");
 }
 
 }  // namespace
 
 AutoTime auto_time(const Scene& scene) {
-  const std::string instead = ": give dt, and look how results change with it";
-  if (scene.crowd.size() > 0) return refused("nobody knows the exact way of agents" + instead);
-  if (scene.engine == Engine::box2d) return refused("nothing is known of Box2D's error" + instead);
+  if (scene.crowd.size() > 0) return refused("nobody knows the exact way of agents" + instead(scene));
+  if (scene.engine == Engine::box2d) return refused("nothing is known of Box2D's error" + instead(scene));
   if (scene.engine == Engine::event_driven)
     return exact(scene, "engine event_driven goes from collision to collision");
   AutoTime result = native(scene);
-  if (!result.refusal.empty() && !result.refusal.starts_with("would take"))
-    result.refusal += instead + ", or take engine event_driven for discs";
+  if (!result.refusal.empty() && !result.refusal.starts_with("would take")) result.refusal += instead(scene);
   return result;
 }
 

@@ -14,7 +14,6 @@ namespace throng {
 namespace {
 
 constexpr double kTouching = 1e-9;  // radii
-constexpr double kSquare = 1e-9;    // sine of the angle up to which walls are parallel
 constexpr double kProbe = 4e-3;     // sqrt(radius / g): a step of those that show who stays
 constexpr int kProbeSteps = 16;     // of the first of three looks, each after twice as many as the one before
 constexpr double kSteady = 0.2;     // how far off twice the speed is after twice the time
@@ -31,21 +30,6 @@ double width(const Scene& scene) {
     low = std::min(low, at - radius), high = std::max(high, at + radius);
   });
   return high - low;
-}
-
-bool square_to(const Vec& a, const Vec& b) {
-  const double cross = std::abs(a.x() * b.y() - a.y() * b.x()), dot = std::abs(a.dot(b));
-  return std::min(cross, dot) <= kSquare * a.norm() * b.norm();
-}
-
-/// The pieces of all straight walls, as directions.
-std::vector<Vec> directions(const Scene& scene) {
-  std::vector<Vec> all;
-  if (scene.domain.kind == DomainKind::box) all.push_back(Vec(1.0, 0.0));
-  for (const Wall& wall : scene.walls)
-    for (std::size_t i = 0; i + (wall.closed ? 0 : 1) < wall.points.size(); ++i)
-      all.push_back(wall.points[(i + 1) % wall.points.size()] - wall.points[i]);
-  return all;
 }
 
 /// A run of the scene in steps so short that nothing gets anywhere.
@@ -116,23 +100,6 @@ bool stay(const Scene& scene, double allowed) {
     all = all && (way <= allowed || !is_steady(looks[0][row], looks[1][row], looks[2][row]));
   });
   return all;
-}
-
-std::string doubt_of_one(const Scene& scene, bool bounces) {
-  const std::string sensitive = ": the way is sensitive to where it is met";
-  if (std::ranges::count(scene.bodies.kind, BodyKind::fixed) > 0)
-    return "static bodies have corners or are round" + sensitive;
-  const std::vector<Vec> walls = directions(scene);
-  for (const Vec& wall : walls)
-    if (!square_to(wall, walls[0])) return "walls are not square to each other" + sensitive;
-  if (!bounces) return "";
-  for (const Vec& wall : walls)
-    if (!square_to(wall, scene.gravity)) return "what bounces falls askew to the walls" + sensitive;
-  bool discs = true;
-  for_dynamic(scene, [&](std::size_t row) {
-    discs = discs && scene.shapes[scene.bodies.shape[row]].kind == ShapeKind::disc;
-  });
-  return discs ? "" : "what bounces isn't a disc" + sensitive;
 }
 
 }  // namespace throng

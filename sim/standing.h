@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string>
-
 #include "sim/scene.h"
 
 /// What can be told of a scene's rest before it runs.
@@ -28,10 +26,5 @@ bool touch_at_rest(const Scene& scene);
 /// speed steadily, as what slides, rolls or falls apart does, at a rate that would take it farther within the
 /// run. Finds the first loads and takes 64 short steps.
 bool stay(const Scene& scene, double allowed);
-
-/// Why the way of dynamic bodies that never meet each other may be sensitive to where they are, "" where it
-/// isn't: static bodies, walls that aren't along one direction and across it, and, where anything `bounces`,
-/// gravity askew to these and bodies that aren't discs. Whether they get to the ends of walls isn't asked.
-std::string doubt_of_one(const Scene& scene, bool bounces);
 
 }  // namespace throng

@@ -74,6 +74,7 @@ int run(const RunOptions& options) {
     throw InputError("--checkpoint stands beside a recording: give -o too");
   const Loaded loaded = load_or_throw(options.scene, options.overrides);
   const Scene& scene = loaded.scene;
+  say_promise(scene);
   std::error_code neither;
   if (std::filesystem::equivalent(options.output, options.scene, neither))
     throw InputError("cannot write " + options.output + ": it is the scenario");

@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstdio>
 
+#include "sim/auto_time.h"
 #include "tools/commands.h"
 #include "tools/progress.h"
 #include "tools/summary.h"
@@ -175,6 +176,13 @@ void warn_of_threads(const DriveOptions& options, const Scene& scene) {
   else if (is_soft(scene.contact))
     std::fputs("throng: warning: --threads has no meaning: soft contacts are computed on one thread\n",
                stderr);
+}
+
+void say_promise(const Scene& scene) {
+  if (!(scene.time.error > 0.0)) return;
+  const AutoTime chosen = auto_time(scene);
+  std::fprintf(stderr, "throng: steps of %g s chosen for an error of %g: %s; %s\n", scene.time.dt,
+               scene.time.error, chosen.promise.c_str(), chosen.why.c_str());
 }
 
 int drive(Simulation& simulation, const Scene& scene, const DriveOptions& options, Recorder* recorder,

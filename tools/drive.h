@@ -47,6 +47,9 @@ void warn_of_last_state(const Scene& scene);
 /// Says on the standard error where threads are asked for that have nothing to do.
 void warn_of_threads(const DriveOptions& options, const Scene& scene);
 
+/// Says on the standard error what dt = "auto" was chosen for, where it was.
+void say_promise(const Scene& scene);
+
 /// From now on SIGINT and SIGTERM end `drive` in good order, and so does one that comes again: `timeout` and
 /// batch systems send theirs to the process and to its group.
 void stop_on_signals();
