@@ -13,6 +13,7 @@ constexpr double kPatience = 5.0, kLongestWay = 15.0;  // s: who gets nowhere on
 constexpr double kSettled = 2.0;                       // s: who stands so long at his place stays so
 constexpr double kAtPlace = 0.5;                       // of a line's spacing: not farther he is at his place
 constexpr double kBeside = 3.0;  // radii: who waits is that near where he keeps others out
+constexpr double kAway = 10.0;  // radii: who is stuck and goes aside comes back from nearer
 constexpr int kSeveral = 2;      // who wait for anything bar the way: one can be walked round
 
 }  // namespace
@@ -99,6 +100,14 @@ bool Journeys::has_settled(const State& state, Row row, double distance) const {
                           ? kAtPlace * scene_.crowd.queues[its.options[state.crowd.option[row]]].spacing
                           : kFree;
   return distance <= std::min(radius(state, row), near);
+}
+
+bool Journeys::gets_on(const State& state, Row row) const {
+  const Vec &p = position(state, row), &halt = state.crowd.halt[row];
+  const double radius = this->radius(state, row);
+  if (!is_decided(state, row) || (p - halt).norm() > kAway * radius) return true;
+  const DistanceField& way = ways_.to(goal(state, row));
+  return way.distance(p) <= way.distance(halt) - radius;
 }
 
 Heading Journeys::heading(const State& state, Row row, std::uint32_t group) const {
@@ -260,7 +269,8 @@ bool Journeys::is_there(State& state, Row row) {
 void Journeys::begin_leg(State& state, Row row) const {
   state.crowd.option[row] = leg(state, row).first_option();
   state.crowd.place[row] = 0;
-  state.crowd.since[row] = state.crowd.stand_step[row] = state.step;
+  state.crowd.since[row] = state.crowd.stand_step[row] = state.crowd.halt_step[row] = state.step;
+  state.crowd.halt[row] = position(state, row);
 }
 
 /// Whether `is_there` is to be asked of him: not of who is on his way to an open goal and not in it.
