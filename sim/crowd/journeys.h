@@ -94,10 +94,17 @@ class Journeys {
   bool is_kept_out(const State& state, Row row);
   bool is_off_spot(const State& state, Row row) const;
   void wait_for_opening(State& state, Row row);
-  Vec free_spot(const State& state, Row row);
+  /// Where an agent may wait.
+  struct Spots {
+    Vec clear, any;  ///< m: with nobody who waits in the way, and behind others; where he is where none is
+  };
+  Spots free_spots(const State& state, Row row);
   void stay(State& state, Row row, const Vec& spot);
   void gather_spots(const State& state);
-  bool meets_spot(const Vec& p, double radius);
+  bool has_room(const State& state, Row row, const Vec& p);
+  bool is_way_clear(const State& state, Row row, const Vec& to);
+  void look_for_room(State& state, Row row);
+  void go_to(State& state, Row row, const Vec& spot) const;
   void begin_leg(State& state, Row row) const;
 
   const Scene& scene_;
