@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/contact/contact.h"
+#include "sim/contact/solve.h"
 
 namespace throng::bench {
 
