@@ -101,7 +101,7 @@ std::vector<std::size_t> escaped(const Throw& t, std::size_t count, unsigned see
   std::string bodies, boxes;
   for (std::size_t i = 0; i < count; ++i) {
     const double angle = 2.0 * std::numbers::pi * unit(random), x = 10.0 * static_cast<double>(i);
-    const Vec at(x + 2.0 + unit(random), 2.0 + unit(random));
+    const Vec at{x + 2.0 + unit(random), 2.0 + unit(random)};  // drawn in this order
     bodies += thrown(t.shape, is_folded(t.box) ? folded(at) : at,
                      t.speed * Vec(std::cos(angle), std::sin(angle)), t.spin);
     boxes += closed_box(t.box, x);
