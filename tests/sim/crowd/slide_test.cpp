@@ -46,8 +46,8 @@ TEST(Slide, GoesRoundTheTipOnItsFarSide) {
   EXPECT_GE((moved.to - Vec(0, 0)).norm(), 0.5 - 1e-12);
 }
 
-// Rounding had him come nearer to the tip by 1e-17 of what was left to go along it, which stopped him again and
-// again: who walked round the end of a wall stood there for ever.
+// Rounding had him come nearer to the tip by 1e-17 of what was left to go along it, which stopped him again
+// and again: who walked round the end of a wall stood there for ever.
 TEST(Slide, GoesOnRoundTheTipFromWhereverHeTouchesIt) {
   const Barriers wall = of({{{{0, 5}, {4.5, 5}}, false}});
   std::mt19937_64 random(1);
