@@ -128,7 +128,8 @@ class Lone {
   LoneWay way() {
     set_reach(thrown(v_.x(), g_.x(), until_), thrown(v_.y(), g_.y(), until_));
     if (!plan_.contacts()) return way_;
-    if (leaves_domain()) return doubted("a body may leave the periodic domain, and what it meets behind isn't looked for");
+    if (leaves_domain())
+      return doubted("a body may leave the periodic domain, and what it meets behind isn't looked for");
     if (!reaches_others() && !reaches_sides(within(-slack_), [](const Side&) { return true; })) return way_;
     if (!all_.square) return doubted(std::string("walls are not square to each other") + kSensitive);
     if (is_disc())
@@ -169,8 +170,7 @@ class Lone {
     return Box(way_.reach.min().array() + margin, way_.reach.max().array() - margin);
   }
   bool reaches_others() const {
-    return std::ranges::any_of(all_.others,
-                               [&](const Box& other) { return way_.reach.intersects(other); });
+    return std::ranges::any_of(all_.others, [&](const Box& other) { return way_.reach.intersects(other); });
   }
   /// Whether a wall is `within` for which `counts` holds.
   template <class F>
@@ -238,10 +238,13 @@ class Lone {
     Range range[2] = {roams(0), roams(1)};
     stop_at_walls(range);
     set_reach(range[0], range[1]);
-    if (reaches_others()) return void(doubted(std::string("static bodies have corners or are round") + kSensitive));
-    if (!is_held(range)) return void(doubted(std::string("a disc may get to the end of a wall") + kSensitive));
+    if (reaches_others())
+      return void(doubted(std::string("static bodies have corners or are round") + kSensitive));
+    if (!is_held(range))
+      return void(doubted(std::string("a disc may get to the end of a wall") + kSensitive));
     if (plan_.friction && stops(0) && stops(1))
-      return void(doubted("a disc may rub on two walls at once, and it matters which of them holds it first"));
+      return void(
+          doubted("a disc may rub on two walls at once, and it matters which of them holds it first"));
     hit(range);
     if (way_.impact > 0.0 && plan_.restitution && !is_square(scene_.gravity, all_.frame.along))
       doubted(std::string("what bounces falls askew to the walls") + kSensitive);
@@ -260,8 +263,8 @@ class Lone {
     way_.impact = hits ? speed.norm() : 0.0;
   }
 
-  /// The points with which it is lowest along `down` of an axis: from where to where of the other one, and how
-  /// much lower than its centre.
+  /// The points with which it is lowest along `down` of an axis: from where to where of the other one, and
+  /// how much lower than its centre.
   struct Foot {
     double low, high, depth;  // m
   };
@@ -386,9 +389,11 @@ std::vector<bool> may_meet(const Scene& scene, const std::vector<LoneWay>& ways)
   });
   broadphase::BoxIndex index;
   index.build(extents);
-  const Box domain = scene.domain.kind == DomainKind::periodic ? Box(scene.domain.min, scene.domain.max) : Box();
+  const Box domain =
+      scene.domain.kind == DomainKind::periodic ? Box(scene.domain.min, scene.domain.max) : Box();
   std::vector<bool> meets(scene.bodies.size(), false);
-  for (const std::uint32_t row : rows) meets[row] = rows.size() > 1 && !domain.isEmpty() && !domain.contains(ways[row].reach);
+  for (const std::uint32_t row : rows)
+    meets[row] = rows.size() > 1 && !domain.isEmpty() && !domain.contains(ways[row].reach);
   for (const std::uint32_t row : rows)
     if (!meets[row])
       index.for_each_near(ways[row].reach, [&](std::uint32_t other) {
@@ -409,9 +414,8 @@ std::string doubt_of_obstacles(const Scene& scene, const Plan& plan) {
     return std::string("static bodies have corners or are round") + kSensitive;
   if (!all.square) return std::string("walls are not square to each other") + kSensitive;
   bool overhangs = false;
-  for_dynamic(scene, [&](std::size_t row) {
-    overhangs = overhangs || Lone(scene, plan, all, row).overhangs();
-  });
+  for_dynamic(scene,
+              [&](std::size_t row) { overhangs = overhangs || Lone(scene, plan, all, row).overhangs(); });
   return overhangs ? std::string("a body stands over the end of a wall") + kSensitive : "";
 }
 

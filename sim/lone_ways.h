@@ -20,7 +20,8 @@ struct LoneWay {
 
 /// A row per body, empty but for dynamic ones. No doubt is about:
 /// * who gets to nothing in its flight;
-/// * a disc among straight walls square to each other that gets to no end of them, nor to a static body; where
+/// * a disc among straight walls square to each other that gets to no end of them, nor to a static body;
+/// where
 ///   it rubs, to no two of them, which it would hold on to at once; where it bounces, gravity being along
 ///   them;
 /// * what lies on such a wall with two points at least, and slides there or stays: if it isn't to tip over,
@@ -28,8 +29,8 @@ struct LoneWay {
 /// Ways are those of hard contacts. O(bodies (walls + static bodies)).
 std::vector<LoneWay> lone_ways(const Scene& scene, const Plan& plan);
 
-/// Whether bodies, by row, may meet others: of whom two reaches have a point in common, and whom these may get
-/// to when they push each other. O(bodies log bodies), and the pairs of reaches.
+/// Whether bodies, by row, may meet others: of whom two reaches have a point in common, and whom these may
+/// get to when they push each other. O(bodies log bodies), and the pairs of reaches.
 std::vector<bool> may_meet(const Scene& scene, const std::vector<LoneWay>& ways);
 
 /// Why what stands on this scene's obstacles may be at an edge or a corner of one, "" where it isn't: static

@@ -19,8 +19,8 @@ std::string parted(double gap, bool is_open_above, const std::string& agents) {
   const std::string low = std::to_string(5.0 - 0.5 * gap), high = std::to_string(5.0 + 0.5 * gap);
   return "time = { dt = 0.02, until = 1000 }\nwalkable = 'POLYGON ((0 0, 20 0, 20 20, 0 20, 0 0))'\n"
          "areas.e = [[18, 4], [20, 4], [20, 6], [18, 6]]\n[[walls]]\nsegment = [[10, 0], [10, " +
-         low + "]]\n[[walls]]\nsegment = [[10, " + high + "], [10, " + (is_open_above ? "18" : "20") + "]]\n" +
-         agents;
+         low + "]]\n[[walls]]\nsegment = [[10, " + high + "], [10, " + (is_open_above ? "18" : "20") +
+         "]]\n" + agents;
 }
 
 std::string one(const std::string& at, double radius, const std::string& model = "constant_velocity") {
