@@ -93,7 +93,7 @@ void relax(Workspace& work, bool periodic) {
 void substep(const Scene& scene, const Plan& plan, const State& state, Workspace& work, SubstepWay way) {
   const Vec kick = work.solver.h * scene.gravity;
   const Vec size = scene.domain.max - scene.domain.min, *period = plan.periodic ? &size : nullptr;
-  if (!work.contacts.disc_bounces.empty() || !work.contacts.point_bounces.empty()) {
+  if (plan.restitution || !work.contacts.point_bounces.empty()) {
     prepare_bounce(work, period);
     bounce(work, plan.gravity ? kick : Vec(0.0, 0.0), plan.elastic ? kElasticSweeps : kBounceSweeps);
   }

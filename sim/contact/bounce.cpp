@@ -31,9 +31,9 @@ double normal_mass(const DiscContact& contact, const SolverBody&, const SolverBo
   return contact.normal_mass;
 }
 
-/// All discs that are listed where nothing bounces.
+/// One sweep stops a disc, and a corner alone, however fast.
 bool hits(const DiscContact&) {
-  return true;
+  return false;
 }
 bool hits(const PointContact& contact) {
   return contact.hits;

@@ -58,7 +58,7 @@ struct PointContact : ContactBase {
   Vec first_a{0.0, 0.0}, first_b{0.0, 0.0};  ///< m, what of them turns, as the step begins
   double round_a = 0.0, round_b = 0.0;       ///< m, the radius of a disc, which doesn't
   double gap = 0.0;   ///< m, separation = gap + normal . (position_b + arm_b - position_a - arm_a)
-  bool hits = false;  ///< doesn't bounce, and one of its bodies is among two that hit: see hit_speed()
+  bool hits = false;  ///< of a face of two points that doesn't bounce: see hit_speed()
 };
 
 /// How arms turn with their bodies: by the angle (rad) less a twelfth of its cube, at unit length, as longer

@@ -34,7 +34,6 @@ void ContactFinder::find(const StepStart& start, Contacts& contacts, Workers& wo
     for (const std::uint64_t key : contacts.disc_key)
       contacts.disc_bounces.push_back(discs_.contact_of(colliders_, pair_of(key), bodies));
   find_touches(start, moved, contacts, workers);
-  if (!plan_.restitution) list_hits(start, contacts);
   if (plan_.rolling) find_rolls(scene_, plan_, candidates, state, bodies, contacts);
 }
 
@@ -60,7 +59,6 @@ void ContactFinder::sort_out(const Candidates& candidates, Contacts& contacts) {
 
 void ContactFinder::find_touches(const StepStart& start, bool moved, Contacts& contacts, Workers& workers) {
   FaceBlocks& faces = contacts.faces;
-  hits_.assign(touches_.size(), 0);
   if (touches_.empty() && faces.lanes() == 0) return;
   const bool held = std::exchange(holds_, plan_.polygons && !plan_.restitution && is_worth_holding());
   if (holds_ != held) book_.forget_all(), held_.forget_all();
@@ -79,6 +77,7 @@ void ContactFinder::find_touches(const StepStart& start, bool moved, Contacts& c
   }
   take_seats(faces);
   fill_faces(start, contacts, workers);
+  if (!plan_.restitution) list_hits(start, contacts.point_bounces);
 }
 
 /// What each touches with now, where that isn't known, and where two near each other fast what they will.
@@ -119,7 +118,8 @@ std::span<PointContact> ContactFinder::face(const StepStart& start, std::size_t 
       describe_face(start, one, surface, manifolds_[touch], ahead_.meeting(touch), points);
   const SolverBody &a = start.bodies[one.a], &b = start.bodies[one.b];
   const auto hits = [&](const PointContact& c) { return arms(c).normal_velocity(a, b) < -hit_speed_; };
-  points[0].hits = points[1].hits = !(surface.restitution > 0.0) && std::ranges::any_of(face, hits);
+  points[0].hits = points[1].hits =
+      face.size() == 2 && !(surface.restitution > 0.0) && std::ranges::any_of(face, hits);
   return face;
 }
 
@@ -127,6 +127,7 @@ void ContactFinder::fill_faces(const StepStart& start, Contacts& contacts, Worke
   const std::size_t size = contacts.faces.size();
   contacts.point_key.resize(size), contacts.point_feature.resize(size);
   if (plan_.restitution) contacts.point_bounces.resize(size);
+  hits_.assign(touches_.size(), 0);
   workers.for_ranges(touches_.size(), [&](std::size_t begin, std::size_t end) {
     if (begin == end) return;
     KeptImpulses memory(start.state.point_contacts, touches_[begin].key());
@@ -166,49 +167,13 @@ void ContactFinder::fill_searched(const StepStart& start, std::size_t touch, Kep
   hits_[touch] = face[0].hits;
 }
 
-/// Marks who hits somebody in this step. False where nobody does.
-bool ContactFinder::find_who_hits(const StepStart& start, std::span<const std::uint64_t> disc_keys) {
-  const bool fast = 2.0 * start.candidates.chain() > hit_speed_ * scene_.time.dt;
-  if (!fast && std::ranges::find(hits_, 1) == hits_.end()) return false;
-  struck_.assign(start.bodies.size(), 0);
-  bool any = false;
-  const auto mark = [&](std::uint32_t row) {
-    if (start.bodies[row].inverse_mass > 0.0) struck_[row] = 1, any = true;
-  };
-  for (std::size_t i = 0; i < hits_.size(); ++i)
-    if (hits_[i] != 0) mark(touches_[i].a), mark(touches_[i].b);
-  for (std::size_t i = 0; fast && i < disc_keys.size(); ++i) {
-    const Pair pair = pair_of(disc_keys[i]);
-    const std::uint32_t a = colliders_.body[pair.a], b = colliders_.body[pair.b];
-    const Vec way = start.bodies[b].position + start.candidates.shift(pair) - start.bodies[a].position;
-    const double distance = way.norm(),
-                 gap = distance - (colliders_.radius[pair.a] + colliders_.radius[pair.b]);
-    const double nearing = -way.dot(start.bodies[b].velocity - start.bodies[a].velocity) / distance;
-    if (nearing > hit_speed_ && nearing * scene_.time.dt > gap) mark(a), mark(b);
-  }
-  return any;
-}
-
-/// Where no surface bounces: the contacts of all who hit somebody, as what stops one moves on to the next.
-void ContactFinder::list_hits(const StepStart& start, Contacts& contacts) {
-  if (!find_who_hits(start, contacts.disc_key)) return;
-  const auto are_struck = [&](std::uint32_t a, std::uint32_t b) {
-    return struck_[a] != 0 || struck_[b] != 0;
-  };
-  for (const std::uint64_t key : contacts.disc_key) {
-    const Pair pair = pair_of(key);
-    if (are_struck(colliders_.body[pair.a], colliders_.body[pair.b]))
-      contacts.disc_bounces.push_back(discs_.contact_of(colliders_, pair, start.bodies));
-  }
+/// Faces that hit, where no surface bounces.
+void ContactFinder::list_hits(const StepStart& start, std::vector<PointContact>& bounces) const {
+  if (std::ranges::find(hits_, 1) == hits_.end()) return;
   std::array<PointContact, 2> points;
-  for (std::size_t i = 0; i < touches_.size(); ++i) {
-    if (points_[i] == 0 || !are_struck(touches_[i].a, touches_[i].b)) continue;
-    if (is_known(touches_[i]))
-      manifolds_[i] = touch_manifold(start.candidates, touches_[i], touch_poses(start, touches_[i]), nullptr);
-    for (PointContact& point : face(start, i, points)) {
-      point.hits = true;
-      contacts.point_bounces.push_back(point);
-    }
+  for (auto hit = hits_.begin(); (hit = std::find(hit, hits_.end(), 1)) != hits_.end(); ++hit) {
+    const auto face = this->face(start, static_cast<std::size_t>(hit - hits_.begin()), points);
+    bounces.insert(bounces.end(), face.begin(), face.end());
   }
 }
 

@@ -66,8 +66,7 @@ class ContactFinder {
   std::span<PointContact> face(const StepStart& start, std::size_t touch,
                                std::array<PointContact, 2>& points) const;
   std::span<std::uint32_t> names(std::size_t touch, Contacts& contacts) const;
-  bool find_who_hits(const StepStart& start, std::span<const std::uint64_t> disc_keys);
-  void list_hits(const StepStart& start, Contacts& contacts);
+  void list_hits(const StepStart& start, std::vector<PointContact>& bounces) const;
 
   // find_held.cpp
   bool is_known(const Touch& touch) const { return touch.held && held_.knows(touch.lane); }
@@ -123,7 +122,6 @@ class ContactFinder {
   std::vector<HeldFaces::Move> moves_;              // likewise, of those that are held
   std::vector<std::uint32_t> first_point_;          // of each touch: how many come before
   std::vector<std::uint8_t> hits_;                  // of each touch
-  std::vector<std::uint8_t> struck_;                // of each body: is among two that hit each other
 };
 
 }  // namespace throng

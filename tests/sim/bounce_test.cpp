@@ -178,22 +178,5 @@ TEST(Bounce, ABlowRunsThroughARowOfDiscsWithinAStep) {
   }
 }
 
-/// What no surface throws back stays where it was stopped, also by somebody who leans on a third.
-TEST(Bounce, WithoutRestitutionABlowThroughAThirdThrowsNobodyBack) {
-  const std::string world = "time = { dt = 0.01, until = 1 }\n" + std::string(kDisc);
-  const std::string wall = "[[walls]]\nsegment = [[0, -5], [0, 5]]\n";
-  for (const std::string& scene :
-       {world + ball(0.5, 0, 0, 0) + ball(3, 0, -4, 0) + wall,
-        world + ball(0, 0, 0, 0) + ball(-3, 0, 4, 0) + ball(3, 0, -4, 0),
-        world +
-            "light = { disc = { radius = 0.5 } }\n[materials.foam]\ndensity = 0.1\n[[bodies]]\nshape = "
-            "\"light\"\nmaterial = \"foam\"\nat = [0.5, 0]\n" +
-            ball(3, 0, -4, 0) + wall}) {
-    Trial run(scene);
-    run.steps(100);
-    for (const Vec& velocity : run.state.velocity) EXPECT_LT(velocity.norm(), 0.1) << "m/s, of 4";
-  }
-}
-
 }  // namespace
 }  // namespace throng
