@@ -11,6 +11,7 @@
 #include "sim/contact/soft_law.h"
 #include "sim/engine_event_driven.h"
 #include "sim/lone_ways.h"
+#include "sim/may_meet.h"
 #include "sim/observe.h"
 #include "sim/plan.h"
 #include "sim/soft_timing.h"

@@ -5,89 +5,18 @@
 #include <cmath>
 #include <limits>
 
-#include "broadphase/box_index.h"
-#include "sim/straight_runs.h"
+#include "sim/surroundings.h"
 
 namespace throng {
 
 namespace {
 
-using Box = Eigen::AlignedBox2d;
+using Box = Surroundings::Box;
+using Side = Surroundings::Side;
 
-constexpr double kParallel = 1e-9;  // sine of the angle up to which walls are parallel
-constexpr double kSlack = 1e-6;     // radii, by which a body may be in a wall as it begins
-constexpr double kTips = 0.99;      // of the lever at which a body tips over
+constexpr double kSlack = 1e-6;  // radii, by which a body may be in a wall as it begins
+constexpr double kTips = 0.99;   // of the lever at which a body tips over
 const char* const kSensitive = ": the way is sensitive to where it is met";
-
-/// Directions along the walls and across them.
-struct Frame {
-  Vec along{1.0, 0.0};
-
-  Vec operator()(const Vec& v) const { return {along.dot(v), along.x() * v.y() - along.y() * v.x()}; }
-  Box operator()(const Vec& centre, double radius) const {
-    return {(*this)(centre).array() - radius, (*this)(centre).array() + radius};
-  }
-};
-
-/// A straight wall at `at` of axis `across`, from `from` to `to` of the other one.
-struct Side {
-  int across;
-  double at, from, to;  // m
-  std::uint32_t material;
-
-  Box box() const {
-    Box box;
-    const int along = 1 - across;
-    box.min()[across] = box.max()[across] = at, box.min()[along] = from, box.max()[along] = to;
-    return box;
-  }
-};
-
-/// All that stands still, in its frame.
-struct Surroundings {
-  Frame frame;
-  bool square = true;  ///< walls are; else they are known by the boxes round them alone
-  std::vector<Side> sides;
-  std::vector<Box> others;  ///< static bodies, and walls that aren't square
-};
-
-bool is_parallel(const Vec& a, const Vec& b) {
-  return std::abs(a.x() * b.y() - a.y() * b.x()) <= kParallel * a.norm() * b.norm();
-}
-bool is_square(const Vec& a, const Vec& b) {
-  return is_parallel(a, b) || is_parallel(a, Vec(-b.y(), b.x()));
-}
-
-void add_domain(const Scene& scene, Surroundings& all) {
-  const Vec &low = scene.domain.min, &high = scene.domain.max;
-  for (int axis = 0; axis < 2; ++axis)
-    for (const double at : {low[axis], high[axis]})
-      all.sides.push_back({axis, at, low[1 - axis], high[1 - axis], 0});
-}
-
-void add_wall(const StraightRun& run, Surroundings& all) {
-  const Vec from = all.frame(run.from), to = all.frame(run.to);
-  if (!all.square) return all.others.push_back(Box(from.cwiseMin(to), from.cwiseMax(to)));
-  const Vec way = (to - from).cwiseAbs();
-  const int along = way.x() > way.y() ? 0 : 1;
-  all.sides.push_back({1 - along, from[1 - along], std::min(from[along], to[along]),
-                       std::max(from[along], to[along]), run.material});
-}
-
-Surroundings surroundings(const Scene& scene) {
-  Surroundings all;
-  const std::vector<StraightRun> runs = straight_runs(scene.walls);
-  if (scene.domain.kind == DomainKind::unbounded && !runs.empty())
-    all.frame.along = (runs[0].to - runs[0].from).normalized();
-  for (const StraightRun& run : runs)
-    all.square = all.square && is_square(run.to - run.from, all.frame.along);
-  if (scene.domain.kind == DomainKind::box) add_domain(scene, all);
-  for (const StraightRun& run : runs) add_wall(run, all);
-  for (std::size_t row = 0; row < scene.bodies.size(); ++row)
-    if (scene.bodies.kind[row] == BodyKind::fixed)
-      all.others.push_back(all.frame(scene.bodies.position[row], scene.bodies.radius[row]));
-  return all;
-}
 
 /// m, from the beginning.
 struct Range {
@@ -157,7 +86,7 @@ class Lone {
   }
 
   const Surface& surface(const Side& side) const {
-    return plan_.surfaces[scene_.bodies.material[row_] * scene_.materials.size() + side.material];
+    return plan_.surface(scene_.bodies.material[row_], side.material);
   }
 
   void set_reach(const Range& x, const Range& y) {
@@ -350,27 +279,6 @@ class Lone {
   LoneWay way_;
 };
 
-/// m, in which those stay who push each other: whoever of them gets all that all have.
-double stirred(const Scene& scene, const std::vector<bool>& who) {
-  const double fall = scene.gravity.norm() * scene.time.until;
-  double energy = 0.0, lightest = std::numeric_limits<double>::infinity();
-  for (std::size_t row = 0; row < who.size(); ++row) {
-    if (!who[row]) continue;
-    const double turns = std::abs(scene.bodies.spin[row]) * scene.bodies.radius[row];
-    const double speed = scene.bodies.velocity[row].norm() + turns + fall;
-    energy += mass(scene, row) * speed * speed;
-    lightest = std::min(lightest, mass(scene, row));
-  }
-  return std::sqrt(energy / lightest) * scene.time.until;
-}
-
-Box around(const std::vector<LoneWay>& ways, const std::vector<bool>& who, double more) {
-  Box box;
-  for (std::size_t row = 0; row < who.size(); ++row)
-    if (who[row]) box.extend(ways[row].reach);
-  return Box(box.min().array() - more, box.max().array() + more);
-}
-
 }  // namespace
 
 std::vector<LoneWay> lone_ways(const Scene& scene, const Plan& plan) {
@@ -378,34 +286,6 @@ std::vector<LoneWay> lone_ways(const Scene& scene, const Plan& plan) {
   std::vector<LoneWay> ways(scene.bodies.size());
   for_dynamic(scene, [&](std::size_t row) { ways[row] = Lone(scene, plan, all, row).way(); });
   return ways;
-}
-
-std::vector<bool> may_meet(const Scene& scene, const std::vector<LoneWay>& ways) {
-  std::vector<std::uint32_t> rows;
-  std::vector<broadphase::Extent> extents;
-  for_dynamic(scene, [&](std::size_t row) {
-    rows.push_back(static_cast<std::uint32_t>(row));
-    extents.push_back(broadphase::Extent::of(ways[row].reach));
-  });
-  broadphase::BoxIndex index;
-  index.build(extents);
-  const Box domain =
-      scene.domain.kind == DomainKind::periodic ? Box(scene.domain.min, scene.domain.max) : Box();
-  std::vector<bool> meets(scene.bodies.size(), false);
-  for (const std::uint32_t row : rows)
-    meets[row] = rows.size() > 1 && !domain.isEmpty() && !domain.contains(ways[row].reach);
-  for (const std::uint32_t row : rows)
-    if (!meets[row])
-      index.for_each_near(ways[row].reach, [&](std::uint32_t other) {
-        if (rows[other] != row) meets[row] = meets[rows[other]] = true;
-      });
-  for (bool more = std::ranges::count(meets, true) > 0; more;) {
-    more = false;
-    const Box box = around(ways, meets, stirred(scene, meets));
-    for (const std::uint32_t row : rows)
-      if (!meets[row] && box.intersects(ways[row].reach)) meets[row] = more = true;
-  }
-  return meets;
 }
 
 std::string doubt_of_obstacles(const Scene& scene, const Plan& plan) {

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "sim/contact/block_order.h"
+
 namespace throng {
 
 /// Which lane each contact has, over steps.
