@@ -10,7 +10,8 @@ namespace throng {
 
 namespace {
 
-constexpr int kSeedCells = 6;  // as far round the goal distances are exact, where nothing stands in between
+constexpr double kFaint = 0.1;  // of the slope of a straight way: where ways part, less says nothing
+constexpr int kSeedCells = 6;   // as far round the goal distances are exact, where nothing stands in between
 
 /// The nodes in and round the goal whose distance is that of the straight way.
 std::vector<Seed> seeds_for(const FloorPlan& plan, const Barriers& barriers, const Region& goal) {
@@ -32,7 +33,6 @@ std::vector<Seed> seeds_for(const FloorPlan& plan, const Barriers& barriers, con
         seeds.push_back({i, 0.0});
         continue;
       }
-      if (plan.footing[i] != Footing::free) continue;
       const Vec q = nearest_on_border(goal, p);
       const double distance = (q - p).norm();
       if (distance <= far && !barriers.block(p, q)) seeds.push_back({i, distance});
@@ -43,6 +43,40 @@ std::vector<Seed> seeds_for(const FloorPlan& plan, const Barriers& barriers, con
 Vec unit(const Vec& v) {
   const double length = v.norm();
   return length > 0.0 ? Vec(v / length) : Vec(0.0, 0.0);
+}
+
+/// The plane that fits some heights best, by weight.
+class Plane {
+ public:
+  /// `at` beside where it is asked for.
+  void add(const Vec& at, double height, double weight) {
+    const Vec weighted = weight * at;
+    mass_ += weight, middle_ += weighted, height_ += weight * height;
+    xx_ += weighted.x() * at.x(), xy_ += weighted.x() * at.y(), yy_ += weighted.y() * at.y();
+    rise_ += height * weighted;
+  }
+
+  /// Which way it falls; zero where the heights don't say.
+  Vec fall() const {
+    if (!(mass_ > 0.0)) return {0.0, 0.0};
+    const double xx = xx_ - middle_.x() * middle_.x() / mass_, yy = yy_ - middle_.y() * middle_.y() / mass_;
+    const double xy = xy_ - middle_.x() * middle_.y() / mass_, all = xx * yy - xy * xy;
+    if (!(all > kFlat * (xx + yy) * (xx + yy))) return {0.0, 0.0};
+    const Vec rise = rise_ - height_ / mass_ * middle_;
+    return {(xy * rise.y() - yy * rise.x()) / all, (xy * rise.x() - xx * rise.y()) / all};
+  }
+
+ private:
+  static constexpr double kFlat = 1e-4;  // nodes in a line say nothing of what is beside it
+  double mass_ = 0.0, height_ = 0.0, xx_ = 0.0, xy_ = 0.0, yy_ = 0.0;
+  Vec middle_{0.0, 0.0}, rise_{0.0, 0.0};
+};
+
+/// Of a node `x` cells away: a cubic B-spline, so that directions change smoothly as nodes come and go.
+double bell(double x) {
+  const double far = std::abs(x), left = 2.0 - far;
+  if (far >= 2.0) return 0.0;
+  return far < 1.0 ? 4.0 - 3.0 * far * far * left : left * left * left;
 }
 
 }  // namespace
@@ -77,21 +111,35 @@ double DistanceField::distance(const Vec& p) const {
          cell.v * ((1.0 - cell.u) * at(high) + cell.u * at(high + 1));
 }
 
-std::size_t DistanceField::nearest_way(const Vec& p, const Cell& cell, double nearest,
-                                       double& distance) const {
-  std::size_t best = plan_->size();
+template <class F>
+void DistanceField::for_each_known(const Cell& cell, F&& f) const {
   const auto columns = static_cast<std::size_t>(plan_->columns);
   const std::size_t row = cell.node / columns, column = cell.node % columns;
   for (std::size_t y = row - (row > 0); y < std::min<std::size_t>(row + 3, plan_->rows); ++y)
-    for (std::size_t x = column - (column > 0); x < std::min(column + 3, columns); ++x) {
-      const std::size_t node = y * columns + x;
-      if (!(at(node) < kUnreached)) continue;
-      const Vec to = plan_->node(node);
-      const double way = (to - p).norm(), length = at(node) + way;
-      if (!(way >= nearest && length < distance) || barriers_->block(p, to)) continue;
-      best = node, distance = length;
-    }
+    for (std::size_t x = column - (column > 0); x < std::min(column + 3, columns); ++x)
+      if (at(y * columns + x) < kUnreached) f(y * columns + x);
+}
+
+std::size_t DistanceField::nearest_way(const Vec& p, const Cell& cell, double nearest,
+                                       double& distance) const {
+  std::size_t best = plan_->size();
+  for_each_known(cell, [&](std::size_t node) {
+    const Vec to = plan_->node(node);
+    const double way = (to - p).norm(), length = at(node) + way;
+    if (!(way >= nearest && length < distance) || barriers_->block(p, to)) return;
+    best = node, distance = length;
+  });
   return best;
+}
+
+Vec DistanceField::fall_of_visible(const Vec& p, const Cell& cell) const {
+  Plane plane;
+  for_each_known(cell, [&](std::size_t node) {
+    const Vec to = plan_->node(node), away = (to - p) * per_cell_;
+    const double weight = bell(away.x()) * bell(away.y());
+    if (weight > 0.0 && !barriers_->block(p, to)) plane.add(away, at(node) * per_cell_, weight);
+  });
+  return plane.fall();
 }
 
 Vec DistanceField::direction(const Vec& p) const {
@@ -100,6 +148,8 @@ Vec DistanceField::direction(const Vec& p) const {
   Cell cell;
   if (!locate(p, cell)) return {0.0, 0.0};
   if (contains(goal_, p)) return {0.0, 0.0};
+  const Vec fall = fall_of_visible(p, cell);
+  if (fall.squaredNorm() > kFaint * kFaint) return unit(fall);
   double distance = kUnreached;
   const std::size_t node = nearest_way(p, cell, plan_->cell, distance);
   return node < plan_->size() ? unit(plan_->node(node) - p) : Vec(0.0, 0.0);

@@ -16,8 +16,8 @@ namespace throng {
 /// the goal, not to its middle. Built once and shared by all who have that goal.
 ///
 /// Fast marching of second order: Sethian, "Fast marching methods" (SIAM Review 1999), from exact distances
-/// next to the goal. Ways keep the plan's clearance from barriers; who is nearer to one than that is led away
-/// from it.
+/// next to the goal. Ways keep the plan's clearance from barriers; who is nearer to one than that is led as
+/// those beside him, and from much nearer away from it.
 class DistanceField {
  public:
   /// O(n log n) for n nodes; keeps 4 bytes a node. `plan` and `barriers` must outlive the field.
@@ -53,6 +53,11 @@ class DistanceField {
   bool is_whole(std::size_t node) const { return !std::signbit(distance_[node]); }
   void mark_broken();
   Vec downhill(const Cell& cell) const;
+  /// Calls f(node) for the known ones of the sixteen round the cell.
+  template <class F>
+  void for_each_known(const Cell& cell, F&& f) const;
+  /// Which way the distances fall round `p`, by the nodes that it sees; zero where they don't say.
+  Vec fall_of_visible(const Vec& p, const Cell& cell) const;
   /// The node round `p`, at least `nearest` away, over which the goal is nearest, and how far it is that way;
   /// size() where there is none.
   std::size_t nearest_way(const Vec& p, const Cell& cell, double nearest, double& distance) const;

@@ -13,8 +13,17 @@ namespace throng {
 
 namespace {
 
-constexpr double kDetour = 1.5;     // from the ground next to barriers, for each step back to free ground
+constexpr int kFollowed = 2;        // steps from free ground: as far the ways beside barriers are its own
+constexpr double kDetour = 1.5;     // from farther, for each step back to free ground
 constexpr double kDeepest = 250.0;  // steps
+
+constexpr double kStairs = 0.1;  // cells, that a straight way may get nearer to barriers than free nodes
+
+/// All directions of straight ways of up to three cells each way.
+constexpr std::pair<std::ptrdiff_t, std::ptrdiff_t> kChords[] = {
+    {1, 1},  {1, -1},  {-1, 1}, {-1, -1}, {1, 2},  {1, -2},  {-1, 2}, {-1, -2}, {2, 1},  {2, -1},
+    {-2, 1}, {-2, -1}, {1, 3},  {1, -3},  {-1, 3}, {-1, -3}, {3, 1},  {3, -1},  {-3, 1}, {-3, -1},
+    {2, 3},  {2, -3},  {-2, 3}, {-2, -3}, {3, 2},  {3, -2},  {-3, 2}, {-3, -2}};
 
 /// One axis of the equation |grad u| = 1: weight * (u - value)^2, in cells.
 struct Upwind {
@@ -31,12 +40,20 @@ class March {
         known_(plan.size(), false) {}
 
   void run(std::span<const Seed> seeds) {
-    for (const Seed& seed : seeds) {
+    const auto is_beside = [&](const Seed& seed) {
+      return seed.distance > 0.0 && plan_.footing[seed.node] != Footing::free;
+    };
+    const auto know = [&](const Seed& seed) {
       distance_[seed.node] = seed.distance / plan_.cell;
       known_[seed.node] = true;
-    }
-    for (const Seed& seed : seeds) offer_neighbours(seed.node);
+    };
+    for (const Seed& seed : seeds)
+      if (!is_beside(seed)) know(seed);
+    for (const Seed& seed : seeds)
+      if (!is_beside(seed)) offer_neighbours(seed.node);
     empty_queue();
+    for (const Seed& seed : seeds)
+      if (is_beside(seed)) know(seed);
     spread_to_barriers();
   }
 
@@ -72,9 +89,9 @@ class March {
     }
   }
 
-  /// Who is next to a barrier goes back to free ground first, to what of it is nearest. Were he to go on
-  /// along the barrier, the end of a wall would be a short cut, which those who come from free ground would
-  /// try.
+  /// Beside barriers the ways of free ground go on as they are; deeper than who keeps off them gets, they
+  /// lead back to free ground, to what of it is nearest. Were they sought there, too, the end of a wall would
+  /// be a short cut, which those who come from free ground would try.
   void spread_to_barriers() {
     std::vector<std::size_t> ring(plan_.size()), next;
     std::iota(ring.begin(), ring.end(), std::size_t{0});
@@ -84,12 +101,39 @@ class March {
       for (const std::size_t from : ring)
         for (const std::ptrdiff_t step : steps_) {
           const std::size_t to = from + static_cast<std::size_t>(step);
-          if (known_[to] || plan_.footing[to] == Footing::none || !joined(from, to)) continue;
-          if (distance_[to] == kUnreached) next.push_back(to);
-          distance_[to] = std::min(distance_[to], distance_[from] + kDetour);
+          if (known_[to] || distance_[to] < kUnreached || !leads(to, from)) continue;
+          distance_[to] = depth <= kFollowed ? beyond(to) : back(to);
+          next.push_back(to);
         }
       for (const std::size_t node : next) known_[node] = true;
     }
+  }
+
+  bool leads(std::size_t node, std::size_t to) const {
+    return known_[to] && plan_.footing[node] != Footing::none && joined(to, node);
+  }
+
+  /// What the known nodes next to it let expect there: the mean of the straight lines through them and those
+  /// behind them.
+  double beyond(std::size_t node) const {
+    double sum = 0.0;
+    int lines = 0;
+    for (const std::ptrdiff_t step : steps_) {
+      const std::size_t first = node + static_cast<std::size_t>(step);
+      if (!leads(node, first)) continue;
+      const std::size_t second = first + static_cast<std::size_t>(step);
+      const bool two = second < plan_.size() && leads(first, second);
+      sum += two ? 2.0 * distance_[first] - distance_[second] : distance_[first], ++lines;
+    }
+    return std::max(sum / lines, 0.0);
+  }
+
+  double back(std::size_t node) const {
+    double least = kUnreached;
+    for (const std::ptrdiff_t step : steps_)
+      if (const std::size_t to = node + static_cast<std::size_t>(step); leads(node, to))
+        least = std::min(least, distance_[to] + kDetour);
+    return least;
   }
 
   int deepest() const {
@@ -127,6 +171,11 @@ class March {
     Upwind x, y;
     look(node, steps_[0], x), look(node, steps_[1], x);
     look(node, steps_[2], y), look(node, steps_[3], y);
+    const double both = both_axes(x, y);
+    return is_on_rim(node) ? along_rim(node, both) : both;
+  }
+
+  double both_axes(const Upwind& x, const Upwind& y) const {
     const double alone = std::min(from(x), from(y));
     if (!(x.value < kUnreached && y.value < kUnreached)) return alone;
     const double a = x.weight + y.weight, b = x.weight * x.value + y.weight * y.value;
@@ -135,6 +184,37 @@ class March {
     if (!(discriminant >= 0.0)) return alone;
     const double both = (b + std::sqrt(discriminant)) / a;
     return both >= std::max(x.value, y.value) ? both : alone;
+  }
+
+  bool is_on_rim(std::size_t node) const {
+    return std::ranges::any_of(steps_, [&](std::ptrdiff_t step) {
+      return plan_.footing[node + static_cast<std::size_t>(step)] != Footing::free;
+    });
+  }
+
+  /// The rim of free ground is stairs: along these its ways would be longer than they are.
+  double along_rim(std::size_t node, double distance) const {
+    for (const auto& [x, y] : kChords) {
+      const std::size_t to = node + static_cast<std::size_t>(x + y * steps_[2]);
+      if (!(to < plan_.size() && known_[to] && plan_.footing[to] == Footing::free)) continue;
+      const double way = distance_[to] + std::sqrt(static_cast<double>(x * x + y * y));
+      if (way < distance && is_clear(plan_.node(node), plan_.node(to))) distance = way;
+    }
+    return distance;
+  }
+
+  /// Whether a straight way between free nodes keeps off barriers.
+  bool is_clear(const Vec& p, const Vec& q) const {
+    const double reach = plan_.clearance - kStairs * plan_.cell;
+    bool clear = true;
+    barriers_.for_each_near({Vec(p.cwiseMin(q) - Vec(reach, reach)), Vec(p.cwiseMax(q) + Vec(reach, reach))},
+                            [&](const Barriers::Segment& segment) {
+                              const auto is_near = [&](const Vec& end) {
+                                return (nearest_on_segment(p, q, end) - end).squaredNorm() < reach * reach;
+                              };
+                              clear = clear && !is_near(segment.a) && !is_near(segment.b);
+                            });
+    return clear && !barriers_.block(p, q);
   }
 
   const FloorPlan& plan_;

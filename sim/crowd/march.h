@@ -19,9 +19,9 @@ struct Seed {
 inline constexpr double kUnreached = std::numeric_limits<double>::infinity();  ///< m, where no way leads
 
 /// Distances (m) of all nodes from the seeds along ways over the plan, infinite where none leads: first over
-/// free nodes, then from these over the others as far as twice the clearance, never across a barrier and at
-/// two thirds of the speed: who is near a barrier is led away from it. O(n log n); allocates about 16 bytes a
-/// node.
+/// free nodes, then from these over the others as far as twice the clearance, never across a barrier: next to
+/// free ground as the ways there go on, deeper at two thirds of the speed and straight back to it. O(n log
+/// n); allocates about 16 bytes a node.
 std::vector<float> march(const FloorPlan& plan, const Barriers& barriers, std::span<const Seed> seeds);
 
 }  // namespace throng

@@ -15,6 +15,7 @@ using Segment = Barriers::Segment;
 
 constexpr int kSlides = 3;
 constexpr double kRadiusRounding = 0x1p-40;  // of a radius, and
+constexpr double kAlong = 0x1p-49;           // of a movement: who comes nearer by less goes along
 constexpr double kUlps = 0x1p-49;  // of a coordinate: so much nearer than touching is as good as touching
 
 /// When and against what direction a moving disc first touches.
@@ -23,11 +24,16 @@ struct Hit {
   Vec normal{0.0, 0.0};
 };
 
+/// What was made to go along a barrier comes nearer by rounding, and would be stopped for it.
+bool comes_nearer(double approach, double length2) {
+  return approach < 0.0 && approach * approach > kAlong * kAlong * length2;
+}
+
 /// Of a point at `p` that moves by `d` against a disc round `centre`; only where it comes nearer.
 void hit_disc(const Vec& centre, double radius, const Vec& p, const Vec& d, Hit& hit) {
   const Vec out = p - centre;
   const double approach = out.dot(d), outside = out.squaredNorm() - radius * radius;
-  if (!(approach < 0.0)) return;
+  if (!comes_nearer(approach, d.squaredNorm() * out.squaredNorm())) return;
   double time = 0.0;
   if (outside > 0.0) {
     const double speed2 = d.squaredNorm(), discriminant = approach * approach - speed2 * outside;
@@ -49,7 +55,7 @@ void hit_side(const Segment& segment, double radius, const Vec& p, const Vec& d,
   double height = normal.dot(p - segment.a);
   if (height < 0.0) normal = -normal, height = -height;
   const double approach = normal.dot(d);
-  if (!(approach < 0.0)) return;
+  if (!comes_nearer(approach, d.squaredNorm())) return;
   const double time = std::max(0.0, (height - radius) / -approach);
   if (!(time < hit.time)) return;
   const double at = along.dot(p + time * d - segment.a);

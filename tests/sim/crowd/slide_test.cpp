@@ -46,6 +46,21 @@ TEST(Slide, GoesRoundTheTipOnItsFarSide) {
   EXPECT_GE((moved.to - Vec(0, 0)).norm(), 0.5 - 1e-12);
 }
 
+// Rounding had him come nearer to the tip by 1e-17 of what was left to go along it, which stopped him again
+// and again: who walked round the end of a wall stood there for ever.
+TEST(Slide, GoesOnRoundTheTipFromWhereverHeTouchesIt) {
+  const Barriers wall = of({{{{0, 5}, {4.5, 5}}, false}});
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  for (int i = 0; i < 10'000; ++i) {
+    const double radius = 0.1 + uniform(random), angle = 1.5 * uniform(random);
+    const Vec out(std::cos(angle), -std::sin(angle)), along(-out.y(), out.x());
+    const Vec from = slide(wall, Vec(4.5, 5.0) + (radius + 0.02) * out, -0.03 * out, radius).to;
+    const Vec to = slide(wall, from, 0.03 * (along - 0.3 * out), radius).to;
+    ASSERT_GT((to - from).dot(along), 0.025) << "radius " << radius << " angle " << angle;
+  }
+}
+
 TEST(Slide, EndsInACorner) {
   const Barriers corner = of({{{{10, 0}, {0, 0}, {0, 10}}, false}});
   const Moved moved = slide(corner, {2, 3}, {-50, -60}, 0.5);
