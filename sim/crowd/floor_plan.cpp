@@ -82,24 +82,6 @@ std::pair<Vec, Vec> bridge(const Barriers::Segment& one, const Barriers::Segment
   return best;
 }
 
-/// The least width (m) of a passage: of the straight ways over the floor between two segments those that are
-/// at least `least` long count. `most` where none is shorter than that.
-double narrowest(const Region& walkable, const Barriers& barriers, double least, double most) {
-  const Inside inside(walkable);
-  double width = most;
-  const Vec far(most, most);
-  for (const Barriers::Segment& one : barriers.segments()) {
-    const Eigen::AlignedBox2d box(Vec(one.a.cwiseMin(one.b) - far), Vec(one.a.cwiseMax(one.b) + far));
-    barriers.for_each_near(box, [&](const Barriers::Segment& other) {
-      if (&other <= &one || narrowphase::segments_meet(one.a, one.b, other.a, other.b)) return;
-      const auto [p, q] = bridge(one, other);
-      const double between = (p - q).norm();
-      if (between >= least && between < width && inside(p + 0.5 * (q - p))) width = between;
-    });
-  }
-  return width;
-}
-
 /// Nobody as wide as `closed` passes between two points of barriers that are less than that apart: his middle
 /// would cross the straight way between them, and be nearer to one of them than half his width.
 void close_narrow(const Barriers& barriers, double closed, FloorPlan& plan) {
@@ -109,17 +91,36 @@ void close_narrow(const Barriers& barriers, double closed, FloorPlan& plan) {
     barriers.for_each_near(box, [&](const Barriers::Segment& other) {
       if (&other <= &one) return;
       const auto [p, q] = bridge(one, other);
-      if ((p - q).squaredNorm() < closed * closed) mark_near(p, q, 0.5 * plan.cell, Footing::close, plan);
+      if ((p - q).squaredNorm() <= closed * closed) mark_near(p, q, 0.5 * plan.cell, Footing::close, plan);
     });
   }
 }
 
 }  // namespace
 
+std::vector<double> passages(const Region& walkable, const Barriers& barriers, double least, double most) {
+  std::vector<double> widths;
+  const Inside inside(walkable);
+  const Vec far(most, most);
+  for (const Barriers::Segment& one : barriers.segments()) {
+    const Eigen::AlignedBox2d box(Vec(one.a.cwiseMin(one.b) - far), Vec(one.a.cwiseMax(one.b) + far));
+    barriers.for_each_near(box, [&](const Barriers::Segment& other) {
+      if (&other <= &one || narrowphase::segments_meet(one.a, one.b, other.a, other.b)) return;
+      const auto [p, q] = bridge(one, other);
+      const double width = (p - q).norm();
+      if (width >= least && width <= most && inside(p + 0.5 * (q - p))) widths.push_back(width);
+    });
+  }
+  std::ranges::sort(widths);
+  widths.erase(std::unique(widths.begin(), widths.end()), widths.end());
+  return widths;
+}
+
 Resolution resolution_for(const Region& walkable, const Barriers& barriers, double least_radius,
                           double largest_radius) {
   const double widest = 4.0 * largest_radius;
-  const double passage = narrowest(walkable, barriers, 2.0 * least_radius, widest);
+  const std::vector<double> open = passages(walkable, barriers, closed_to(least_radius), widest);
+  const double passage = open.empty() ? widest : open.front();
   const Vec sizes = bounds(walkable).sizes();
   const double finest = std::sqrt(sizes.x() * sizes.y() / kMostNodes);
   const double cell = std::max({passage / 8.0, finest, sizes.maxCoeff() / kMostNodes});

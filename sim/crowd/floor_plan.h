@@ -38,15 +38,26 @@ struct Resolution {
   double cell = 0.0, clearance = 0.0;  ///< m
 };
 
+/// How wide the passages are (m) that are at least `least` and at most `most` wide, ascending, each once: the
+/// lengths of the straight ways over the floor between two barriers that don't meet. O(barriers near one
+/// another).
+std::vector<double> passages(const Region& walkable, const Barriers& barriers, double least, double most);
+
 /// Eight cells across the narrowest passage that an agent as small as `least_radius` fits through, four
 /// across the largest agent where that is less, and no more than kMostNodes in all. The clearance is the
 /// largest radius, less where that would close the narrowest passage. O(barriers near one another).
 Resolution resolution_for(const Region& walkable, const Barriers& barriers, double least_radius,
                           double largest_radius);
 
+/// m: who is of that radius gets through what is wider than that, and not through what is as wide as he is,
+/// whatever of its ends was rounded.
+inline double closed_to(double radius) {
+  return 2.0 * radius * (1.0 + 1e-6);
+}
+
 inline constexpr double kMostNodes = 4e6;
 
-/// Passages narrower than `closed` (m) are closed: nobody so wide gets through. O(nodes + barriers' length /
+/// Passages no wider than `closed` (m) are closed. O(nodes + barriers' length /
 /// cell).
 FloorPlan floor_plan(const Region& walkable, const Barriers& barriers, const Resolution& resolution,
                      double closed);

@@ -43,7 +43,7 @@ bool Journeys::stands_yet(const State& state, Row row) const {
 std::uint32_t Journeys::choice(const State& state, Row row) {
   const Leg& its = leg(state, row);
   if (!its.weights.empty()) return drawn(state, row);
-  return least_crowded_.choose(its, position(state, row), scene_.crowd.desired_speed[agent(state, row)]);
+  return least_crowded_.choose(its, agent(state, row), position(state, row));
 }
 
 /// By weight, of the options that are open, of all where none is.
@@ -106,7 +106,7 @@ Heading Journeys::heading(const State& state, Row row, std::uint32_t group) cons
   if (!is_decided(state, row)) return {Vec(0.0, 0.0), 0.0};
   const Leg& leg = scene_.crowd.groups[group].journey[state.crowd.stage[row]];
   if (leg.kind == Leg::Kind::queue) return queues_.heading(state, row);
-  const DistanceField& way = ways_.to(scene_.crowd.goal(leg, state.crowd.option[row]));
+  const DistanceField& way = this->way(state, row, scene_.crowd.goal(leg, state.crowd.option[row]));
   if (Vec down; state.crowd.place[row] == 0 && way.slope(p, down)) return {down, kFree, down.squaredNorm()};
   if (state.crowd.place[row] == 0) return {way.direction(p), kFree};
   const Vec& spot = state.crowd.spot[row];
@@ -172,7 +172,7 @@ bool Journeys::is_among_several(const State& state, Row row) {
 bool Journeys::is_behind_one(const State& state, Row row) {
   if (!spots_known_) gather_spots(state);
   const Vec& p = position(state, row);
-  const auto& way = ways_.to(goal(state, row));
+  const DistanceField& way = this->way(state, row, goal(state, row));
   const double distance = way.distance(p);
   return walkers_[goal(state, row)].meets(p, kBeside * radius(state, row),
                                           [&](const Vec& q) { return way.distance(q) < distance; });
@@ -235,8 +235,9 @@ void Journeys::wait_for_opening(State& state, Row row) {
   if (state.crowd.place[row] > 0) {
     if (is_off_spot(state, row) && since(state, state.crowd.stand_step[row]) >= kPatience)
       state.crowd.spot[row] = p;
-  } else if (!stands_yet(state, row) && (ways_.to(goal(state, row)).distance(p) <= radius(state, row) ||
-                                         is_among(state, row, goal(state, row)) || is_kept_out(state, row))) {
+  } else if (!stands_yet(state, row) &&
+             (way(state, row, goal(state, row)).distance(p) <= radius(state, row) ||
+              is_among(state, row, goal(state, row)) || is_kept_out(state, row))) {
     stay(state, row, p);
   }
   state.crowd.since[row] = state.step;

@@ -39,7 +39,7 @@ class Journeys {
   void prefetch(const State& state, std::size_t row, std::uint32_t group) const {
     if (!is_decided(state, row)) return;
     const Leg& leg = scene_.crowd.groups[group].journey[state.crowd.stage[row]];
-    ways_.to(scene_.crowd.goal(leg, state.crowd.option[row])).prefetch(position(state, row));
+    way(state, row, scene_.crowd.goal(leg, state.crowd.option[row])).prefetch(position(state, row));
   }
 
   /// Moves them on: who gets to a goal begins the next leg, or takes a place and stays; who has waited or has
@@ -68,6 +68,10 @@ class Journeys {
   const Vec& position(const State& state, Row row) const { return state.position[scene_.crowd.first + row]; }
   double radius(const State& state, Row row) const {
     return scene_.bodies.radius[scene_.crowd.first + agent(state, row)];
+  }
+  /// His to that goal.
+  const DistanceField& way(const State& state, Row row, std::uint32_t goal) const {
+    return ways_.to(goal, ways_.suit_all(goal) ? 0.0 : radius(state, row));
   }
   double since(const State& state, std::int64_t step) const {
     return static_cast<double>(state.step - step) * scene_.time.dt;

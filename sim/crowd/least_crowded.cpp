@@ -33,13 +33,15 @@ void LeastCrowded::count(const State& state) {
     const std::uint32_t goal = crowd.goal(leg, state.crowd.option[i]);
     if (!is_counted_[goal]) continue;
     const bool there = state.crowd.place[i] > 0 && leg.kind != Leg::Kind::pass;
-    going_[goal].push_back(there ? 0.0 : ways_.to(goal).distance(state.position[crowd.first + i]));
+    going_[goal].push_back(there ? 0.0
+                                 : ways_.to(goal, scene_.bodies.radius[crowd.first + agent])
+                                       .distance(state.position[crowd.first + i]));
   }
   for (std::vector<double>& ways : going_) std::ranges::sort(ways);
 }
 
-std::uint32_t LeastCrowded::choose(const Leg& leg, const Vec& place, double desired_speed) {
-  const double speed = std::max(desired_speed, kSlowest);
+std::uint32_t LeastCrowded::choose(const Leg& leg, std::size_t agent, const Vec& place) {
+  const double speed = std::max(scene_.crowd.desired_speed[agent], kSlowest);
   double least = std::numeric_limits<double>::infinity(), its_way = 0.0;
   std::uint32_t best = 0;
   const auto is_open = [&](std::uint32_t option) { return ways_.is_open(scene_.crowd.goal(leg, option)); };
@@ -48,7 +50,7 @@ std::uint32_t LeastCrowded::choose(const Leg& leg, const Vec& place, double desi
   for (std::uint32_t option = 0; option < leg.options.size(); ++option) {
     if (any && !is_open(option)) continue;
     const std::uint32_t goal = scene_.crowd.goal(leg, option);
-    const double way = ways_.to(goal).distance(place);
+    const double way = ways_.to(goal, scene_.bodies.radius[scene_.crowd.first + agent]).distance(place);
     const auto nearer = std::ranges::lower_bound(going_[goal], way) - going_[goal].begin();
     const double time = way / speed + static_cast<double>(nearer) / leg.capacity[option];
     if (time < least) least = time, its_way = way, best = option;

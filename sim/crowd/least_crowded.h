@@ -20,10 +20,9 @@ class LeastCrowded {
   /// Whom the state says to go where. O(agents).
   void count(const State& state);
 
-  /// The option that the agent takes, of the open ones, of all where none is; of equally good ones the first.
-  /// From then on it goes there. O(log
-  /// agents) and less than that for whom it moves in memory.
-  std::uint32_t choose(const Leg& leg, const Vec& place, double desired_speed);
+  /// The option that the agent takes from there, of the open ones, of all where none is; of equally good ones
+  /// the first. From then on it goes there. O(log agents) and less than that for whom it moves in memory.
+  std::uint32_t choose(const Leg& leg, std::size_t agent, const Vec& place);
 
  private:
   const Scene& scene_;

@@ -68,7 +68,7 @@ bool Queues::reaches(const State& state, Row row, const Vec& place) const {
   const Vec& p = position(state, row);
   const std::uint32_t goal = scene_.crowd.queues[queue(state, row)].goal;
   if (ways_.is_in(goal, p)) return !barriers_.block(p, place);
-  return barriers_.leave_room(p, place, scene_.bodies.radius[state.id[scene_.crowd.first + row] - 1]);
+  return barriers_.leave_room(p, place, radius(state, row));
 }
 
 /// Where he walks straight on to get to that place: to it, or to the next bend on the way.
@@ -87,7 +87,7 @@ Heading Queues::heading(const State& state, Row row) const {
   const std::uint32_t its = queue(state, row), place = state.crowd.place[row];
   const std::uint32_t number = place > 0 ? place : length(its) + 1;
   const std::optional<Vec> to = straight(state, row, number);
-  if (!to) return {ways_.to(scene_.crowd.queues[its].goal).direction(p), kFree};
+  if (!to) return {ways_.to(scene_.crowd.queues[its].goal, radius(state, row)).direction(p), kFree};
   const double distance = (lines_[its].place(number) - p).norm();
   if (place > 0) return straight_to(p, *to, distance);
   if (!is_full(its)) return straight_to(p, *to, kFree);

@@ -42,6 +42,9 @@ class Queues {
   std::uint32_t queue(const State& state, Row row) const;
   std::uint32_t length(std::uint32_t queue) const { return static_cast<std::uint32_t>(line_[queue].size()); }
   double spacing(std::uint32_t queue) const { return scene_.crowd.queues[queue].spacing; }
+  double radius(const State& state, Row row) const {
+    return scene_.bodies.radius[state.id[scene_.crowd.first + row] - 1];
+  }
   const Vec& position(const State& state, Row row) const { return state.position[scene_.crowd.first + row]; }
   bool is_full(std::uint32_t queue) const { return length(queue) >= lines_[queue].places(); }
   void look_behind(const State& state);

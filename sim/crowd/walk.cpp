@@ -291,12 +291,13 @@ bool Walk::bring_in(State& state, std::size_t group) {
   const Crowd& crowd = scene_.crowd;
   const AgentGroup& its = crowd.groups[group];
   const std::uint32_t agent = its.first + its.count - state.crowd.waiting[group];
-  const std::optional<Vec> place =
-      free_place(scene_, seen_ ? *seen_ : barriers_, standing_, *entrances_[group], agent, state.step,
-                 [&](const Vec& p) { return movers_.depth(p) == 0.0 && journeys_->ways().lead_on(its, p); });
+  const double radius = scene_.bodies.radius[crowd.first + agent];
+  const std::optional<Vec> place = free_place(
+      scene_, seen_ ? *seen_ : barriers_, standing_, *entrances_[group], agent, state.step,
+      [&](const Vec& p) { return movers_.depth(p) == 0.0 && journeys_->ways().lead_on(its, radius, p); });
   if (!place) return false;
   add_agent(scene_, state, agent, *place);
-  standing_.add(*place, scene_.bodies.radius[crowd.first + agent]);
+  standing_.add(*place, radius);
   for (std::size_t k = 0; k < crowd.measures.size(); ++k)
     measure_entry(crowd.measures[k], *place, state.step, state.crowd.measured[k]);
   --state.crowd.waiting[group];

@@ -3,12 +3,14 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "sim/crowd/barriers.h"
 #include "sim/crowd/distance_field.h"
 #include "sim/crowd/floor_plan.h"
 #include "sim/crowd/inside.h"
+#include "sim/crowd/size_classes.h"
 #include "sim/scene.h"
 
 namespace throng {
@@ -27,9 +29,9 @@ inline Heading straight_to(const Vec& from, const Vec& to, double distance) {
   return {length > 0.0 ? Vec((to - from) / length) : Vec(0.0, 0.0), distance};
 }
 
-/// The ways to all goals that a scene's agents have: a distance field each, shared by all who go there, on
-/// floor plans that goals of agents of the same sizes share. Where areas open and close, a field for each of
-/// the goal's phases.
+/// The ways to all goals that a scene's agents have: a distance field each, shared by all of like size who go
+/// there, on floor plans that goals of agents of the same sizes share. Where areas open and close, a field
+/// for each of the goal's phases.
 class Ways {
  public:
   /// Throws InputError that names group, agent and place where no way leads from an agent to one of its
@@ -42,8 +44,14 @@ class Ways {
   /// From here on the ways are those of this step. O(1) where no goal opens or closes.
   void look(std::int64_t step);
 
-  /// Expects a goal that some agent has.
-  const DistanceField& to(std::uint32_t goal) const { return *goals_[goal].now->field; }
+  /// Whether all who have the goal, which some agent has, have the same ways to it, whatever their radii.
+  bool suit_all(std::uint32_t goal) const { return goals_[goal].sizes.size() == 1; }
+
+  /// Of agents of that radius (m), if the ways don't suit all. Expects a goal that such an agent has.
+  const DistanceField& to(std::uint32_t goal, double radius) const {
+    const Goal& its = goals_[goal];
+    return its.now->fields[its.size(radius)];
+  }
 
   /// Whether anybody gets into the goal now, which some agent has.
   bool is_open(std::uint32_t goal) const { return goals_[goal].now->is_open; }
@@ -51,29 +59,36 @@ class Ways {
   /// Whether `p` is in what is open of the goal, which some agent has.
   bool is_in(std::uint32_t goal, const Vec& p) const { return is_open(goal) && goals_[goal].now->inside(p); }
 
-  /// Whether ways lead from there to all goals of the group's journey, at any time.
-  bool lead_on(const AgentGroup& group, const Vec& place) const;
+  /// Whether ways lead one of the group, of that radius, from there to all goals of its journey, at any time.
+  bool lead_on(const AgentGroup& group, double radius, const Vec& place) const;
 
  private:
   struct Plan {
-    double least, largest;  ///< m, radii of those who walk on it
+    double largest;  ///< m, radius of those who walk on it
     FloorPlan floor;
   };
   struct Phase {
     std::int64_t from;  ///< step
     double time;        ///< s
     bool is_open;
-    std::unique_ptr<DistanceField> field;
+    std::vector<DistanceField> fields;  ///< as Goal::sizes
     Inside inside;
   };
   struct Goal {
-    std::vector<Phase> phases;  ///< in their order
+    std::vector<SizeClass> sizes;  ///< of those who go there
+    std::vector<Phase> phases;     ///< in their order
     const Phase* now = nullptr;
+
+    std::size_t size(double radius) const {
+      std::size_t size = 0;
+      while (size + 1 < sizes.size() && sizes[size].largest < radius) ++size;
+      return size;
+    }
   };
 
-  void add_phase(std::uint32_t goal, const GoalPhase& phase, const FloorPlan& plan, const Barriers& barriers);
-  const FloorPlan& plan(double least, double largest, const Barriers& barriers);
-  const Phase* dead_end(std::uint32_t goal, const Vec& place) const;
+  void add_phase(std::uint32_t goal, const GoalPhase& phase, const Barriers& barriers);
+  const FloorPlan& plan(double largest, const Barriers& barriers);
+  std::optional<std::size_t> dead_end(std::uint32_t goal, double radius, const Vec& place) const;
   void expect_ways() const;
   [[noreturn]] void fail_at(const AgentGroup& group, std::uint32_t agent) const;
 

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// Wide and thin agents with one goal: each has the ways that he fits through.
+#include "sim/crowd/ways.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "sim/crowd/walk.h"
+#include "sim/input_error.h"
+#include "sim/simulation.h"
+#include "tests/sim/trial.h"
+
+namespace throng {
+namespace {
+
+/// A hall that a wall with a gap of that width (m) parts, and at its upper end a way two metres wide or none.
+std::string parted(double gap, bool is_open_above, const std::string& agents) {
+  const std::string low = std::to_string(5.0 - 0.5 * gap), high = std::to_string(5.0 + 0.5 * gap);
+  return "time = { dt = 0.02, until = 1000 }\nwalkable = 'POLYGON ((0 0, 20 0, 20 20, 0 20, 0 0))'\n"
+         "areas.e = [[18, 4], [20, 4], [20, 6], [18, 6]]\n[[walls]]\nsegment = [[10, 0], [10, " +
+         low + "]]\n[[walls]]\nsegment = [[10, " + high + "], [10, " + (is_open_above ? "18" : "20") + "]]\n" +
+         agents;
+}
+
+std::string one(const std::string& at, double radius, const std::string& model = "constant_velocity") {
+  return "[[agents]]\nat = " + at + "\nradius = " + std::to_string(radius) + "\nmodel = '" + model +
+         "'\ndesired_speed = 1\ngoal = 'e'\n";
+}
+
+std::string refusal(const Scene& scene) {
+  try {
+    Walk{scene};
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+// He was led to the gap that a thinner one with the same goal fits through, and stood in it for ever.
+TEST(Ways, OfWideAgentsAvoidGapsThatThinOnesTake) {
+  Trial run(parted(0.5, true, one("[5, 5]", 0.3) + one("[5, 15]", 0.15)));
+  run.steps(1600);
+  EXPECT_EQ(run.state.crowd.arrived, 2);
+}
+
+TEST(Ways, OfAGapAsWideAsTheAgentLeadElsewhere) {
+  Trial run(parted(0.5, true, one("[5, 5]", 0.25)));
+  run.steps(1600);
+  EXPECT_EQ(run.state.crowd.arrived, 1);
+}
+
+TEST(Ways, ThatAreTooNarrowForOneOfTheGroupAreRefused) {
+  const std::string both = one("[5, 5]", 0.3) + one("[5, 15]", 0.15);
+  EXPECT_NE(refusal(scene_from(parted(0.5, false, both))).find("agents[0]: no way wide enough"),
+            std::string::npos);
+  EXPECT_EQ(refusal(scene_from(parted(0.7, false, both))), "accepted");
+}
+
+TEST(Ways, OfACrowdPartAtAGap) {
+  Trial run(parted(0.45, true,
+                   "[[agents]]\ncount = 20\nradius = { uniform = [0.18, 0.25] }\nmodel = "
+                   "'orca'\ngoal = 'e'\nplace.random.within = [[2, 2], [8, 8]]\n"));
+  run.steps(8000);
+  EXPECT_EQ(run.state.crowd.arrived, 20);
+}
+
+std::vector<double> least(const std::vector<SizeClass>& classes) {
+  std::vector<double> result;
+  for (const SizeClass& some : classes) result.push_back(some.least);
+  return result;
+}
+
+TEST(SizeClasses, PartWherePassagesOpenAndWhereSizesDiffer) {
+  const std::vector<double> radii{0.25, 0.18, 0.2, 0.22, 0.18};
+  EXPECT_EQ(least(size_classes(radii, {})), (std::vector<double>{0.18}));
+  EXPECT_EQ(least(size_classes(radii, {0.42, 0.8})), (std::vector<double>{0.18, 0.22}));
+  EXPECT_EQ(least(size_classes(radii, {0.41, 0.42})), (std::vector<double>{0.18, 0.22}));
+  EXPECT_EQ(least(size_classes(radii, {0.44})), (std::vector<double>{0.18, 0.22})) << "as wide as he is";
+  EXPECT_EQ(least(size_classes({0.1, 0.14, 0.16, 0.5}, {})), (std::vector<double>{0.1, 0.16, 0.5}));
+  EXPECT_TRUE(size_classes({}, {}).empty());
+}
+
+TEST(SizeClasses, AreFewWhateverThePassages) {
+  std::vector<double> radii, passages;
+  for (int i = 0; i < 1000; ++i) radii.push_back(0.1 + 0.0005 * i), passages.push_back(2.0 * radii[i] + 1e-4);
+  const std::vector<SizeClass> classes = size_classes(radii, passages);
+  EXPECT_LE(classes.size(), kMostSizes);
+  EXPECT_GE(classes.size(), kMostSizes / 2);
+  EXPECT_EQ(classes.front().least, 0.1);
+  EXPECT_EQ(classes.back().largest, radii.back());
+  for (std::size_t i = 1; i < classes.size(); ++i) EXPECT_LT(classes[i - 1].largest, classes[i].least);
+}
+
+}  // namespace
+}  // namespace throng
