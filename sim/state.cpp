@@ -42,6 +42,7 @@ void add_agent(const Scene& scene, State& state, std::uint32_t agent, const Vec&
   crowd.stage.push_back(0), crowd.option.push_back(scene.crowd.leg(agent, 0).first_option());
   crowd.place.push_back(0), crowd.since.push_back(state.step);
   crowd.spot.push_back(place);
+  crowd.halt.push_back(place), crowd.halt_step.push_back(state.step);
 }
 
 State initial_state(const Scene& scene) {

@@ -41,6 +41,8 @@ struct SleepState {
 struct CrowdState {
   std::vector<Vec> stand;                ///< m, a row per agent: a place that it hasn't gone far from since
   std::vector<std::int64_t> stand_step;  ///< this step, or that in which the leg began
+  std::vector<Vec> halt;                 ///< m, likewise: a place from which it hasn't got on since
+  std::vector<std::int64_t> halt_step;   ///< this step, or that in which the leg began
   std::vector<std::uint32_t> stage;      ///< leg of its journey
   std::vector<std::uint32_t> option;     ///< of the leg: the one that it goes for, or kUndecided
   std::vector<std::uint32_t> place;      ///< 0 on the way; in a queue from 1 at its head; 1 where it waits
@@ -76,7 +78,7 @@ struct State {
 template <class Crowd, class F>
 void for_each_agent_array(Crowd& crowd, F f) {
   f(crowd.stand), f(crowd.stand_step), f(crowd.stage), f(crowd.option), f(crowd.place), f(crowd.since);
-  f(crowd.spot);
+  f(crowd.spot), f(crowd.halt), f(crowd.halt_step);
 }
 
 /// Which agent of the crowd is in this row of the state, which is one of the crowd's.

@@ -2,18 +2,20 @@
 #include "sim/crowd/journeys.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace throng {
 
 namespace {
 
-constexpr int kSpotTries = 100;
-constexpr double kPatience = 5.0, kLongestWay = 15.0;  // s: who gets nowhere on the way to a place to wait,
-                                                       // or not there in time, stays where he is
-constexpr double kSettled = 2.0;                       // s: who stands so long at his place stays so
-constexpr double kAtPlace = 0.5;                       // of a line's spacing: not farther he is at his place
-constexpr double kBeside = 3.0;  // radii: who waits is that near where he keeps others out
-constexpr int kSeveral = 2;      // who wait for anything bar the way: one can be walked round
+constexpr int kSpotTries = 100, kChoices = 3;
+constexpr double kPatience = 5.0, kJostled = 15.0;  // s: who stands on the way to a place to wait, or doesn't
+                                                    // get on that long, stays where he is
+constexpr double kSettled = 2.0;                    // s: who stands so long at his place stays so
+constexpr double kAtPlace = 0.5;                    // of a line's spacing: not farther he is at his place
+constexpr double kBeside = 3.0;                     // radii: who waits is that near where he keeps others out
+constexpr double kAway = 10.0;  // radii: who is stuck and goes aside comes back from nearer
+constexpr int kSeveral = 2;     // who wait for anything bar the way: one can be walked round
 
 }  // namespace
 
@@ -101,6 +103,14 @@ bool Journeys::has_settled(const State& state, Row row, double distance) const {
   return distance <= std::min(radius(state, row), near);
 }
 
+bool Journeys::gets_on(const State& state, Row row) const {
+  const Vec &p = position(state, row), &halt = state.crowd.halt[row];
+  const double radius = this->radius(state, row);
+  if (!is_decided(state, row) || (p - halt).norm() > kAway * radius) return true;
+  const DistanceField& way = this->way(state, row, goal(state, row));
+  return way.distance(p) <= way.distance(halt) - radius;
+}
+
 Heading Journeys::heading(const State& state, Row row, std::uint32_t group) const {
   const Vec& p = position(state, row);
   if (!is_decided(state, row)) return {Vec(0.0, 0.0), 0.0};
@@ -129,24 +139,48 @@ void Journeys::gather_spots(const State& state) {
   spots_known_ = true;
 }
 
-bool Journeys::meets_spot(const Vec& p, double radius) {
-  return std::ranges::any_of(spots_, [&](Standing& spots) { return spots.meets(p, radius); });
+/// Whether nobody waits there but himself.
+bool Journeys::has_room(const State& state, Row row, const Vec& p) {
+  const Vec& own = state.crowd.spot[row];
+  const bool waits = state.crowd.place[row] > 0;
+  const double radius = this->radius(state, row);
+  return std::ranges::none_of(spots_, [&](Standing& spots) {
+    return spots.meets(p, radius, [&](const Vec& spot) { return !waits || spot != own; });
+  });
 }
 
-/// A place in the area that he sees and where he has room; where none is found, the one where he is.
-Vec Journeys::free_spot(const State& state, Row row) {
+/// Whether nobody waits on his straight way. O(length over radius).
+bool Journeys::is_way_clear(const State& state, Row row, const Vec& to) {
+  const Vec& p = position(state, row);
+  const double length = (to - p).norm(), radius = this->radius(state, row);
+  for (double gone = radius; gone < length; gone += radius)
+    if (!has_room(state, row, p + gone / length * (to - p))) return false;
+  return true;
+}
+
+/// Places in the area that he sees and where he has room. Of several the farthest: who took a nearer one
+/// would be in the way of those who come later.
+Journeys::Spots Journeys::free_spots(const State& state, Row row) {
+  if (!spots_known_) gather_spots(state);
   const Vec& p = position(state, row);
   const double radius = this->radius(state, row);
   const Sampler& sampler = *samplers_[goal(state, row)];
   Random random(scene_.seed, static_cast<std::uint64_t>(state.step), state.id[scene_.crowd.first + row],
                 Purpose::spot);
-  for (int i = 0; i < kSpotTries && !sampler.empty(); ++i) {
+  Spots spots{p, p};
+  const auto is_farther = [&](const Vec& q, const Vec& than) {
+    return (q - p).squaredNorm() > (than - p).squaredNorm();
+  };
+  for (int i = 0, choices = 0; i < kSpotTries && choices < kChoices && !sampler.empty(); ++i) {
     const Vec q = sampler.draw(random);
-    if (sampler.holds(q, radius) && !meets_spot(q, radius) && !(barriers_.distance(q, radius) < radius) &&
-        !barriers_.block(p, q))
-      return q;
+    if (!sampler.holds(q, radius) || !has_room(state, row, q) || barriers_.distance(q, radius) < radius ||
+        barriers_.block(p, q))
+      continue;
+    ++choices;
+    if (is_farther(q, spots.any)) spots.any = q;
+    if (is_farther(q, spots.clear) && is_way_clear(state, row, q)) spots.clear = q;
   }
-  return p;
+  return spots;
 }
 
 /// Whether he is near one of those who wait for a goal, and on the same side of all walls.
@@ -187,10 +221,17 @@ bool Journeys::is_kept_out(const State& state, Row row) {
          !is_behind_one(state, row);
 }
 
+void Journeys::go_to(State& state, Row row, const Vec& spot) const {
+  CrowdState& crowd = state.crowd;
+  crowd.spot[row] = spot;
+  crowd.halt[row] = position(state, row);
+  crowd.stand_step[row] = crowd.halt_step[row] = state.step;
+}
+
 void Journeys::stay(State& state, Row row, const Vec& spot) {
   state.crowd.place[row] = 1;
   state.crowd.since[row] = state.step;
-  state.crowd.spot[row] = spot;
+  go_to(state, row, spot);
   spots_[goal(state, row)].add(spot, radius(state, row));
 }
 
@@ -198,8 +239,7 @@ void Journeys::stay(State& state, Row row, const Vec& spot) {
 /// others who wait keep him out: else he would be in the way of those who want out, for ever.
 void Journeys::begin_to_wait(State& state, Row row) {
   if (is_in(state, row)) {
-    if (!spots_known_) gather_spots(state);
-    stay(state, row, free_spot(state, row));
+    stay(state, row, free_spots(state, row).any);
   } else if (is_kept_out(state, row)) {
     stay(state, row, position(state, row));
   }
@@ -210,16 +250,25 @@ bool Journeys::is_off_spot(const State& state, Row row) const {
   return (position(state, row) - state.crowd.spot[row]).norm() > radius(state, row);
 }
 
+/// Who doesn't get to his place stays where he is; outside of the area until he sees one that he can get to.
+void Journeys::look_for_room(State& state, Row row) {
+  CrowdState& crowd = state.crowd;
+  const Vec& p = position(state, row);
+  const bool is_in = this->is_in(state, row);
+  if (is_off_spot(state, row)) {
+    const bool stands = since(state, crowd.stand_step[row]) >= kPatience;
+    if (stands || (is_in && since(state, crowd.halt_step[row]) >= kJostled)) crowd.spot[row] = p;
+  } else if (!is_in && std::fmod(since(state, crowd.since[row]), kPatience) < scene_.time.dt) {
+    if (const Vec spot = free_spots(state, row).clear; spot != p) go_to(state, row, spot);
+  }
+}
+
 /// Whether the agent's time is over.
 bool Journeys::wait(State& state, Row row) {
   CrowdState& crowd = state.crowd;
   if (crowd.place[row] == 0) begin_to_wait(state, row);
   if (crowd.place[row] == 0) return false;
-  const Vec& p = position(state, row);
-  if (const double there = since(state, crowd.since[row]); is_off_spot(state, row)) {
-    const bool stands = std::min(there, since(state, crowd.stand_step[row])) >= kPatience;
-    if (stands || (there >= kLongestWay && is_in(state, row))) crowd.spot[row] = p;
-  }
+  look_for_room(state, row);
   const Leg& its = leg(state, row);
   if (its.times.empty()) return false;
   const std::size_t in_group =
@@ -261,7 +310,8 @@ bool Journeys::is_there(State& state, Row row) {
 void Journeys::begin_leg(State& state, Row row) const {
   state.crowd.option[row] = leg(state, row).first_option();
   state.crowd.place[row] = 0;
-  state.crowd.since[row] = state.crowd.stand_step[row] = state.step;
+  state.crowd.since[row] = state.crowd.stand_step[row] = state.crowd.halt_step[row] = state.step;
+  state.crowd.halt[row] = position(state, row);
 }
 
 /// Whether `is_there` is to be asked of him: not of who is on his way to an open goal and not in it.

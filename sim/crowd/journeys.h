@@ -35,6 +35,10 @@ class Journeys {
   /// Whether he has a place, is as good as there, which is `distance` (m) away, and stands.
   bool has_settled(const State& state, std::size_t row, double distance) const;
 
+  /// Whether he has left the place where he last did so: his goal is nearer by his radius than from there, or
+  /// he is farther from there than those get who go aside. Always, where he has no goal yet.
+  bool gets_on(const State& state, std::size_t row) const;
+
   /// Has the memory brought near that `heading` of that agent will read.
   void prefetch(const State& state, std::size_t row, std::uint32_t group) const {
     if (!is_decided(state, row)) return;
@@ -100,10 +104,17 @@ class Journeys {
   bool is_kept_out(const State& state, Row row);
   bool is_off_spot(const State& state, Row row) const;
   void wait_for_opening(State& state, Row row);
-  Vec free_spot(const State& state, Row row);
+  /// Where an agent may wait.
+  struct Spots {
+    Vec clear, any;  ///< m: with nobody who waits in the way, and behind others; where he is where none is
+  };
+  Spots free_spots(const State& state, Row row);
   void stay(State& state, Row row, const Vec& spot);
   void gather_spots(const State& state);
-  bool meets_spot(const Vec& p, double radius);
+  bool has_room(const State& state, Row row, const Vec& p);
+  bool is_way_clear(const State& state, Row row, const Vec& to);
+  void look_for_room(State& state, Row row);
+  void go_to(State& state, Row row, const Vec& spot) const;
   void begin_leg(State& state, Row row) const;
 
   const Scene& scene_;

@@ -38,7 +38,8 @@ std::vector<StuckAgent> stuck_agents(const Scene& scene, const State& state) {
   for (std::size_t i = 0; i < state.crowd.stand.size(); ++i) {
     if (state.crowd.place[i] > 0 || state.crowd.option[i] == kUndecided) continue;
     const std::size_t row = scene.crowd.first + i, agent = agent_of(scene, state, row);
-    if (time_stood(scene, state, i) >= kStuckTime && scene.crowd.desired_speed[agent] > 0.0)
+    if (time_wanted(scene, state, i, state.crowd.halt_step[i]) >= kStuckTime &&
+        scene.crowd.desired_speed[agent] > 0.0)
       stuck.push_back({state.id[row], state.position[row]});
   }
   std::ranges::sort(stuck, {}, &StuckAgent::id);

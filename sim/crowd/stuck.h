@@ -10,7 +10,7 @@
 /// Who wants to walk and gets nowhere.
 namespace throng {
 
-/// An agent that wanted to walk and hasn't got anywhere for kStuckTime.
+/// An agent that wanted to walk and hasn't got on for kStuckTime.
 struct StuckAgent {
   std::uint32_t id;
   Vec position;  ///< m
@@ -18,20 +18,25 @@ struct StuckAgent {
 inline constexpr double kStuckTime = 10.0;  ///< s
 
 /// Those of the state, by id: agents with a desired speed and on their way somewhere, that for kStuckTime
-/// weren't farther than their radius from one place, nor since then than `leash`. Not those who stand in
-/// line, want to a queue that is full, or wait.
+/// haven't got on from one place, as Journeys::gets_on tells: who goes aside and comes back has got nowhere.
+/// Not those who stand in line, want to a queue that is full, or wait.
 std::vector<StuckAgent> stuck_agents(const Scene& scene, const State& state);
 
 /// s: who stood so long is in doubt.
 inline constexpr double kHesitation = 1.0;
 
-/// s, for which the agent in this row of the crowd's state has wanted to walk and got nowhere.
-inline double time_stood(const Scene& scene, const State& state, std::size_t row) {
+/// s, since that step, for which the agent in this row of the crowd's state has wanted to walk.
+inline double time_wanted(const Scene& scene, const State& state, std::size_t row, std::int64_t step) {
   const double dt = scene.time.dt, now = static_cast<double>(state.step) * dt;
-  const double stood = now - static_cast<double>(state.crowd.stand_step[row]) * dt;
-  if (stood < kHesitation) return stood;
+  const double whole = now - static_cast<double>(step) * dt;
+  if (whole < kHesitation) return whole;
   const double leg = now - static_cast<double>(state.crowd.since[row]) * dt;
-  return std::min({stood, leg, now - scene.crowd.start[agent_of(scene, state, scene.crowd.first + row)]});
+  return std::min({whole, leg, now - scene.crowd.start[agent_of(scene, state, scene.crowd.first + row)]});
+}
+
+/// s, for which he has wanted to walk and stood.
+inline double time_stood(const Scene& scene, const State& state, std::size_t row) {
+  return time_wanted(scene, state, row, state.crowd.stand_step[row]);
 }
 
 /// Where one who has stood for so long (s) wants to go: at random by (seed, step, id) a little beside his

@@ -227,8 +227,10 @@ Walk::Hindered Walk::walk_one(State& state, std::size_t place, std::size_t row) 
   const std::size_t i = row - scene_.crowd.first;
   const double far = (moved.to - state.crowd.stand[i]).squaredNorm();
   if (const auto is_in = [&](double reach) { return far <= reach * reach; };
-      !is_in(radius) && !is_in(leash(scene_, state, i, radius)))
+      !is_in(radius) && !is_in(leash(scene_, state, i, radius))) {
     state.crowd.stand[i] = moved.to, state.crowd.stand_step[i] = state.step;
+    if (journeys_->gets_on(state, i)) state.crowd.halt[i] = moved.to, state.crowd.halt_step[i] = state.step;
+  }
   return {moved.corrected, squeezed};
 }
 

@@ -182,7 +182,7 @@ Header read_header(int fd, const std::string& path, std::uint64_t size) {
 /// against.
 void expect_size(const std::string& path, const Header& header, std::uint64_t size) {
   constexpr std::uint64_t body = sizeof(std::uint32_t) + 6 * sizeof(double);
-  constexpr std::uint64_t agent = 4 * sizeof(double) + 2 * sizeof(std::int64_t) + 3 * sizeof(std::uint32_t);
+  constexpr std::uint64_t agent = 6 * sizeof(double) + 3 * sizeof(std::int64_t) + 3 * sizeof(std::uint32_t);
   constexpr std::uint64_t contact = sizeof(std::uint64_t) + sizeof(std::uint32_t) + 4 * sizeof(double);
   constexpr std::uint64_t sleeper = sizeof(double) + 2 * sizeof(std::uint32_t);
   constexpr std::uint64_t sleeping = contact + 3 * sizeof(std::uint32_t) + 2 * sizeof(double);

@@ -74,6 +74,8 @@ bool is_possible(const CrowdState& crowd, std::int64_t step) {
   return std::all_of(crowd.stand.begin(), crowd.stand.end(), is_near) &&
          std::all_of(crowd.spot.begin(), crowd.spot.end(), is_near) &&
          std::all_of(crowd.stand_step.begin(), crowd.stand_step.end(), past) &&
+         std::all_of(crowd.halt.begin(), crowd.halt.end(), is_near) &&
+         std::all_of(crowd.halt_step.begin(), crowd.halt_step.end(), past) &&
          std::all_of(crowd.since.begin(), crowd.since.end(), past) && past(crowd.last_arrival) &&
          is_count(crowd.arrived) && is_count(crowd.wall_corrections) && is_count(crowd.squeezed) &&
          std::all_of(crowd.measured.begin(), crowd.measured.end(),

@@ -41,7 +41,7 @@ State numbered(std::uint32_t agents) {
     CrowdState& crowd = state.crowd;
     crowd.stand.push_back({x, x}), crowd.stand_step.push_back(i), crowd.stage.push_back(i);
     crowd.option.push_back(i), crowd.place.push_back(i), crowd.since.push_back(i),
-        crowd.spot.push_back({x, x});
+        crowd.spot.push_back({x, x}), crowd.halt.push_back({x, x}), crowd.halt_step.push_back(i);
   }
   return state;
 }
@@ -57,7 +57,7 @@ void expect_rows(const State& state, const std::vector<std::uint32_t>& ids) {
     const CrowdState& crowd = state.crowd;
     EXPECT_TRUE(crowd.stand[row].x() == x && crowd.stand_step[row] == x && crowd.stage[row] == x &&
                 crowd.option[row] == x && crowd.place[row] == x && crowd.since[row] == x &&
-                crowd.spot[row].y() == x)
+                crowd.spot[row].y() == x && crowd.halt[row].y() == x && crowd.halt_step[row] == x)
         << row;
   }
 }

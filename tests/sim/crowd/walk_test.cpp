@@ -182,6 +182,25 @@ TEST(Walk, ListsWhoIsStuckBehindOneWhoWantsToStand) {
   EXPECT_EQ(stuck[0].id, 1u);
 }
 
+// It happened: who is stuck goes aside for a second and comes back, which was taken for getting on: of thirty
+// runs of up to 600 s before a door too narrow for the force of its jambs eight said that he was stuck.
+TEST(Walk, ListsWhoIsStuckAtAnyTimeThoughHeGoesAside) {
+  Trial run(
+      "time = { dt = 0.01, until = 200 }\nwalkable = 'POLYGON ((0 0, 10 0, 10 6, 0 6, 0 0))'\n"
+      "areas.exit = [[9, 2], [10, 2], [10, 4], [9, 4]]\n[[walls]]\nsegment = [[5, 0], [5, 2.7]]\n"
+      "[[walls]]\nsegment = [[5, 3.3], [5, 6]]\n[[agents]]\nat = [1, 1.3]\nmodel = 'social_force'\n"
+      "desired_speed = 1\ngoal = 'exit'\n");
+  run.steps(2000);
+  double way = 0.0;
+  for (int i = 0; i < 180; ++i) {
+    const Vec before = run.state.position[0];
+    run.steps(100);
+    way += (run.state.position[0] - before).norm();
+    EXPECT_EQ(stuck_agents(run.scene, run.state).size(), 1u) << "after " << 21 + i << " s";
+  }
+  EXPECT_GT(way, 5.0) << "he went aside";
+}
+
 TEST(Walk, OverlapsAreMeasured) {
   const std::string two =
       "at = [5, 1]\n[[agents]]\ngoal = 'exit'\nmodel = 'constant_velocity'\nat = [5.3, 1]\n";

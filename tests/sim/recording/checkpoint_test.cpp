@@ -204,7 +204,8 @@ TEST(Checkpoint, RefusesCrowdsThatNoRunHas) {
   const auto refused = [](auto change) {
     State state = state_at(mixed_scene(7), 5);
     state.crowd.stand = state.position;
-    state.crowd.spot = state.position;
+    state.crowd.spot = state.crowd.halt = state.position;
+    state.crowd.halt_step.assign(7, 5);
     state.crowd.stand_step.assign(7, 5), state.crowd.stage.assign(7, 0), state.crowd.since.assign(7, 0);
     state.crowd.option.assign(7, 0), state.crowd.place.assign(7, 0);
     state.crowd.waiting = {2, 0};
@@ -217,6 +218,8 @@ TEST(Checkpoint, RefusesCrowdsThatNoRunHas) {
   EXPECT_TRUE(refused([](CrowdState& c) { c.stand[6].y() = -1e12; }));
   EXPECT_TRUE(refused([](CrowdState& c) { c.stand_step[6] = 6; }));
   EXPECT_TRUE(refused([](CrowdState& c) { c.stand_step[0] = -1; }));
+  EXPECT_TRUE(refused([](CrowdState& c) { c.halt[6].x() = nan; }));
+  EXPECT_TRUE(refused([](CrowdState& c) { c.halt_step[6] = 6; }));
   EXPECT_TRUE(refused([](CrowdState& c) { c.since[1] = 6; }));
   EXPECT_TRUE(refused([](CrowdState& c) { c.spot[6].y() = infinity; }));
   EXPECT_TRUE(refused([](CrowdState& c) { c.arrived = -1; }));
