@@ -12,6 +12,8 @@ namespace throng::scenarios {
 namespace {
 
 constexpr int kMostDraws = 1000;
+constexpr double kNoticed =
+    1.5;  // standard deviations: what is cut off nearer to the mean moves it by 7 % of one
 constexpr double kCutOff = 3.0;  // standard deviations, of a normal distribution without cut-offs of its own
 
 /// With this mean and standard deviation, of the number itself.
@@ -67,7 +69,19 @@ Distribution read_distribution(const toml::node& node, double least, double most
            (result.low > result.a + kCutOff * result.b || result.high < result.a - kCutOff * result.b))
     report.error(node, path,
                  "must have a range `within` that its mean is no more than 3 standard deviations away from");
+  else if (result.kind == Distribution::Kind::normal && !table.contains("within") &&
+           result.a - kNoticed * result.b < least)
+    report.warning(node.source(), path,
+                   "is drawn again where it is below " + to_text(least) + ": the mean is above " +
+                       to_text(result.a) + "; `within` says what is meant");
   return result;
+}
+
+double usual_most(const Distribution& distribution) {
+  const auto [kind, a, b, low, high] = distribution;
+  return kind == Distribution::Kind::fixed     ? a
+         : kind == Distribution::Kind::uniform ? b
+                                               : std::min(a + b, high);
 }
 
 double draw(const Distribution& distribution, Random& random) {

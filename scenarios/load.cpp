@@ -99,6 +99,16 @@ void write_chosen_time(toml::table& root, const Time& time) {
   table.erase("error");
 }
 
+std::vector<Diagnostic> goal_places(const toml::table& root) {
+  std::vector<Diagnostic> places;
+  for (std::size_t i = 0; const toml::node* goal = root["agents"][i]["goal"].node(); ++i) {
+    Report report(root.source().path);
+    report.error(*goal, "agents[" + std::to_string(i) + "].goal", "");
+    places.push_back(report.take().front());
+  }
+  return places;
+}
+
 void load(Loaded& loaded, const std::string& name, std::span<const std::string> overrides) {
   std::optional<toml::table> root = parse(loaded.text, name, loaded.diagnostics);
   if (!root) return;
@@ -111,6 +121,7 @@ void load(Loaded& loaded, const std::string& name, std::span<const std::string> 
   write_chosen_time(*root, loaded.scene.time);
   loaded.resolved = print(*root);
   loaded.diagnostics = report.take();
+  if (loaded.errors() == 0) loaded.goals = goal_places(*root);
 }
 
 }  // namespace

@@ -27,8 +27,9 @@ int errors(std::span<const Diagnostic> diagnostics);
 struct Loaded {
   Scene scene;
   std::vector<Diagnostic> diagnostics;  ///< in the order of the text; at most 20 errors
-  std::string text;                     ///< as given
-  std::string resolved;                 ///< TOML with all overrides applied; loads to the same scene
+  std::vector<Diagnostic> goals;  ///< of each group of agents in the text: the place for a fault of its goal
+  std::string text;               ///< as given
+  std::string resolved;           ///< TOML with all overrides applied; loads to the same scene
   int errors() const { return throng::errors(diagnostics); }
 };
 

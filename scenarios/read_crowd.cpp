@@ -83,7 +83,19 @@ class AgentReader {
              "belongs to another model than " + in_quotes(name) + ", which this group has");
       }
     }
+    warn_of_top_speed(kinds[group.model], group.parameters);
     scene_.crowd.groups.push_back(std::move(group));
+  }
+
+  /// Models may have a speed that nobody goes beyond, whatever he desires.
+  void warn_of_top_speed(const ModelKind& kind, const std::vector<double>& values) {
+    const auto top = std::ranges::find(kind.parameters, std::string_view("top_speed"), &ModelParameter::key);
+    if (top == kind.parameters.end() || !table_.contains("desired_speed")) return;
+    const double most = values[static_cast<std::size_t>(top - kind.parameters.begin())];
+    if (const double wanted = usual_most(entry_.desired_speed); wanted > most)
+      report_.warning(table_.get("desired_speed")->source(), path_.text() + ".desired_speed",
+                      "is " + to_text(wanted) + " m/s for some, and nobody goes beyond " + kind.name +
+                          ".top_speed, which is " + to_text(most));
   }
 
   static std::vector<double> parameters_of(const ModelKind& kind, const toml::table& table) {
@@ -160,7 +172,10 @@ class AgentReader {
 void check_ground(const toml::table& root, const toml::node& agents, const Scene& scene, Report& report) {
   if (scene.domain.kind == DomainKind::periodic)
     report.error(*root["domain"].node(), "domain", "not supported yet: agents in a periodic domain");
-  if (scene.crowd.walkable.empty())
+  if (scene.gravity != Vec(0.0, 0.0) && !root.contains("bodies"))
+    report.warning(root["gravity"].node()->source(), "gravity", "has no meaning: agents aren't drawn by it");
+  const toml::node* walkable = root.get("walkable");  // where it has faults they were reported
+  if (scene.crowd.walkable.empty() && !(walkable && report.bad(*walkable)))
     report.error(agents, "agents", "need a floor to walk on: walkable, or domain.box");
 }
 

@@ -41,7 +41,8 @@ class WktReader {
       fail(
           "must begin with LINESTRING, LINEARRING, POLYGON, MULTILINESTRING or MULTIPOLYGON, and begins "
           "with " +
-          in_quotes(text_));
+          in_quotes(text_) +
+          suggestion(type, {"POLYGON", "MULTIPOLYGON", "LINESTRING", "LINEARRING", "MULTILINESTRING"}));
     }
     skip_space();
     if (good() && at_ < text_.size()) fail("must end after its last parenthesis");

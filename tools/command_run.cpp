@@ -57,9 +57,17 @@ void expect_name_of_recording(const std::string& output) {
         ": a recording is HDF5, as OUT.h5; `throng export` and `throng replay` make other files of it");
 }
 
+std::unique_ptr<Simulation> simulation_of(const Loaded& loaded, const RunOptions& options) {
+  try {
+    return throng::simulation(loaded.scene, options.drive.threads);
+  } catch (const NoWay& no_way) {
+    refuse(no_way, loaded, options.scene);
+  }
+}
+
 /// All that a run does but run. Returns the exit code.
 int rehearse(const RunOptions& options, const Loaded& loaded, const Provenance& provenance) {
-  const auto simulation = throng::simulation(loaded.scene, options.drive.threads);
+  const auto simulation = simulation_of(loaded, options);
   if (!options.output.empty()) {
     Recorder::expect_writable(options.output, loaded.scene, provenance, options.force);
     warn_of_room(options.output, loaded.scene, provenance);
@@ -83,7 +91,7 @@ int run(const RunOptions& options) {
                               options.drive.checkpoint.value_or(0.0)};
   if (options.dry_run) return rehearse(options, loaded, provenance);
 
-  const auto simulation = throng::simulation(scene, options.drive.threads);
+  const auto simulation = simulation_of(loaded, options);
   stop_on_signals();
   warn_of_checkpoints(options.drive, scene);
   warn_of_threads(options.drive, scene);

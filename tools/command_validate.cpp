@@ -32,6 +32,7 @@ int validate(const ValidateOptions& options) {
   }
   if (options.file.empty()) throw InputError("validate needs a scenario file; see throng validate --help");
   const Loaded loaded = load_or_throw(options.file, options.overrides);
+  expect_ways(loaded, options.file);
   const Scene& scene = loaded.scene;
   const auto size = [](const auto& list) { return static_cast<std::int64_t>(list.size()); };
   const std::size_t agents = scene.crowd.size();

@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "scenarios/report.h"
+#include "sim/crowd/walk.h"
 #include "sim/input_error.h"
 #include "sim/recording/utf8.h"
 
@@ -80,6 +81,23 @@ Loaded load_text_or_throw(const std::string& text, const std::string& name, cons
   name_options(loaded.diagnostics, overrides);
   expect_sound(loaded.diagnostics, name);
   return loaded;
+}
+
+void expect_ways(const Loaded& loaded, const std::string& file) {
+  if (loaded.scene.crowd.size() == 0) return;
+  try {
+    const Walk walk(loaded.scene);
+  } catch (const NoWay& no_way) {
+    refuse(no_way, loaded, file);
+  }
+}
+
+void refuse(const NoWay& no_way, const Loaded& loaded, const std::string& file) {
+  if (no_way.group >= loaded.goals.size()) throw no_way;
+  Diagnostic fault = loaded.goals[no_way.group];
+  fault.message = no_way.reason;
+  expect_sound({&fault, 1}, file);
+  throw no_way;
 }
 
 }  // namespace throng::tools

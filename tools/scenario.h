@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scenarios/load.h"
+#include "sim/crowd/ways.h"
 
 namespace CLI {
 class App;
@@ -36,5 +37,12 @@ Loaded load_or_throw(const std::string& file, const Overrides& overrides = {});
 
 /// The same for a scenario's text, which keeps the name that it has; `name` stands for it in messages.
 Loaded load_text_or_throw(const std::string& text, const std::string& name, const Overrides& overrides = {});
+
+/// Refuses a scenario in which no way leads an agent to its goal, as load_or_throw refuses others. O(nodes of
+/// all goals' floors).
+void expect_ways(const Loaded& loaded, const std::string& file);
+
+/// Prints that at its place in the file, and throws as expect_sound does.
+[[noreturn]] void refuse(const NoWay& no_way, const Loaded& loaded, const std::string& file);
 
 }  // namespace throng::tools

@@ -97,6 +97,10 @@ void DistanceField::mark_broken() {
     }
 }
 
+bool DistanceField::leads_from_anywhere() const {
+  return std::ranges::any_of(distance_, [](float d) { return d != 0.0f && std::abs(d) < kUnreached; });
+}
+
 double DistanceField::distance(const Vec& p) const {
   Cell cell;
   if (contains(goal_, p)) return 0.0;

@@ -26,6 +26,9 @@ class DistanceField {
   /// m, from `p` to the goal; infinite where no way leads there. O(1).
   double distance(const Vec& p) const;
 
+  /// Whether any node but of the goal's own is known. O(n).
+  bool leads_from_anywhere() const;
+
   /// The same as `direction`, of some length above 0, in little time. False where that is no whole answer:
   /// near barriers and in the goal.
   bool slope(const Vec& p, Vec& down) const {

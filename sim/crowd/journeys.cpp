@@ -238,7 +238,7 @@ void Journeys::stay(State& state, Row row, const Vec& spot) {
 /// In the area at a free place, or where he is where there is none; and there too, before the area, where
 /// others who wait keep him out: else he would be in the way of those who want out, for ever.
 void Journeys::begin_to_wait(State& state, Row row) {
-  if (ways_.is_in(goal(state, row), position(state, row))) {
+  if (is_in(state, row)) {
     stay(state, row, free_spots(state, row).any);
   } else if (is_kept_out(state, row)) {
     stay(state, row, position(state, row));
@@ -254,7 +254,7 @@ bool Journeys::is_off_spot(const State& state, Row row) const {
 void Journeys::look_for_room(State& state, Row row) {
   CrowdState& crowd = state.crowd;
   const Vec& p = position(state, row);
-  const bool is_in = ways_.is_in(goal(state, row), p);
+  const bool is_in = this->is_in(state, row);
   if (is_off_spot(state, row)) {
     const bool stands = since(state, crowd.stand_step[row]) >= kPatience;
     if (stands || (is_in && since(state, crowd.halt_step[row]) >= kJostled)) crowd.spot[row] = p;
@@ -296,7 +296,7 @@ bool Journeys::is_there(State& state, Row row) {
   if (!is_decided(state, row)) return false;
   switch (leg(state, row).kind) {
     case Leg::Kind::pass:
-      if (ways_.is_open(goal(state, row))) return ways_.is_in(goal(state, row), position(state, row));
+      if (ways_.is_open(goal(state, row))) return is_in(state, row);
       wait_for_opening(state, row);
       return false;
     case Leg::Kind::wait:
@@ -318,8 +318,7 @@ void Journeys::begin_leg(State& state, Row row) const {
 bool Journeys::may_be_there(const State& state, Row row) const {
   if (!is_decided(state, row)) return false;
   if (leg(state, row).kind != Leg::Kind::pass) return true;
-  const std::uint32_t goal = this->goal(state, row);
-  return !ways_.is_open(goal) || ways_.is_in(goal, position(state, row));
+  return !ways_.is_open(goal(state, row)) || is_in(state, row);
 }
 
 void Journeys::advance(State& state, Workers& workers, std::vector<std::uint8_t>& leaves) {

@@ -73,6 +73,12 @@ class Journeys {
   double radius(const State& state, Row row) const {
     return scene_.bodies.radius[scene_.crowd.first + agent(state, row)];
   }
+  /// Whether he is in what is open of his goal, or as good as that.
+  bool is_in(const State& state, Row row) const {
+    const std::uint32_t its = goal(state, row);
+    const Vec& p = position(state, row);
+    return ways_.is_in(its, p) || (ways_.has_strips(its) && ways_.is_at_strip(its, radius(state, row), p));
+  }
   /// His to that goal.
   const DistanceField& way(const State& state, Row row, std::uint32_t goal) const {
     return ways_.to(goal, ways_.suit_all(goal) ? 0.0 : radius(state, row));

@@ -197,7 +197,7 @@ class March {
     for (const auto& [x, y] : kChords) {
       const std::size_t to = node + static_cast<std::size_t>(x + y * steps_[2]);
       if (!(to < plan_.size() && known_[to] && plan_.footing[to] == Footing::free)) continue;
-      const double way = distance_[to] + std::sqrt(x * x + y * y);
+      const double way = distance_[to] + std::sqrt(static_cast<double>(x * x + y * y));
       if (way < distance && is_clear(plan_.node(node), plan_.node(to))) distance = way;
     }
     return distance;

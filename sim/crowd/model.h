@@ -71,6 +71,7 @@ struct ModelParameter {
   double preset, low, high;
   const char* unit;
   const char* doc;
+  bool is_whole = false;  ///< a whole number
 };
 
 /// Values of all parameters that belong together, which scenario files may start from.

@@ -211,7 +211,7 @@ constexpr ModelParameter kParameters[] = {
     {"wall_horizon", 0.5, 1e-2, 1e3, "s", "For which ways are clear of walls, s."},
     {"cutoff", 5.0, 0.0, 1e3, "m", "How far others are looked at, centre to centre, m."},
     {"neighbours", 10.0, 0.0, static_cast<double>(kMostNeighbours), "",
-     "How many of them, the nearest ones, at most."},
+     "How many of them, the nearest ones, at most.", true},
     {"top_speed", 2.0, 0.0, 1e3, "m/s", "That nobody goes beyond, m/s."}};
 
 class Orca : public WalkingModel {

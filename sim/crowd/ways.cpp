@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "sim/input_error.h"
+#include "sim/crowd/room.h"
 
 namespace throng {
 
@@ -51,7 +51,8 @@ std::string text(const Vec& p) {
 
 }  // namespace
 
-Ways::Ways(const Scene& scene, const Barriers& barriers) : scene_(scene), goals_(scene.crowd.goals.size()) {
+Ways::Ways(const Scene& scene, const Barriers& barriers)
+    : scene_(scene), barriers_(barriers), goals_(scene.crowd.goals.size()) {
   const Crowd& crowd = scene.crowd;
   std::vector<std::vector<double>> radii = radii_by_goal(scene);
   const std::vector<double> narrow = narrow_passages(scene, barriers);
@@ -60,20 +61,43 @@ Ways::Ways(const Scene& scene, const Barriers& barriers) : scene_(scene), goals_
     goals_[goal].sizes = size_classes(std::move(radii[goal]), narrow);
     const throng::Goal& its = crowd.goals[goal];
     goals_[goal].phases.reserve(its.phases.size() + 1);
-    if (its.phases.empty()) add_phase(goal, {0.0, true, its.region}, barriers);
-    for (const GoalPhase& phase : its.phases) add_phase(goal, phase, barriers);
+    if (its.phases.empty()) add_phase(goal, {0.0, true, its.region});
+    for (const GoalPhase& phase : its.phases) add_phase(goal, phase);
     goals_[goal].now = goals_[goal].phases.data();
     changes_ = changes_ || its.phases.size() > 1;
   }
   expect_ways();
 }
 
-void Ways::add_phase(std::uint32_t goal, const GoalPhase& phase, const Barriers& barriers) {
+void Ways::add_phase(std::uint32_t goal, const GoalPhase& phase) {
   std::vector<DistanceField> fields;
   for (const SizeClass& size : goals_[goal].sizes)
-    fields.emplace_back(plan(size.largest, barriers), barriers, phase.region);
+    fields.emplace_back(plan(size.largest), barriers_, phase.region);
   goals_[goal].phases.push_back({Time{scene_.time.dt, phase.from, 1}.steps(), phase.from, phase.is_open,
-                                 std::move(fields), Inside(phase.region)});
+                                 std::move(fields), Inside(phase.region), strips(goal, phase)});
+}
+
+/// Of the areas that are open.
+std::vector<Region> Ways::strips(std::uint32_t goal, const GoalPhase& phase) const {
+  std::vector<Region> strips(goals_[goal].sizes.size());
+  bool any = false;
+  for (const std::uint32_t row : scene_.crowd.goals[goal].areas) {
+    const Area& area = scene_.crowd.areas[row];
+    if (area.opens > phase.from || area.closes <= phase.from) continue;
+    for (std::size_t size = 0; size < strips.size(); ++size) {
+      if (has_room(area.region, scene_.crowd.walkable, barriers_, goals_[goal].sizes[size].largest)) continue;
+      strips[size].rings.insert(strips[size].rings.end(), area.region.rings.begin(), area.region.rings.end());
+      any = true;
+    }
+  }
+  return any ? strips : std::vector<Region>();
+}
+
+bool Ways::is_at_strip(std::uint32_t goal, double radius, const Vec& p) const {
+  const Region& strip = goals_[goal].now->strips[goals_[goal].size(radius)];
+  if (strip.empty()) return false;
+  const Vec nearest = nearest_on_border(strip, p);
+  return (nearest - p).squaredNorm() <= 4.0 * radius * radius && !barriers_.block(p, nearest);
 }
 
 void Ways::look(std::int64_t step) {
@@ -83,13 +107,13 @@ void Ways::look(std::int64_t step) {
       if (phase.from <= step) goal.now = &phase;
 }
 
-const FloorPlan& Ways::plan(double largest, const Barriers& barriers) {
+const FloorPlan& Ways::plan(double largest) {
   for (const auto& known : plans_)
     if (known->largest == largest) return known->floor;
   const Region& walkable = scene_.crowd.walkable;
-  const Resolution resolution = resolution_for(walkable, barriers, largest, largest);
+  const Resolution resolution = resolution_for(walkable, barriers_, largest, largest);
   plans_.push_back(
-      std::make_unique<Plan>(Plan{largest, floor_plan(walkable, barriers, resolution, closed_to(largest))}));
+      std::make_unique<Plan>(Plan{largest, floor_plan(walkable, barriers_, resolution, closed_to(largest))}));
   return plans_.back()->floor;
 }
 
@@ -121,21 +145,32 @@ void Ways::expect_ways() const {
   }
 }
 
+/// Why there is no way, in words.
+std::string Ways::why(std::uint32_t goal, std::size_t phase, const AgentGroup& group,
+                      std::uint32_t agent) const {
+  const std::uint32_t row = scene_.crowd.first + agent;
+  const Goal& its = goals_[goal];
+  const double radius = scene_.bodies.radius[row];
+  const std::string name = scene_.crowd.goals[goal].name;
+  const std::string when =
+      its.phases.size() > 1 ? ", as it is open from " + text(its.phases[phase].time) + " s on" : "";
+  if (!its.phases[phase].fields[its.size(radius)].leads_from_anywhere())
+    return "its goal " + name + when + " is nowhere on the floor that an agent of radius " + text(radius) +
+           " m, such as agent " + std::to_string(row + 1) + ", gets to";
+  return "no way wide enough leads from " + text(scene_.bodies.position[row]) + ", where agent " +
+         std::to_string(row + 1) + (group.entrance ? " may appear" : " stands") + ", to its goal " + name +
+         when;
+}
+
 void Ways::fail_at(const AgentGroup& group, std::uint32_t agent) const {
-  const Crowd& crowd = scene_.crowd;
-  const Vec& place = scene_.bodies.position[crowd.first + agent];
-  const double radius = scene_.bodies.radius[crowd.first + agent];
-  std::string name, when;
-  for_each_goal(crowd, group.journey, [&](std::uint32_t goal) {
-    const std::optional<std::size_t> phase = name.empty() ? dead_end(goal, radius, place) : std::nullopt;
-    if (!phase) return;
-    const std::vector<Phase>& phases = goals_[goal].phases;
-    name = crowd.goals[goal].name;
-    if (phases.size() > 1) when = ", as it is open from " + text(phases[*phase].time) + " s on";
+  const std::uint32_t row = scene_.crowd.first + agent;
+  std::string reason;
+  for_each_goal(scene_.crowd, group.journey, [&](std::uint32_t goal) {
+    if (!reason.empty()) return;
+    if (const auto phase = dead_end(goal, scene_.bodies.radius[row], scene_.bodies.position[row]))
+      reason = why(goal, *phase, group, agent);
   });
-  throw InputError("agents[" + std::to_string(group.index) + "]: no way wide enough leads from " +
-                   text(place) + ", where agent " + std::to_string(crowd.first + agent + 1) +
-                   (group.entrance ? " may appear" : " stands") + ", to its goal " + name + when);
+  throw NoWay(group.index, reason);
 }
 
 }  // namespace throng

@@ -11,6 +11,7 @@
 #include "sim/crowd/floor_plan.h"
 #include "sim/crowd/inside.h"
 #include "sim/crowd/size_classes.h"
+#include "sim/input_error.h"
 #include "sim/scene.h"
 
 namespace throng {
@@ -29,12 +30,20 @@ inline Heading straight_to(const Vec& from, const Vec& to, double distance) {
   return {length > 0.0 ? Vec((to - from) / length) : Vec(0.0, 0.0), distance};
 }
 
+/// No way leads an agent to a goal of its group's.
+struct NoWay : InputError {
+  NoWay(std::uint32_t its, const std::string& why)
+      : InputError("agents[" + std::to_string(its) + "]: " + why), group(its), reason(why) {}
+  std::uint32_t group;  ///< AgentGroup::index
+  std::string reason;
+};
+
 /// The ways to all goals that a scene's agents have: a distance field each, shared by all of like size who go
 /// there, on floor plans that goals of agents of the same sizes share. Where areas open and close, a field
 /// for each of the goal's phases.
 class Ways {
  public:
-  /// Throws InputError that names group, agent and place where no way leads from an agent to one of its
+  /// Throws NoWay that names group, agent and place where no way leads from an agent to one of its
   /// goals. `scene` and `barriers` must outlive this.
   Ways(const Scene& scene, const Barriers& barriers);
 
@@ -59,6 +68,13 @@ class Ways {
   /// Whether `p` is in what is open of the goal, which some agent has.
   bool is_in(std::uint32_t goal, const Vec& p) const { return is_open(goal) && goals_[goal].now->inside(p); }
 
+  /// Whether some who go there are as good as in it beside it.
+  bool has_strips(std::uint32_t goal) const { return is_open(goal) && !goals_[goal].now->strips.empty(); }
+
+  /// Whether one of that radius (m) at `p` is within his width of an area of the goal that has no room for
+  /// him, and no wall between them: forces of walls may let him get no nearer. O(edges).
+  bool is_at_strip(std::uint32_t goal, double radius, const Vec& p) const;
+
   /// Whether ways lead one of the group, of that radius, from there to all goals of its journey, at any time.
   bool lead_on(const AgentGroup& group, double radius, const Vec& place) const;
 
@@ -73,6 +89,7 @@ class Ways {
     bool is_open;
     std::vector<DistanceField> fields;  ///< as Goal::sizes
     Inside inside;
+    std::vector<Region> strips;  ///< as Goal::sizes: areas that have no room for them; all empty: none
   };
   struct Goal {
     std::vector<SizeClass> sizes;  ///< of those who go there
@@ -86,13 +103,16 @@ class Ways {
     }
   };
 
-  void add_phase(std::uint32_t goal, const GoalPhase& phase, const Barriers& barriers);
-  const FloorPlan& plan(double largest, const Barriers& barriers);
+  void add_phase(std::uint32_t goal, const GoalPhase& phase);
+  std::vector<Region> strips(std::uint32_t goal, const GoalPhase& phase) const;
+  const FloorPlan& plan(double largest);
   std::optional<std::size_t> dead_end(std::uint32_t goal, double radius, const Vec& place) const;
   void expect_ways() const;
+  std::string why(std::uint32_t goal, std::size_t phase, const AgentGroup& group, std::uint32_t agent) const;
   [[noreturn]] void fail_at(const AgentGroup& group, std::uint32_t agent) const;
 
   const Scene& scene_;
+  const Barriers& barriers_;
   std::vector<std::unique_ptr<Plan>> plans_;
   std::vector<Goal> goals_;  // as Crowd::goals; empty where no agent goes
   bool changes_ = false;

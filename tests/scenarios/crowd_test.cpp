@@ -185,6 +185,39 @@ TEST(Crowd, IsRefusedWhereDistributionsMakeNoSense) {
   expect_fault(group + "desired_speed = -1\n", "agents[0].desired_speed: must be a number from 0");
 }
 
+TEST(Crowd, BlamesAFaultyFloorAlone) {
+  const std::string said = faults_of(
+      "throng = 1\nwalkable = 'POLGON ((0 0, 4 0, 4 4, 0 0))'\n"
+      "areas.exit = [[0, 0], [4, 0], [4, 4]]\n" +
+      kGroup + "at = [1, 1]\n");
+  EXPECT_NE(said.find("did you mean \"POLYGON\"?"), std::string::npos) << said;
+  EXPECT_EQ(said.find("need a floor"), std::string::npos) << said;
+}
+
+TEST(Crowd, IsWarnedOfWhatWontBeAsItSays) {
+  const auto said = [](const std::string& fields, const std::string& before = "") {
+    return faults(load_text("throng = 1\n" + before + kFloor.substr(11) +
+                            "[[agents]]\ngoal = 'exit'\nat = [1, 1]\n" + fields));
+  };
+  const std::string orca = "model = 'orca'\n";
+  EXPECT_NE(said(orca + "desired_speed = 3\n")
+                .find("warning: agents[0].desired_speed: is 3 m/s for some, and nobody "
+                      "goes beyond orca.top_speed, which is 2"),
+            std::string::npos)
+      << said(orca + "desired_speed = 3\n");
+  EXPECT_EQ(said(orca + "desired_speed = 3\norca = { top_speed = 3 }\n"), "");
+  EXPECT_EQ(said(orca + "desired_speed = { normal = [1.34, 0.26] }\n"), "");
+  EXPECT_NE(said(orca + "desired_speed = { uniform = [1, 2.5] }\n").find("is 2.5 m/s for some"),
+            std::string::npos);
+  EXPECT_NE(said(orca + "desired_speed = { normal = [0.5, 0.5] }\n").find("the mean is above 0.5"),
+            std::string::npos);
+  EXPECT_EQ(said(orca + "desired_speed = { normal = [0.5, 0.5], within = [0, 2] }\n"), "");
+  EXPECT_NE(said(orca, "gravity = [0, -9.81]\n").find("warning: gravity: has no meaning"), std::string::npos);
+  EXPECT_NE(
+      said(orca + "orca = { neighbours = 2.5 }\n").find("agents[0].orca.neighbours: must be an integer"),
+      std::string::npos);
+}
+
 TEST(Crowd, BearsNoBodiesThatItWouldPush) {
   const std::string beside =
       "at = [1, 1]\n[shapes]\nb.disc.radius = 1\n[[bodies]]\nshape = 'b'\nat = [1.5, 1.5]\n";

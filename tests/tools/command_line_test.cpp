@@ -95,6 +95,21 @@ TEST_F(CommandLine, TakesNumbersAndSettingsAsPeopleTypeThem) {
   expect_refused(run + " --set time.dt=1 2", HasSubstr("'2' was not expected"));
 }
 
+TEST_F(CommandLine, SaysWhereAGoalIsThatNoWayLeadsTo) {
+  const auto scene = [&](const std::string& exit) {
+    return write("far.toml",
+                 "throng = 1\nwalkable = 'POLYGON ((0 0, 9 0, 9 4, 0 4, 0 0))'\nareas.e = " + exit +
+                     "\n[[walls]]\nsegment = [[6, 0], [6, 4]]\n[[agents]]\nat = [5, 2]\nmodel = 'orca'\n"
+                     "  goal = 'e'\n");
+  };
+  for (const char* command : {"validate ", "run --dry-run ", "run "}) {
+    expect_refused(command + scene("[[30, 0], [32, 0], [32, 4], [30, 4]]"),
+                   HasSubstr("far.toml:9:10: error: agents[0].goal: its goal \"e\" is nowhere on the floor"));
+    expect_refused(command + scene("[[7, 0], [9, 0], [9, 4], [7, 4]]"),
+                   HasSubstr("far.toml:9:10: error: agents[0].goal: no way wide enough leads from [5, 2]"));
+  }
+}
+
 TEST_F(CommandLine, TakesOneCommandACall) {
   const std::string bad = write("bad.toml", "throng = 2\n");
   EXPECT_EQ(throng("validate " + bad + " info a.h5").exit_code, 2);

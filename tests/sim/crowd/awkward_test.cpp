@@ -104,8 +104,10 @@ TEST(AwkwardCrowd, WhoWantsNoSpeedStands) {
 }
 
 TEST(AwkwardCrowd, AGoalOffTheFloorIsAnError) {
-  EXPECT_EQ(scene_refusal(floor(kCorridor, agent("orca", "[5, 2]", "outside"))),
-            "agents[0]: no way wide enough leads from [5, 2], where agent 1 stands, to its goal \"outside\"");
+  EXPECT_EQ(
+      scene_refusal(floor(kCorridor, agent("orca", "[5, 2]", "outside"))),
+      "agents[0]: its goal \"outside\" is nowhere on the floor that an agent of radius 0.2 m, such as agent "
+      "1, gets to");
 }
 
 TEST(AwkwardCrowd, FloorsInPiecesLeadOnlyWithinAPiece) {

@@ -65,6 +65,48 @@ TEST(Ways, OfACrowdPartAtAGap) {
   EXPECT_EQ(run.state.crowd.arrived, 20);
 }
 
+/// A corridor, 20 m by 4 m, that ends in the area.
+std::string corridor(const std::string& area, const std::string& more, const std::string& model) {
+  return "time = { dt = 0.01, until = 1000 }\nwalkable = 'POLYGON ((0 0, 20 0, 20 4, 0 4, 0 0))'\nareas.f = "
+         "[[0, 0], [2, 0], [2, 4], [0, 4]]\nareas.e "
+         "= " +
+         area + "\n[[agents]]\nat = [5, 2]\nradius = 0.2\ndesired_speed = 1\nmodel = '" + model + "'\n" +
+         more;
+}
+
+// An exit drawn as a strip before the wall let nobody out: his middle is never in it.
+TEST(Ways, EndBesideAStripBeforeAWall) {
+  for (const char* model : {"constant_velocity", "orca", "collision_free_speed", "social_force"})
+    for (const char* area :
+         {"[[19.9, 0], [20, 0], [20, 4], [19.9, 4]]", "[[19.75, 0], [20, 0], [20, 4], [19.75, 4]]",
+          "[[19.85, 3.85], [20, 3.85], [20, 4], [19.85, 4]]", "[[19.95, 0], [21, 0], [21, 4], [19.95, 4]]"}) {
+      SCOPED_TRACE(std::string(model) + " " + area);
+      Trial run(corridor(area, "goal = 'e'\n", model));
+      run.steps(2500);
+      EXPECT_EQ(run.state.crowd.arrived, 1);
+    }
+}
+
+TEST(Ways, EndInsideAreasThatHaveRoom) {
+  for (const char* area :
+       {"[[17, 0], [20, 0], [20, 4], [17, 4]]", "[[17, 1.9], [17.1, 1.9], [17.1, 2.1], [17, 2.1]]"}) {
+    Trial run(corridor(area, "goal = 'e'\n", "constant_velocity"));
+    run.steps(1198);
+    EXPECT_EQ(run.state.crowd.arrived, 0) << area;
+    run.steps(5);
+    EXPECT_EQ(run.state.crowd.arrived, 1) << area;
+  }
+}
+
+TEST(Ways, WhoWaitsInAStripWaitsBesideIt) {
+  Trial run(corridor("[[19.9, 0], [20, 0], [20, 4], [19.9, 4]]", "goal = [{ wait = 'e', for = 5 }, 'f']\n",
+                     "orca"));
+  run.steps(3600);
+  EXPECT_EQ(run.state.crowd.arrived, 0);
+  run.steps(200);
+  EXPECT_EQ(run.state.crowd.arrived, 1);
+}
+
 std::vector<double> least(const std::vector<SizeClass>& classes) {
   std::vector<double> result;
   for (const SizeClass& some : classes) result.push_back(some.least);

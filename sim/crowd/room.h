@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "sim/crowd/barriers.h"
+#include "sim/crowd/region.h"
+
+namespace throng {
+
+/// Whether agents of that radius (m) get well into an area: there is room on the floor for all of one in it,
+/// or for his middle, with a radius more of room between him and all barriers. Where neither is, as in a
+/// strip before a wall, he would have to press himself against the wall, or couldn't get in at all. To within
+/// a hundredth of the radius. O(border / radius) looks at edges and barriers.
+bool has_room(const Region& area, const Region& walkable, const Barriers& barriers, double radius);
+
+}  // namespace throng
