@@ -94,7 +94,7 @@ std::vector<Stage> stages(const Scene& scene, const Plan& plan) {
   const std::string bodies = std::to_string(moving) + (moving == 1 ? " moving body" : " moving bodies");
   const std::string substeps = counted(static_cast<std::size_t>(scene.time.substeps), "substep");
   const bool one = scene.crowd.size() == 1;
-  const bool faces = plan.contacts() && plan.polygons && !plan.soft;
+  const bool hits = plan.contacts() && !plan.soft;
   return {
       {"find_pairs", plan.pairs,
        plan.pairs ? bodies + " may meet" : (off ? no_contact : "no two bodies of which one is dynamic")},
@@ -118,12 +118,12 @@ std::vector<Stage> stages(const Scene& scene, const Plan& plan) {
        : plan.crowd ? "what moves beside agents moves as they walk"
                     : bodies + ", " + substeps},
       {"gravity", plan.gravity, plan.gravity ? "bodies fall" : "gravity is zero, or nothing is dynamic"},
-      {"collide", plan.restitution || faces,
+      {"collide", plan.restitution || hits,
        plan.soft ? "springs throw back what meets"
        : plan.flights
            ? "all surfaces keep all energy and nothing pulls: one by one, in the order of their times"
        : plan.restitution ? "some surface bounces"
-       : faces            ? "no surface bounces; faces that close fast are stopped"
+       : hits             ? "no surface bounces; what is hit is stopped together with all that touches it"
                           : "no surface bounces"},
       {"solve", plan.contacts(),
        plan.soft         ? soft_solve(scene, plan, substeps)

@@ -10,8 +10,13 @@ namespace throng {
 
 namespace {
 
-constexpr int kElasticSweeps = 64;  // of bounces in a substep: what still meets then ends without bounce,
-constexpr int kBounceSweeps = 8;    // where each takes energy sooner, as dense clusters do anyway
+/// Of bounces in a substep: what still meets then is left to the contacts. Of impacts that keep some energy
+/// each takes some, sooner than it would be, as dense clusters do anyway.
+constexpr int kElasticSweeps = 64, kHitSweeps = 16, kBounceSweeps = 8;
+
+int most_sweeps(const Plan& plan) {
+  return plan.elastic ? kElasticSweeps : plan.restitution ? kBounceSweeps : kHitSweeps;
+}
 
 void fall(std::span<SolverBody> bodies, Rows awake, const Vec& kick) {
   awake.for_each([&](std::uint32_t i) {
@@ -93,9 +98,9 @@ void relax(Workspace& work, bool periodic) {
 void substep(const Scene& scene, const Plan& plan, const State& state, Workspace& work, SubstepWay way) {
   const Vec kick = work.solver.h * scene.gravity;
   const Vec size = scene.domain.max - scene.domain.min, *period = plan.periodic ? &size : nullptr;
-  if (plan.restitution || !work.contacts.point_bounces.empty()) {
+  if (!work.contacts.disc_bounces.empty() || !work.contacts.point_bounces.empty()) {
     prepare_bounce(work, period);
-    bounce(work, plan.gravity ? kick : Vec(0.0, 0.0), plan.elastic ? kElasticSweeps : kBounceSweeps);
+    bounce(work, plan.gravity ? kick : Vec(0.0, 0.0), most_sweeps(plan));
   }
   if (plan.gravity) by_parts(work, [&](Rows rows) { fall(work.bodies, rows, kick); });
   work.solver.backward = way.backward;

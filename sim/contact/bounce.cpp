@@ -3,12 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 #include "sim/contact/arms.h"
 
 namespace throng {
 
 namespace {
+
+constexpr double kSameNormal = 1.0 - 1e-12;  // cosine of the angle between normals up to which they are one
 
 /// The velocity that gravity adds to b against a, along the normal: nothing where both fall.
 double relative_kick(const ContactBase& c, const SolverBody& a, const SolverBody& b, const Vec& kick) {
@@ -31,14 +35,6 @@ double normal_mass(const DiscContact& contact, const SolverBody&, const SolverBo
   return contact.normal_mass;
 }
 
-/// One sweep stops a disc, and a corner alone, however fast.
-bool hits(const DiscContact&) {
-  return false;
-}
-bool hits(const PointContact& contact) {
-  return contact.hits;
-}
-
 /// The speed with which two part that meet at `speed` (m/s, below 0) while `s` (m) apart, after `fall` (m/s),
 /// what gravity does between them in the substep. As if they went on to the surface, bounced there, and came
 /// back to where they are: the flight's energy is that of the parabola on which substeps lie, at their
@@ -51,11 +47,11 @@ double parting_speed(double restitution, double speed, double s, double fall, do
 }
 
 /// The velocity that a bounce adds along the normal (m/s); 0 where the two don't meet in this substep. What
-/// doesn't bounce and hits arrives at the other's surface.
+/// doesn't bounce but hits arrives at the other's surface.
 template <class Contact>
 double rebound(const Contact& contact, const SolverBody& a, const SolverBody& b, const BounceRule& rule) {
   const bool bounces = contact.restitution > 0.0;
-  if (!bounces && !hits(contact)) return 0.0;
+  if (!bounces && !contact.hits) return 0.0;
   const double speed = arms(contact).normal_velocity(a, b);
   if (!(speed < -(bounces ? rule.threshold : rule.hit_speed))) return 0.0;
   const double fall = relative_kick(contact, a, b, rule.kick);
@@ -90,22 +86,51 @@ bool bounce_one(const Contact& contact, std::span<SolverBody> bodies, const Boun
   return true;
 }
 
-/// Two points of one face that meet at once: one after the other would set a box that lands flat spinning.
-bool bounce_face(const PointContact& i, const PointContact& j, std::span<SolverBody> bodies,
+/// Two points at which two bodies meet at once, on one line: one after the other would set a box that lands
+/// flat spinning. False where the two are as good as one point, or one of them doesn't press.
+bool bounce_both(const PointContact& i, const PointContact& j, std::span<SolverBody> bodies,
                  const BounceRule& rule) {
-  if (!share_face(i, j)) return false;
   SolverBody &a = bodies[i.a], &b = bodies[i.b];
   const double added_i = rebound(i, a, b, rule), added_j = rebound(j, a, b, rule);
-  if (!(added_i > 0.0 && added_j > 0.0)) return false;
   const double ii = coupling(i, i, a, b), jj = coupling(j, j, a, b), ij = coupling(i, j, a, b);
   const double determinant = ii * jj - ij * ij;
-  if (!(determinant > 1e-9 * ii * jj)) return false;  // the two are one point
+  if (!(determinant > 1e-9 * ii * jj)) return false;
   const double impulse_i = (jj * added_i - ij * added_j) / determinant;
   const double impulse_j = (ii * added_j - ij * added_i) / determinant;
   if (!(impulse_i >= 0.0 && impulse_j >= 0.0)) return false;
   strike_at(i, a, b, impulse_i);
   strike_at(j, a, b, impulse_j);
   return true;
+}
+
+/// Of the contacts of two bodies those farthest apart, in their order, of all that meet along the normal of
+/// that one: between them velocities are those between theirs.
+std::pair<std::size_t, std::size_t> outermost(std::span<const PointContact> contacts, std::size_t one,
+                                              std::span<const SolverBody> bodies, const BounceRule& rule) {
+  std::size_t low = one, high = one;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const PointContact& contact = contacts[i];
+    if (!(contact.normal.dot(contacts[one].normal) > kSameNormal)) continue;
+    if (!(rebound(contact, bodies[contact.a], bodies[contact.b], rule) > 0.0)) continue;
+    const double lever = cross(contact.arm_a, contact.normal);
+    if (lever < cross(contacts[low].arm_a, contact.normal)) low = i;
+    if (lever > cross(contacts[high].arm_a, contact.normal)) high = i;
+  }
+  return std::minmax(low, high);
+}
+
+/// The contacts of two bodies, in one part of each or several.
+bool bounce_pair(std::span<const PointContact> contacts, std::span<SolverBody> bodies,
+                 const BounceRule& rule) {
+  bool bounced = false;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    if (!(rebound(contacts[i], bodies[contacts[i].a], bodies[contacts[i].b], rule) > 0.0)) continue;
+    const auto [low, high] = outermost(contacts, i, bodies, rule);
+    if (low == high || !bounce_both(contacts[low], contacts[high], bodies, rule))
+      bounce_one(contacts[i], bodies, rule);
+    bounced = true;
+  }
+  return bounced;
 }
 
 }  // namespace
@@ -118,13 +143,12 @@ bool bounce(std::span<DiscContact> contacts, std::span<SolverBody> bodies, const
 
 bool bounce(std::span<PointContact> contacts, std::span<SolverBody> bodies, const BounceRule& rule) {
   bool bounced = false;
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    if (i + 1 < contacts.size() && bounce_face(contacts[i], contacts[i + 1], bodies, rule)) {
-      bounced = true;
-      ++i;
-    } else {
-      bounced |= bounce_one(contacts[i], bodies, rule);
-    }
+  while (!contacts.empty()) {
+    const auto others = [&](const PointContact& c) { return c.a != contacts[0].a || c.b != contacts[0].b; };
+    const std::size_t size =
+        static_cast<std::size_t>(std::ranges::find_if(contacts, others) - contacts.begin());
+    bounced |= bounce_pair(contacts.first(size), bodies, rule);
+    contacts = contacts.subspan(size);
   }
   return bounced;
 }

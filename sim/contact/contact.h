@@ -42,6 +42,7 @@ struct ContactBase {
   double tangent_impulse = 0.0;  ///< N s, likewise, along the normal turned left
   double preload = 0.0;     ///< N s, of the normal impulse, what it bears without giving way: see Learning
   double separation = 0.0;  ///< m, before bodies move in a substep
+  bool hits = false;        ///< among bounces: is stopped though it doesn't bounce, see hit_speed()
 };
 
 /// Two discs, each about its body's centre: the arm is radius times normal, and both are exact in each
@@ -57,8 +58,7 @@ struct PointContact : ContactBase {
   Vec arm_a{0.0, 0.0}, arm_b{0.0, 0.0};      ///< m, from the bodies' centres to the contact, in this substep
   Vec first_a{0.0, 0.0}, first_b{0.0, 0.0};  ///< m, what of them turns, as the step begins
   double round_a = 0.0, round_b = 0.0;       ///< m, the radius of a disc, which doesn't
-  double gap = 0.0;   ///< m, separation = gap + normal . (position_b + arm_b - position_a - arm_a)
-  bool hits = false;  ///< of a face of two points that doesn't bounce: see hit_speed()
+  double gap = 0.0;  ///< m, separation = gap + normal . (position_b + arm_b - position_a - arm_a)
 };
 
 /// How arms turn with their bodies: by the angle (rad) less a twelfth of its cube, at unit length, as longer

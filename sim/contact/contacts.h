@@ -22,8 +22,8 @@ struct Contacts {
   std::vector<std::uint32_t> point_feature;
   std::vector<RollContact> disc_rolls;  ///< of the same contacts; empty where nothing resists rolling
   std::vector<RollContact> point_rolls;
-  std::vector<DiscContact> disc_bounces;    ///< the same contacts once more; empty where no surface bounces
-  std::vector<PointContact> point_bounces;  ///< the same; those of faces that hit alone where none bounces
+  std::vector<DiscContact> disc_bounces;    ///< those of who hits; all where a surface bounces
+  std::vector<PointContact> point_bounces;  ///< likewise
 
   /// Forgets all; of so many rows of bodies the last ones, one a group, never move.
   void start(std::size_t bodies, std::size_t groups);

@@ -5,8 +5,7 @@
 #include "sim/scene.h"
 
 /// Who is fast? Each stage asks for something else:
-///  * what comes nearer at hit_speed() hits: one sweep over its two corners would leave some of the speed, so
-///    it is stopped before the sweeps, as what bounces is;
+///  * what comes nearer at hit_speed() hits: it is stopped before the sweeps, see find_hits.cpp;
 ///  * what meets more slowly than kRestSpeed rests, though its surface bounces;
 ///  * two that get past each other by more than kAheadWay in a step press as they will meet: see LookAhead;
 ///  * polygons that are slower than both, hit_speed() and kAheadWay in a step, may be held: see HeldFaces,

@@ -35,6 +35,7 @@ void ContactFinder::find(const StepStart& start, Contacts& contacts, Workers& wo
       contacts.disc_bounces.push_back(discs_.contact_of(colliders_, pair_of(key), bodies));
   find_touches(start, moved, contacts, workers);
   if (plan_.rolling) find_rolls(scene_, plan_, candidates, state, bodies, contacts);
+  list_hits(start, contacts);
 }
 
 Touch ContactFinder::touch(Pair pair, bool obstacle, const Vec& shift) const {
@@ -59,6 +60,7 @@ void ContactFinder::sort_out(const Candidates& candidates, Contacts& contacts) {
 
 void ContactFinder::find_touches(const StepStart& start, bool moved, Contacts& contacts, Workers& workers) {
   FaceBlocks& faces = contacts.faces;
+  hits_.assign(touches_.size(), 0);
   if (touches_.empty() && faces.lanes() == 0) return;
   const bool held = std::exchange(holds_, plan_.polygons && !plan_.restitution && is_worth_holding());
   if (holds_ != held) book_.forget_all(), held_.forget_all();
@@ -77,7 +79,6 @@ void ContactFinder::find_touches(const StepStart& start, bool moved, Contacts& c
   }
   take_seats(faces);
   fill_faces(start, contacts, workers);
-  if (!plan_.restitution) list_hits(start, contacts.point_bounces);
 }
 
 /// What each touches with now, where that isn't known, and where two near each other fast what they will.
@@ -114,20 +115,13 @@ std::span<PointContact> ContactFinder::face(const StepStart& start, std::size_t 
                                             std::array<PointContact, 2>& points) const {
   const Touch& one = touches_[touch];
   const Surface& surface = surface_of(scene_, plan_, start.obstacles(), one);
-  const std::span<PointContact> face =
-      describe_face(start, one, surface, manifolds_[touch], ahead_.meeting(touch), points);
-  const SolverBody &a = start.bodies[one.a], &b = start.bodies[one.b];
-  const auto hits = [&](const PointContact& c) { return arms(c).normal_velocity(a, b) < -hit_speed_; };
-  points[0].hits = points[1].hits =
-      face.size() == 2 && !(surface.restitution > 0.0) && std::ranges::any_of(face, hits);
-  return face;
+  return describe_face(start, one, surface, manifolds_[touch], ahead_.meeting(touch), points);
 }
 
 void ContactFinder::fill_faces(const StepStart& start, Contacts& contacts, Workers& workers) {
   const std::size_t size = contacts.faces.size();
   contacts.point_key.resize(size), contacts.point_feature.resize(size);
   if (plan_.restitution) contacts.point_bounces.resize(size);
-  hits_.assign(touches_.size(), 0);
   workers.for_ranges(touches_.size(), [&](std::size_t begin, std::size_t end) {
     if (begin == end) return;
     KeptImpulses memory(start.state.point_contacts, touches_[begin].key());
@@ -164,17 +158,9 @@ void ContactFinder::fill_searched(const StepStart& start, std::size_t touch, Kep
   }
   contacts.faces.fill(first_point_[touch], face);
   if (plan_.restitution) std::ranges::copy(face, contacts.point_bounces.begin() + first_point_[touch]);
-  hits_[touch] = face[0].hits;
-}
-
-/// Faces that hit, where no surface bounces.
-void ContactFinder::list_hits(const StepStart& start, std::vector<PointContact>& bounces) const {
-  if (std::ranges::find(hits_, 1) == hits_.end()) return;
-  std::array<PointContact, 2> points;
-  for (auto hit = hits_.begin(); (hit = std::find(hit, hits_.end(), 1)) != hits_.end(); ++hit) {
-    const auto face = this->face(start, static_cast<std::size_t>(hit - hits_.begin()), points);
-    bounces.insert(bounces.end(), face.begin(), face.end());
-  }
+  const SolverBody &a = start.bodies[face[0].a], &b = start.bodies[face[0].b];
+  hits_[touch] = std::ranges::any_of(
+      face, [&](const PointContact& c) { return arms(c).normal_velocity(a, b) < -hit_speed_; });
 }
 
 }  // namespace throng

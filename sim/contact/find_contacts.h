@@ -28,7 +28,7 @@ class ContactFinder {
  public:
   ContactFinder(const Scene& scene, const Plan& plan, const Colliders& colliders);
 
-  /// m/s: see fast.h; faces that don't bounce and hit are listed among bounces, too.
+  /// m/s: see fast.h; what doesn't bounce and hits is listed among bounces, too.
   double hit_speed() const { return hit_speed_; }
 
   /// m: as LookAhead::least_way().
@@ -47,6 +47,9 @@ class ContactFinder {
   void find(const StepStart& start, Contacts& contacts, Workers& workers);
 
  private:
+  /// Of two discs, as the step begins.
+  enum class Nearness : std::uint8_t { apart, near, hits };
+
   /// Who shares a body with a newcomer.
   struct Neighbour {
     std::uint64_t key;
@@ -66,7 +69,14 @@ class ContactFinder {
   std::span<PointContact> face(const StepStart& start, std::size_t touch,
                                std::array<PointContact, 2>& points) const;
   std::span<std::uint32_t> names(std::size_t touch, Contacts& contacts) const;
-  void list_hits(const StepStart& start, std::vector<PointContact>& bounces) const;
+
+  // find_hits.cpp
+  Nearness nearness(const StepStart& start, std::uint64_t disc_key) const;
+  bool find_who_hits(const StepStart& start, std::span<const std::uint64_t> disc_keys);
+  void count_touches(std::span<const std::uint64_t> disc_keys);
+  void list_hits(const StepStart& start, Contacts& contacts);
+  void list_disc(const StepStart& start, std::size_t contact, Contacts& contacts) const;
+  void list_touch(const StepStart& start, std::size_t touch, Contacts& contacts);
 
   // find_held.cpp
   bool is_known(const Touch& touch) const { return touch.held && held_.knows(touch.lane); }
@@ -122,6 +132,8 @@ class ContactFinder {
   std::vector<HeldFaces::Move> moves_;              // likewise, of those that are held
   std::vector<std::uint32_t> first_point_;          // of each touch: how many come before
   std::vector<std::uint8_t> hits_;                  // of each touch
+  std::vector<Nearness> nearness_;                  // of each pair of discs, where somebody may hit
+  std::vector<std::uint32_t> struck_;               // of each body: see count_touches(); 0 of who hits nobody
 };
 
 }  // namespace throng

@@ -131,6 +131,48 @@ TEST(Bounce, ABoxThatLandsFlatRisesFlat) {
   EXPECT_NEAR(highest, 5.0, 0.01 * 5.0);
 }
 
+/// On several tiles, or with several parts of its own: one pair of parts after the other set them spinning.
+TEST(Bounce, WhatLandsFlatOnSeveralPartsRisesFlat) {
+  const std::string floor = "[[walls]]\nsegment = [[-9, 0], [9, 0]]\n";
+  const std::string gap =
+      "[[walls]]\nsegment = [[-9, 0], [-0.5, 0]]\n[[walls]]\nsegment = [[0.5, 0], [9, 0]]\n";
+  std::string tiles;
+  for (const char* x : {"-0.9", "0.1", "1.1"})
+    tiles += std::string("[[bodies]]\nshape = \"square\"\nat = [") + x + ", -0.5]\nkind = \"static\"\n";
+  const std::string shapes =
+      "[shapes]\nsquare = { polygon = [[0, 0], [1, 0], [1, 1], [0, 1]] }\n"
+      "table = { polygon = [[-1.5, 0], [-1, 0], [-1, 0.8], [1, 0.8], [1, 0], [1.5, 0], [1.5, 1], [-1.5, 1]] "
+      "}\n"
+      "feet = { discs = [[-0.9, 0, 0.2], [-0.3, 0, 0.2], [0.3, 0, 0.2], [0.9, 0, 0.2]] }\n"
+      "bar = { polygon = [[0, 0], [3, 0], [3, 0.2], [0, 0.2]] }\n";
+  for (const double restitution : {0.5, 1.0})
+    for (const auto& [shape, on] : {std::pair("square", tiles), std::pair("table", floor),
+                                    std::pair("feet", floor), std::pair("bar", gap)}) {
+      SCOPED_TRACE(std::string(shape) + " " + std::to_string(restitution));
+      Trial run("time = { dt = 0.01, until = 1 }\n" + material(restitution, 0.5) + shapes + on +
+                "[[bodies]]\nshape = \"" + shape + "\"\nat = [0, 1.2]\nvelocity = [0, -4]\n");
+      run.steps(60);
+      const std::size_t body = run.scene.bodies.size() - 1;
+      EXPECT_NEAR(run.state.velocity[body].y(), 4.0 * restitution, 1e-9);
+      EXPECT_NEAR(run.state.velocity[body].x(), 0.0, 1e-9);
+      EXPECT_NEAR(run.state.spin[body], 0.0, 1e-9);
+    }
+}
+
+/// Impulses that stop a blow within a substep aren't those that hold on afterwards.
+TEST(Bounce, ABlowThroughAThirdThrowsNobodyBack) {
+  for (const std::string shape : {"ball", "block"}) {
+    Trial run("time = { dt = 0.01, until = 1 }\n" + material(0, 0.5) +
+              "[shapes]\nball = { disc = { radius = 0.5 } }\n"
+              "block = { polygon = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]] }\n"
+              "[[walls]]\nsegment = [[0, -5], [0, 5]]\n[[bodies]]\nshape = \"" +
+              shape + "\"\nat = [0.5, 0]\n[[bodies]]\nshape = \"" + shape +
+              "\"\nat = [3, 0]\nvelocity = [-4, 0]\n");
+    run.steps(100);
+    for (std::size_t body = 0; body < 2; ++body) EXPECT_LT(run.state.velocity[body].norm(), 0.04) << shape;
+  }
+}
+
 /// One corner after the other, with the effective mass of the step's beginning, once lost two thirds of the
 /// energy in 20 s, and shorter substeps lost more.
 TEST(Bounce, AnElasticBodyOfAnyShapeKeepsItsEnergy) {

@@ -343,7 +343,7 @@ TEST(Guard, FastOnesEndAlikeForAnyNumberOfThreads) {
 /// A guarded step begins with nothing but the state: from a checkpoint between two of them all goes on alike.
 TEST(Guard, FastOnesGoOnAlikeFromACheckpointBetweenGuardedSteps) {
   const testing_recordings::Folder folder;
-  Trial whole(poured_into_a_cup(100.0));
+  Trial whole(poured_into_a_cup(150.0));
   std::optional<Trial> resumed;
   int between = 0;
   for (int step = 0; step < 30; ++step) {
