@@ -12,8 +12,9 @@ namespace throng::scenarios {
 namespace {
 
 constexpr int kMostDraws = 1000;
-constexpr double kNoticed =
-    1.5;  // standard deviations: what is cut off nearer to the mean moves it by 7 % of one
+/// Standard deviations: a cut nearer to the mean takes more than 7 % of the draws, and moves it by 14 % of
+/// one.
+constexpr double kNoticed = 1.5;
 constexpr double kCutOff = 3.0;  // standard deviations, of a normal distribution without cut-offs of its own
 
 /// With this mean and standard deviation, of the number itself.

@@ -27,7 +27,7 @@ double height(const Scene& scene, const Workspace& work, F counts) {
 }
 
 /// How contacts learn whose bodies stand as high as now. Where that seems so high that it matters, those
-/// count alone that something presses: who falls far from a tower changes nothing in it.
+/// count alone that something presses: who falls far from a tower, and touches nobody, changes nothing in it.
 Learning learning(const Scene& scene, const State& state, Workspace& work) {
   const auto layers = [&](double height) { return 1.0 + height / (2.0 * work.mean_radius); };
   double most = layers(height(scene, work, [](std::uint32_t) { return true; }));

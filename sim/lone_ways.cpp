@@ -16,6 +16,7 @@ using Side = Surroundings::Side;
 
 constexpr double kSlack = 1e-6;  // radii, by which a body may be in a wall as it begins
 constexpr double kTips = 0.99;   // of the lever at which a body tips over
+const char* const kLeaves = "a body may leave the periodic domain, and what it meets behind isn't looked for";
 const char* const kSensitive = ": the way is sensitive to where it is met";
 
 /// m, from the beginning.
@@ -57,14 +58,14 @@ class Lone {
   LoneWay way() {
     set_reach(thrown(v_.x(), g_.x(), until_), thrown(v_.y(), g_.y(), until_));
     if (!plan_.contacts()) return way_;
-    if (leaves_domain())
-      return doubted("a body may leave the periodic domain, and what it meets behind isn't looked for");
+    if (leaves_domain()) return doubted(kLeaves);
     if (!reaches_others() && !reaches_sides(within(-slack_), [](const Side&) { return true; })) return way_;
     if (!all_.square) return doubted(std::string("walls are not square to each other") + kSensitive);
     if (is_disc())
       bounce();
     else
       slide();
+    if (way_.doubt.empty() && leaves_domain()) doubted(kLeaves);
     return way_;
   }
 

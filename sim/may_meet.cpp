@@ -46,11 +46,18 @@ std::vector<bool> may_meet(const Scene& scene, const std::vector<LoneWay>& ways)
   });
   broadphase::BoxIndex index;
   index.build(extents);
-  const Box domain =
-      scene.domain.kind == DomainKind::periodic ? Box(scene.domain.min, scene.domain.max) : Box();
   std::vector<bool> meets(scene.bodies.size(), false);
+  if (rows.size() < 2) return meets;
+  const auto leaves = [&](const Box& box) {
+    const Domain& domain = scene.domain;
+    return domain.kind == DomainKind::periodic && !Box(domain.min, domain.max).contains(box);
+  };
+  const auto may_all_meet = [&] {
+    for (const std::uint32_t row : rows) meets[row] = true;
+    return meets;
+  };
   for (const std::uint32_t row : rows)
-    meets[row] = rows.size() > 1 && !domain.isEmpty() && !domain.contains(ways[row].reach);
+    if (leaves(ways[row].reach)) return may_all_meet();
   for (const std::uint32_t row : rows)
     if (!meets[row])
       index.for_each_near(ways[row].reach, [&](std::uint32_t other) {
@@ -59,6 +66,7 @@ std::vector<bool> may_meet(const Scene& scene, const std::vector<LoneWay>& ways)
   for (bool more = std::ranges::count(meets, true) > 0; more;) {
     more = false;
     const Box box = around(ways, meets, stirred(scene, meets));
+    if (leaves(box)) return may_all_meet();
     for (const std::uint32_t row : rows)
       if (!meets[row] && box.intersects(ways[row].reach)) meets[row] = more = true;
   }

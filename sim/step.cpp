@@ -135,6 +135,7 @@ void push(const Scene& scene, const Plan& plan, State& state, Workspace& work, b
     work.ahead = 2.0 * work.candidates.chain() > work.finder.least_way() ? work.solver.h : 0.0;
     clock.lap(work.times.find_contacts);
   }
+  if (guarded) work.guard->start_step();
   const bool learns = plan.gravity && plan.contacts();
   if (learns) prepare_to_learn(scene, plan, state, work);
   for (int i = 0; i < scene.time.substeps; ++i) {

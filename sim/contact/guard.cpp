@@ -169,7 +169,6 @@ bool Guard::saw_meeting(const State& state, std::span<const SolverBody> bodies, 
   if (!(kFarther * candidates_.farthest_way() > least) || !list_far(state, bodies)) return false;
   hearts_.make();
   if (!any_met(state, bodies, workers)) return false;
-  stood_.assign(bodies.size(), 0);
   ++guarded_steps_;
   return true;
 }

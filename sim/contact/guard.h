@@ -32,6 +32,9 @@ class Guard {
   /// contacts bent is straightened. O(1) where nobody is fast, else O(candidates).
   bool saw_meeting(const State& state, std::span<const SolverBody> bodies, Workers& workers);
 
+  /// To be called before a step is taken under guard, each time that it is.
+  void start_step() { stood_.assign(scene_.bodies.size() + 1, 0); }
+
   /// How many steps saw_meeting() was true of: all of these are taken under guard.
   std::int64_t guarded_steps() const { return guarded_steps_; }
 
@@ -101,9 +104,9 @@ class Guard {
   std::vector<std::uint8_t> is_far_;  // of each collider, as saw_meeting() looks back
   std::uint64_t listed_ = 0;          // the candidates' pairs that are listed below
   std::vector<Meeting> meetings_;
-  std::vector<std::uint32_t> begin_, of_body_,
-      next_;                          // of each body, where its meetings' rows begin; and these
-  std::vector<Event> events_;         // a heap
+  std::vector<std::uint32_t> begin_, of_body_;  // of each body, where its meetings' rows begin; and these
+  std::vector<std::uint32_t> next_;             // of each body, while they are made
+  std::vector<Event> events_;                   // a heap
   std::vector<double> since_;         // s, of each body, in the substep: when it was where its row has it
   std::vector<std::uint8_t> stands_;  // of each body: stays there for the rest of the substep
   std::vector<std::uint8_t> stood_;   // likewise, of the step under guard: it has stood before

@@ -91,7 +91,7 @@ void close_narrow(const Barriers& barriers, double closed, FloorPlan& plan) {
     barriers.for_each_near(box, [&](const Barriers::Segment& other) {
       if (&other <= &one) return;
       const auto [p, q] = bridge(one, other);
-      if ((p - q).squaredNorm() <= closed * closed) mark_near(p, q, 0.5 * plan.cell, Footing::close, plan);
+      if ((p - q).squaredNorm() <= closed * closed) mark_near(p, q, 0.5 * plan.cell, Footing::closed, plan);
     });
   }
 }
@@ -116,15 +116,14 @@ std::vector<double> passages(const Region& walkable, const Barriers& barriers, d
   return widths;
 }
 
-Resolution resolution_for(const Region& walkable, const Barriers& barriers, double least_radius,
-                          double largest_radius) {
-  const double widest = 4.0 * largest_radius;
-  const std::vector<double> open = passages(walkable, barriers, closed_to(least_radius), widest);
+Resolution resolution_for(const Region& walkable, const Barriers& barriers, double radius) {
+  const double widest = 4.0 * radius;
+  const std::vector<double> open = passages(walkable, barriers, closed_to(radius), widest);
   const double passage = open.empty() ? widest : open.front();
   const Vec sizes = bounds(walkable).sizes();
   const double finest = std::sqrt(sizes.x() * sizes.y() / kMostNodes);
   const double cell = std::max({passage / 8.0, finest, sizes.maxCoeff() / kMostNodes});
-  return {cell, std::max(std::min(largest_radius, 0.5 * passage - 2.0 * cell), 0.5 * cell)};
+  return {cell, std::max(std::min(radius, 0.5 * passage - 2.0 * cell), 0.5 * cell)};
 }
 
 FloorPlan floor_plan(const Region& walkable, const Barriers& barriers, const Resolution& resolution,

@@ -13,9 +13,10 @@
 namespace throng {
 
 enum class Footing : std::uint8_t {
-  none,   ///< outside the walkable area, or on a barrier
-  tight,  ///< walkable, and less than a cell's diagonal from a barrier, which may cross the cells round it
-  close,  ///< walkable, and nearer to a barrier than the clearance
+  none,    ///< outside the walkable area, or on a barrier
+  closed,  ///< walkable, and across a passage that is too narrow
+  tight,   ///< walkable, and less than a cell's diagonal from a barrier, which may cross the cells round it
+  close,   ///< walkable, and nearer to a barrier than the clearance
   free
 };
 
@@ -43,11 +44,10 @@ struct Resolution {
 /// another).
 std::vector<double> passages(const Region& walkable, const Barriers& barriers, double least, double most);
 
-/// Eight cells across the narrowest passage that an agent as small as `least_radius` fits through, four
-/// across the largest agent where that is less, and no more than kMostNodes in all. The clearance is the
-/// largest radius, less where that would close the narrowest passage. O(barriers near one another).
-Resolution resolution_for(const Region& walkable, const Barriers& barriers, double least_radius,
-                          double largest_radius);
+/// Eight cells across the narrowest passage that an agent of that radius (m) fits through, four across the
+/// agent where that is less, and no more than kMostNodes in all. The clearance is the radius, less where that
+/// would close the narrowest passage. O(barriers near one another).
+Resolution resolution_for(const Region& walkable, const Barriers& barriers, double radius);
 
 /// m: who is of that radius gets through what is wider than that, and not through what is as wide as he is,
 /// whatever of its ends was rounded.

@@ -122,7 +122,7 @@ class March {
       const std::size_t first = node + static_cast<std::size_t>(step);
       if (!leads(node, first)) continue;
       const std::size_t second = first + static_cast<std::size_t>(step);
-      const bool two = second < plan_.size() && leads(first, second);
+      const bool two = leads(first, second);
       sum += two ? 2.0 * distance_[first] - distance_[second] : distance_[first], ++lines;
     }
     return std::max(sum / lines, 0.0);
@@ -198,9 +198,19 @@ class March {
       const std::size_t to = node + static_cast<std::size_t>(x + y * steps_[2]);
       if (!(to < plan_.size() && known_[to] && plan_.footing[to] == Footing::free)) continue;
       const double way = distance_[to] + std::sqrt(static_cast<double>(x * x + y * y));
-      if (way < distance && is_clear(plan_.node(node), plan_.node(to))) distance = way;
+      if (way < distance && !is_closed(node, x, y) && is_clear(plan_.node(node), plan_.node(to)))
+        distance = way;
     }
     return distance;
+  }
+
+  /// Whether a straight way may lead through a passage that is too narrow: that is closed by a line of nodes.
+  bool is_closed(std::size_t node, std::ptrdiff_t x, std::ptrdiff_t y) const {
+    const std::ptrdiff_t right = x > 0 ? 1 : -1, up = y > 0 ? 1 : -1;
+    for (std::ptrdiff_t j = 0; j != y + up; j += up)
+      for (std::ptrdiff_t i = 0; i != x + right; i += right)
+        if (plan_.footing[node + static_cast<std::size_t>(i + j * steps_[2])] == Footing::closed) return true;
+    return false;
   }
 
   /// Whether a straight way between free nodes keeps off barriers.

@@ -56,4 +56,15 @@ bool has_room(const Region& area, const Region& walkable, const Barriers& barrie
   return false;
 }
 
+double largest_with_room(const Region& area, const Region& walkable, const Barriers& barriers,
+                         double widest) {
+  if (has_room(area, walkable, barriers, widest)) return widest;
+  double has = 0.0, lacks = widest;
+  while (lacks - has > 1e-3 * widest) {
+    const double middle = 0.5 * (has + lacks);
+    (has_room(area, walkable, barriers, middle) ? has : lacks) = middle;
+  }
+  return has;
+}
+
 }  // namespace throng

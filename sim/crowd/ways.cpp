@@ -78,26 +78,24 @@ void Ways::add_phase(std::uint32_t goal, const GoalPhase& phase) {
 }
 
 /// Of the areas that are open.
-std::vector<Region> Ways::strips(std::uint32_t goal, const GoalPhase& phase) const {
-  std::vector<Region> strips(goals_[goal].sizes.size());
-  bool any = false;
+std::vector<Ways::Strip> Ways::strips(std::uint32_t goal, const GoalPhase& phase) const {
+  const double widest = goals_[goal].sizes.back().largest;
+  std::vector<Strip> strips;
   for (const std::uint32_t row : scene_.crowd.goals[goal].areas) {
     const Area& area = scene_.crowd.areas[row];
     if (area.opens > phase.from || area.closes <= phase.from) continue;
-    for (std::size_t size = 0; size < strips.size(); ++size) {
-      if (has_room(area.region, scene_.crowd.walkable, barriers_, goals_[goal].sizes[size].largest)) continue;
-      strips[size].rings.insert(strips[size].rings.end(), area.region.rings.begin(), area.region.rings.end());
-      any = true;
-    }
+    const double largest = largest_with_room(area.region, scene_.crowd.walkable, barriers_, widest);
+    if (largest < widest) strips.push_back({area.region, largest});
   }
-  return any ? strips : std::vector<Region>();
+  return strips;
 }
 
 bool Ways::is_at_strip(std::uint32_t goal, double radius, const Vec& p) const {
-  const Region& strip = goals_[goal].now->strips[goals_[goal].size(radius)];
-  if (strip.empty()) return false;
-  const Vec nearest = nearest_on_border(strip, p);
-  return (nearest - p).squaredNorm() <= 4.0 * radius * radius && !barriers_.block(p, nearest);
+  return std::ranges::any_of(goals_[goal].now->strips, [&](const Strip& strip) {
+    if (radius <= strip.largest) return false;
+    const Vec nearest = nearest_on_border(strip.region, p);
+    return (nearest - p).squaredNorm() <= 4.0 * radius * radius && !barriers_.block(p, nearest);
+  });
 }
 
 void Ways::look(std::int64_t step) {
@@ -111,7 +109,7 @@ const FloorPlan& Ways::plan(double largest) {
   for (const auto& known : plans_)
     if (known->largest == largest) return known->floor;
   const Region& walkable = scene_.crowd.walkable;
-  const Resolution resolution = resolution_for(walkable, barriers_, largest, largest);
+  const Resolution resolution = resolution_for(walkable, barriers_, largest);
   plans_.push_back(
       std::make_unique<Plan>(Plan{largest, floor_plan(walkable, barriers_, resolution, closed_to(largest))}));
   return plans_.back()->floor;

@@ -83,13 +83,18 @@ class Ways {
     double largest;  ///< m, radius of those who walk on it
     FloorPlan floor;
   };
+  /// An area that has no room for some who go there.
+  struct Strip {
+    Region region;
+    double largest;  ///< m, radius of those who have room in it; to within a thousandth of the largest one
+  };
   struct Phase {
     std::int64_t from;  ///< step
     double time;        ///< s
     bool is_open;
     std::vector<DistanceField> fields;  ///< as Goal::sizes
     Inside inside;
-    std::vector<Region> strips;  ///< as Goal::sizes: areas that have no room for them; all empty: none
+    std::vector<Strip> strips;
   };
   struct Goal {
     std::vector<SizeClass> sizes;  ///< of those who go there
@@ -104,7 +109,7 @@ class Ways {
   };
 
   void add_phase(std::uint32_t goal, const GoalPhase& phase);
-  std::vector<Region> strips(std::uint32_t goal, const GoalPhase& phase) const;
+  std::vector<Strip> strips(std::uint32_t goal, const GoalPhase& phase) const;
   const FloorPlan& plan(double largest);
   std::optional<std::size_t> dead_end(std::uint32_t goal, double radius, const Vec& place) const;
   void expect_ways() const;

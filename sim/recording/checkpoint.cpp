@@ -31,7 +31,7 @@ namespace {
 using Bytes = std::span<const std::byte>;
 
 constexpr std::array<char, 8> kMagic{'t', 'h', 'r', 'o', 'n', 'g', 'C', 'K'};
-constexpr std::uint64_t kLayout = 12;  // grows with every change of State
+constexpr std::uint64_t kLayout = 13;  // grows with every change of State
 
 struct Header {
   std::array<char, 8> magic = kMagic;

@@ -281,6 +281,28 @@ TEST(AutoTime, RefusesWhatIsSensitive) {
   EXPECT_EQ(said(kFalls + floor + boxes), "");
 }
 
+// It happened: a disc that spins left the domain, and two met behind its border, whom nobody had looked for.
+TEST(AutoTime, LooksForNothingBehindAPeriodicBorder) {
+  const auto said = [](double x) {
+    const std::string text = "throng = 1\n" + wanted(1e-2, 1) + kFalls +
+                             "domain = { periodic = [[0, -5], [10, 15]] }\n" + material(0, 0.5) + kDisc +
+                             ball(x, 0.5, 0, 0, -3) + "[[walls]]\nsegment = [[-99, 0], [99, 0]]\n";
+    return to_string(load_scenario_text(text, "a").diagnostics, "a");
+  };
+  EXPECT_EQ(said(5.0), "");
+  EXPECT_THAT(said(9.2), HasSubstr("may leave the periodic domain"));
+  const auto promised = [](double x, double other) {
+    return auto_time(
+               Trial("time = { dt = \"auto\", error = 0.01, until = 0.5 }\ngravity = [0, -1]\ndomain = { "
+                     "periodic = [[0, 0], [10, 20]] }\n" +
+                     material(0, 0) + kDisc + ball(x, 10.4, 8, 0) + ball(other, 10, 0, 0))
+                   .scene)
+        .promise;
+  };
+  EXPECT_THAT(promised(9, 1), Not(HasSubstr("off its exact way")));
+  EXPECT_THAT(promised(4, 6), Not(HasSubstr("off its exact way")));
+}
+
 // It happened: two that fell apart in the void counted as a heap, which bears longer steps than a fall.
 TEST(AutoTime, TakesTheStricterOfWhatApplies) {
   for (const std::string& more : {ball(3, 0, 0, 0), ball(300, 20, 0, 0) + ball(300, 21, 0, 0)}) {

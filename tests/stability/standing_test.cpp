@@ -146,8 +146,6 @@ TEST(Standing, HeavyBesideLight) {
   EXPECT_LT(overlap(run.scene, run.state).max, 0.005);
 }
 
-/// A heap of 240 layers between smooth walls, which bear nothing, comes to rest and doesn't swing on as a
-/// whole; and what it bears has hardly pressed its discs into each other.
 /// Where two pieces of a floor meet below it, nearly or quite straight on, or a wall ends below.
 TEST(Standing, ATowerOverASeam) {
   const std::string tile = "kind = \"static\"\n";
@@ -170,6 +168,8 @@ TEST(Standing, ATowerOverASeam) {
   }
 }
 
+/// A heap of 240 layers between smooth walls, which bear nothing, comes to rest and doesn't swing on as a
+/// whole; and what it bears has hardly pressed its discs into each other.
 TEST(Standing, AHeapOfHundredsOfLayersComesToRest) {
   Trial run(
       "seed = 1\nsleep = false\ngravity = [0, -9.81]\n"

@@ -53,7 +53,7 @@ PlainCrowd::PlainCrowd(const Scene& scene)
   double largest = 0.0;
   for (const double radius : scene.bodies.radius) largest = std::max(largest, radius);
   for (std::size_t goal = 0; goal < goals_.size(); ++goal) {
-    const Resolution resolution = resolution_for(scene.crowd.walkable, barriers_, largest, largest);
+    const Resolution resolution = resolution_for(scene.crowd.walkable, barriers_, largest);
     goals_[goal].plan =
         std::make_unique<FloorPlan>(floor_plan(scene.crowd.walkable, barriers_, resolution, 2.0 * largest));
     goals_[goal].field =

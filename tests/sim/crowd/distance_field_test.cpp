@@ -163,12 +163,12 @@ TEST(DistanceField, TheEndsOfWallsAreNoShortCuts) {
 
 /// A corridor of that width along the x axis, turned by `angle` about the origin and shifted.
 struct Corridor {
-  Corridor(double width, double radius, double angle, const Vec& shift, double least)
+  Corridor(double width, double radius, double angle, const Vec& shift)
       : turn(Eigen::Rotation2Dd(angle)),
         at(shift),
         walkable(placed(box(0, 0, 12, width))),
         barriers(edges(walkable), 1.0),
-        plan(floor_plan(walkable, barriers, resolution_for(walkable, barriers, least, radius), 0.0)),
+        plan(floor_plan(walkable, barriers, resolution_for(walkable, barriers, radius), 0.0)),
         field(plan, barriers, placed(box(11, 0, 12, width))) {}
 
   Vec place(const Vec& p) const { return turn * p + at; }
@@ -206,7 +206,7 @@ TEST(DistanceField, WaysAlongWallsLeadAlongThem) {
   for (const double width : {0.7, 0.8, 2.0, 4.0})
     for (const double radius : {0.2, 0.3})
       for (const double shift : {0.0, 0.05, 0.13, 0.2, 0.5}) {
-        const Corridor corridor(width, radius, 0.0, {shift, shift}, radius);
+        const Corridor corridor(width, radius, 0.0, {shift, shift});
         EXPECT_LE(worst_angle(corridor, width, radius), 0.1) << width << " m, " << radius << ", " << shift;
       }
 }
@@ -214,7 +214,7 @@ TEST(DistanceField, WaysAlongWallsLeadAlongThem) {
 TEST(DistanceField, WaysAlongWallsLeadAlongThemWhateverTheirAngle) {
   for (const double angle : {0.1, 0.3, 0.5, 0.7854, 1.0, 2.0, 4.0})
     for (const double shift : {0.0, 0.13, 0.21}) {
-      const Corridor corridor(2.0, 0.2, angle, {shift, 3.0 * shift}, 0.2);
+      const Corridor corridor(2.0, 0.2, angle, {shift, 3.0 * shift});
       EXPECT_LE(worst_angle(corridor, 2.0, 0.2), 10.0) << angle << ", " << shift;
     }
 }
@@ -224,7 +224,7 @@ TEST(DistanceField, WaysAlongWallsLeadAlongThemWhateverTheirAngle) {
 TEST(DistanceField, WaysOfSmallerAgentsLeadAlongWallsToo) {
   for (const double angle : {0.0, 0.3, 0.7854})
     for (const double shift : {0.0, 0.05, 0.13, 0.2}) {
-      const Corridor corridor(2.0, 0.25, angle, {shift, 3.0 * shift}, 0.15);
+      const Corridor corridor(2.0, 0.25, angle, {shift, 3.0 * shift});
       EXPECT_LE(worst_angle(corridor, 2.0, 0.15), angle == 0.0 ? 0.1 : 20.0) << angle << ", " << shift;
     }
 }
@@ -235,7 +235,7 @@ TEST(DistanceField, WaysRoundABlockAreSmoothAndShortest) {
   hall.rings.push_back(rectangle(8, 3, 12, 8));
   const double radius = 0.2, stride = 0.01;
   const Barriers barriers(edges(hall), 1.0);
-  const FloorPlan plan = floor_plan(hall, barriers, resolution_for(hall, barriers, radius, radius), 0.0);
+  const FloorPlan plan = floor_plan(hall, barriers, resolution_for(hall, barriers, radius), 0.0);
   const DistanceField field(plan, barriers, box(18, 4.5, 19, 5.5));
   Vec p(2, 5), before = field.direction(p);
   double sharpest = 0.0;

@@ -65,6 +65,22 @@ TEST(Ways, OfACrowdPartAtAGap) {
   EXPECT_EQ(run.state.crowd.arrived, 20);
 }
 
+// It happened: straight ways of two or three cells led through what a line of one cell closed.
+TEST(Ways, DontLeadThroughAGapThatIsTooNarrow) {
+  for (const double gap : {0.30, 0.38, 0.399}) {
+    const std::string low = std::to_string(5 - 0.5 * gap), high = std::to_string(5 + 0.5 * gap);
+    Trial run(
+        "time = { dt = 0.05, until = 60 }\nwalkable = 'POLYGON ((0 0, 10 0, 10 10, 0 10, 0 0))'\n"
+        "areas.e = [[9, 4.5], [10, 4.5], [10, 5.5], [9, 5.5]]\n[[walls]]\nsegment = [[5, 0], [5, 0.79]]\n"
+        "[[walls]]\nsegment = [[5, 1.21], [5, " +
+        low + "]]\n[[walls]]\nsegment = [[5, " + high +
+        "], [5, 10]]\n[[agents]]\nat = [2, 5]\nradius = 0.2\ndesired_speed = 1\n"
+        "model = 'constant_velocity'\ngoal = 'e'\n");
+    run.steps(230);  // by the open one it is 10.2 m
+    EXPECT_EQ(run.state.crowd.arrived, 1) << gap;
+  }
+}
+
 /// A corridor, 20 m by 4 m, that ends in the area.
 std::string corridor(const std::string& area, const std::string& more, const std::string& model) {
   return "time = { dt = 0.01, until = 1000 }\nwalkable = 'POLYGON ((0 0, 20 0, 20 4, 0 4, 0 0))'\nareas.f = "
@@ -95,6 +111,20 @@ TEST(Ways, EndInsideAreasThatHaveRoom) {
     EXPECT_EQ(run.state.crowd.arrived, 0) << area;
     run.steps(5);
     EXPECT_EQ(run.state.crowd.arrived, 1) << area;
+  }
+}
+
+// It happened: somebody wider with the same goal made the area a strip for all of his class.
+TEST(Ways, EndWhereHisOwnWidthSays) {
+  const std::string exit = "[[19.56, 0], [20, 0], [20, 4], [19.56, 4]]", goal = "goal = 'e'\n";
+  const std::string wider =
+      "[[agents]]\nat = [1, 3]\nradius = 0.29\ndesired_speed = 0\nmodel = 'constant_velocity'\n" + goal;
+  for (const std::string& others : {std::string(), wider}) {
+    Trial run(corridor(exit, goal + others, "constant_velocity"));
+    run.steps(1450);
+    EXPECT_EQ(run.state.crowd.arrived, 0) << others;
+    run.steps(20);
+    EXPECT_EQ(run.state.crowd.arrived, 1) << others;
   }
 }
 
