@@ -158,29 +158,47 @@ bool Journeys::is_way_clear(const State& state, Row row, const Vec& to) {
   return true;
 }
 
-/// Places in the area that he sees and where he has room. Of several the farthest: who took a nearer one
-/// would be in the way of those who come later.
-Journeys::Spots Journeys::free_spots(const State& state, Row row) {
+/// Calls f(place) for places at random in the area that he sees and where he has room, as long as it returns
+/// true.
+template <class F>
+void Journeys::for_each_free_spot(const State& state, Row row, F&& f) {
   if (!spots_known_) gather_spots(state);
   const Vec& p = position(state, row);
   const double radius = this->radius(state, row);
   const Sampler& sampler = *samplers_[goal(state, row)];
   Random random(scene_.seed, static_cast<std::uint64_t>(state.step), state.id[scene_.crowd.first + row],
                 Purpose::spot);
-  Spots spots{p, p};
-  const auto is_farther = [&](const Vec& q, const Vec& than) {
-    return (q - p).squaredNorm() > (than - p).squaredNorm();
-  };
-  for (int i = 0, choices = 0; i < kSpotTries && choices < kChoices && !sampler.empty(); ++i) {
+  for (int i = 0; i < kSpotTries && !sampler.empty(); ++i) {
     const Vec q = sampler.draw(random);
     if (!sampler.holds(q, radius) || !has_room(state, row, q) || barriers_.distance(q, radius) < radius ||
         barriers_.block(p, q))
       continue;
-    ++choices;
-    if (is_farther(q, spots.any)) spots.any = q;
-    if (is_farther(q, spots.clear) && is_way_clear(state, row, q)) spots.clear = q;
+    if (!f(q)) return;
   }
-  return spots;
+}
+
+/// Of several the farthest, where others who wait may be in the way: who took a nearer one would be in the
+/// way of those who come later. Where he is, where there is none.
+Vec Journeys::free_spot(const State& state, Row row) {
+  const Vec& p = position(state, row);
+  Vec farthest = p;
+  int choices = 0;
+  for_each_free_spot(state, row, [&](const Vec& q) {
+    if ((q - p).squaredNorm() > (farthest - p).squaredNorm()) farthest = q;
+    return ++choices < kChoices;
+  });
+  return farthest;
+}
+
+/// Of all that are looked at the farthest with nobody who waits in the way; where he is, where there is none.
+Vec Journeys::spot_within_reach(const State& state, Row row) {
+  const Vec& p = position(state, row);
+  Vec farthest = p;
+  for_each_free_spot(state, row, [&](const Vec& q) {
+    if ((q - p).squaredNorm() > (farthest - p).squaredNorm() && is_way_clear(state, row, q)) farthest = q;
+    return true;
+  });
+  return farthest;
 }
 
 /// Whether he is near one of those who wait for a goal, and on the same side of all walls.
@@ -239,7 +257,7 @@ void Journeys::stay(State& state, Row row, const Vec& spot) {
 /// others who wait keep him out: else he would be in the way of those who want out, for ever.
 void Journeys::begin_to_wait(State& state, Row row) {
   if (is_in(state, row)) {
-    stay(state, row, free_spots(state, row).any);
+    stay(state, row, free_spot(state, row));
   } else if (is_kept_out(state, row)) {
     stay(state, row, position(state, row));
   }
@@ -255,12 +273,14 @@ void Journeys::look_for_room(State& state, Row row) {
   CrowdState& crowd = state.crowd;
   const Vec& p = position(state, row);
   const bool is_in = this->is_in(state, row);
+  bool looks = std::fmod(since(state, crowd.since[row]), kPatience) < scene_.time.dt;
   if (is_off_spot(state, row)) {
-    const bool stands = since(state, crowd.stand_step[row]) >= kPatience;
-    if (stands || (is_in && since(state, crowd.halt_step[row]) >= kJostled)) crowd.spot[row] = p;
-  } else if (!is_in && std::fmod(since(state, crowd.since[row]), kPatience) < scene_.time.dt) {
-    if (const Vec spot = free_spots(state, row).clear; spot != p) go_to(state, row, spot);
+    looks = since(state, crowd.stand_step[row]) >= kPatience ||
+            (is_in && since(state, crowd.halt_step[row]) >= kJostled);
+    if (looks) crowd.spot[row] = p;
   }
+  if (is_in || !looks) return;
+  if (const Vec spot = spot_within_reach(state, row); spot != p) go_to(state, row, spot);
 }
 
 /// Whether the agent's time is over.

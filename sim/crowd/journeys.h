@@ -104,11 +104,10 @@ class Journeys {
   bool is_kept_out(const State& state, Row row);
   bool is_off_spot(const State& state, Row row) const;
   void wait_for_opening(State& state, Row row);
-  /// Where an agent may wait.
-  struct Spots {
-    Vec clear, any;  ///< m: with nobody who waits in the way, and behind others; where he is where none is
-  };
-  Spots free_spots(const State& state, Row row);
+  template <class F>
+  void for_each_free_spot(const State& state, Row row, F&& f);
+  Vec free_spot(const State& state, Row row);
+  Vec spot_within_reach(const State& state, Row row);
   void stay(State& state, Row row, const Vec& spot);
   void gather_spots(const State& state);
   bool has_room(const State& state, Row row, const Vec& p);

@@ -16,6 +16,8 @@ constexpr const char* kEvenCrowd =
 constexpr const char* kAlike = "who all walk alike are in nobody's way, however near: nobody slows down";
 constexpr const char* kNoGap =
     "nobody keeps a distance: a door lets through as many as fit beside one another";
+constexpr const char* kCarried =
+    "who is slow is pushed on by those behind him, faster than he wants: he holds up nobody";
 
 constexpr Nature kNatures[] = {
     {"constant_velocity", "", "agents see nobody"},
@@ -24,6 +26,8 @@ constexpr Nature kNatures[] = {
     {"social_force", "IMO 5", "who stands is pushed away by who sets out beside him"},
     {"social_force", "Weidmann", kEvenCrowd},
     {"social_force", "RiMEA 16", kEvenCrowd},
+    {"social_force", "NIST 2.10", kCarried},
+    {"orca", "NIST 2.10", kCarried},
     {"orca", "Weidmann", kAlike},
     {"orca", "RiMEA 16", kAlike},
     {"orca", "IMO 4", kNoGap},

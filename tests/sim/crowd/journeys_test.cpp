@@ -25,16 +25,22 @@ TEST(Waiting, StandsApartInTheAreaForItsTime) {
         model));
     run.steps(1700);
     ASSERT_EQ(run.state.id.size(), 15u);
+    int beside = 0;  // one of orca is swept past the edge, and others who wait bar all ways back
     for (std::size_t a = 0; a < 15; ++a) {
       const Vec& p = run.state.position[a];
       EXPECT_EQ(run.state.crowd.place[a], 1u) << a;
       const Vec& spot = run.state.crowd.spot[a];
-      EXPECT_TRUE(spot.x() >= 12 && spot.x() <= 16 && spot.y() >= 0 && spot.y() <= 3) << spot.transpose();
+      const auto is_in = [&](double reach) {
+        return spot.x() >= 12 - reach && spot.x() <= 16 + reach && spot.y() >= 0 && spot.y() <= 3 + reach;
+      };
+      EXPECT_TRUE(is_in(0.2)) << spot.transpose();
+      beside += !is_in(0.0);
       EXPECT_LT((p - spot).norm(), 0.5) << a;
       EXPECT_LT(run.state.velocity[a].norm(), 0.5) << a;
       for (std::size_t b = 0; b < a; ++b)
         EXPECT_GT((p - run.state.position[b]).norm(), 0.35) << a << ' ' << b;
     }
+    EXPECT_LE(beside, model == std::string("orca") ? 1 : 0);
     EXPECT_TRUE(stuck_agents(run.scene, run.state).empty());
     const std::vector<std::int64_t> since = run.state.crowd.since;
     for (int i = 0; i < 1400 && run.state.crowd.arrived == 0; ++i) {
@@ -84,6 +90,27 @@ TEST(Waiting, FillsTheAreaFromTheFarSide) {
     EXPECT_EQ(beyond(10), count);
     EXPECT_GE(3 * beyond(25), count) << "in the farther half";
   }
+}
+
+// It happened: of 240 people 17 stood beside a platform that had room, as none of the first three places that
+// they drew had a way to it with nobody in it, however often they drew. Some are behind a closed row.
+TEST(Waiting, GoesInWhereverThereIsAClearWayToRoom) {
+  std::ptrdiff_t outside = 0;
+  for (const char* seed : {"2", "4"}) {
+    Trial run(std::string("seed = ") + seed +
+              "\ntime = { dt = 0.05, until = 150 }\nwalkable = 'POLYGON ((0 0, 50 0, 50 8, 0 8, 0 0))'\n"
+              "areas.start = [[0, 0], [4, 0], [4, 8], [0, 8]]\n"
+              "areas.platform = [[10, 4], [45, 4], [45, 7.5], [10, 7.5]]\n"
+              "[[agents]]\ncount = 120\nappear.rate = 2\nplace.random.within = 'start'\n"
+              "radius = { uniform = [0.2, 0.24] }\nmodel = 'collision_free_speed'\n"
+              "collision_free_speed.time_gap = 0.5\n"
+              "desired_speed = { normal = [1.34, 0.26], within = [0.8, 1.8] }\ngoal.wait = 'platform'\n");
+    run.steps(3000);
+    ASSERT_EQ(run.state.id.size(), 120u);
+    outside += std::ranges::count_if(
+        run.state.position, [&](const Vec& p) { return !contains(run.scene.crowd.areas[0].region, p); });
+  }
+  EXPECT_LE(outside, 9);
 }
 
 TEST(Waiting, StandsWhereItGotToWhereThereIsNoRoom) {
