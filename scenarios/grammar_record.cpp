@@ -51,8 +51,8 @@ Type record_table() {
          "[\"position\", \"angle\", \"velocity\"]"},
         {"also", tables(also), "Further fields, at rates of their own.", "[]"},
         {"observables", integer(1, 1e9),
-         "Steps from one measurement to the next of energies, momentum, contacts, overlaps, and of what "
-         "measures count; absent: none."},
+         "Steps from one measurement to the next of energies (of motion and of gravity; what springs store "
+         "isn't in them), momentum, contacts, overlaps, and of what measures count; absent: none."},
         {"precision", choice({"double", "single"}),
          "Width of positions, angles, velocities and spins; contacts and observables are double.",
          "\"double\""},
@@ -75,8 +75,10 @@ Type observe_table() {
          "temperature: k T, J, of the centres. packing_fraction: which part of the area dynamic bodies take. "
          "coordination_number: on how many others one presses. collisions: how many so far, of pairs and "
          "with "
-         "walls. compressibility_factor: P A / (n k T), by the virial and by how often pairs collide, both "
-         "since the beginning; of soft contacts by their forces at the instant.",
+         "walls. compressibility_factor: P A / (n k T), by the virial of pairs alone (the push of a box's "
+         "walls isn't "
+         "in it) and by how often pairs collide, both since the beginning; of soft contacts by their forces "
+         "at the instant.",
          "[]"},
         {"packing_within", box(), "Box, m, in which packing_fraction is taken; absent: the domain."},
         {"speeds", bins_table(number(1e-12, 1e9, "m/s"), "m/s"),

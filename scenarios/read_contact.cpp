@@ -70,6 +70,30 @@ void check_step(const toml::table& root, const Scene& scene, const SoftTiming& t
                        remedy(scene, timing.contact / kFewPerContact, "should"));
 }
 
+/// Whether bodies move so fast that they may pass others unseen: from the beginning, or once they have fallen
+/// as far as the scene is high.
+void check_ways(const toml::table& root, const Scene& scene, Report& report) {
+  if (scene.bodies.size() + scene.walls.size() < 2 && scene.domain.kind == DomainKind::unbounded) return;
+  const double h = scene.time.dt / scene.time.substeps, most = longest_way(scene);
+  const double first = first_speed_of_ways(scene), later = first + fall_speed(scene);
+  if (!(h * later > most)) return;
+  const bool now = h * first > most;
+  const double speed = now ? first : later;
+  const auto [node, path] = place_of_step(root);
+  const std::string why =
+      (now ? "the fastest body moves at " : "who falls as far as the scene is high may get to ") +
+      three_digits(speed) + " m/s, so " + three_digits(h * speed) +
+      " m in a substep, farther than the smallest disc's radius, " + three_digits(most) +
+      " m, and passes others unseen; ";
+  const std::string most_dt = " (or time.dt at most " +
+                              three_digits(0.99 * scene.time.substeps * most / speed) +
+                              " s, with time.substeps = " + to_text(scene.time.substeps) + ")";
+  if (now)
+    report.error(*node, path, why + remedy(scene, most / speed, "must") + most_dt);
+  else
+    report.warning(node->source(), path, why + remedy(scene, most / speed, "should") + most_dt);
+}
+
 }  // namespace
 
 void read_contact(const toml::table& root, Scene& scene, Report& report) {
@@ -105,6 +129,7 @@ void settle_soft_contacts(const toml::table& root, Scene& scene, Report& report)
     scene.time.substeps =
         static_cast<int>(std::min(kMostSubsteps, fewest_substeps(scene, timing.contact / kPerContact)));
   check_step(root, scene, timing, report);
+  check_ways(root, scene, report);
 }
 
 }  // namespace throng::scenarios

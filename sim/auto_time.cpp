@@ -78,7 +78,7 @@ double time_of_a_radius(const Scene& scene) {
 /// Nothing but rounding; steps are there to be looked at.
 AutoTime exact(const Scene& scene, std::string why) {
   AutoTime result = steps(scene, std::clamp(time_of_a_radius(scene), 1e-3, 0.1), kInfinite);
-  result.promise = "rounding alone is off, which collisions make about ten times as large each";
+  result.promise = "nothing is off but rounding, which each collision makes about ten times as large";
   result.why = std::move(why);
   return result;
 }
@@ -249,11 +249,14 @@ AutoTime native(const Scene& scene) {
   return hard(scene, plan);
 }
 
-/// What to do where nothing is promised.
+/// What to do where nothing is promised. Engine event_driven stops where discs come to rest.
 std::string instead(const Scene& scene) {
-  const bool flies = scene.engine == Engine::native && event_driven_refusal(scene).empty();
-  return std::string(": give dt, and look how results change with it") +
-         (flies ? ", or take engine event_driven" : "");
+  const std::string look = ": give dt, and look how results change with it";
+  if (scene.engine != Engine::native || !event_driven_refusal(scene).empty()) return look;
+  const Plan plan = plan_for(scene);
+  const bool rests = plan.gravity &&
+                     std::ranges::any_of(plan.surfaces, [](const Surface& s) { return s.restitution < 1.0; });
+  return look + ", or take engine event_driven" + (rests ? ", which stops where discs come to rest" : "");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "sim/engine_event_driven.h"
 
 #include <algorithm>
+#include <cstdio>
 
 #include "sim/event_driven/hard_discs.h"
 #include "sim/input_error.h"
@@ -82,6 +83,16 @@ std::string refusal_of(const Scene& scene, std::size_t row) {
   return "";
 }
 
+/// Why a domain that repeats after `period` (m) is too narrow for a disc of radius `largest` (m).
+std::string narrow(double largest, double period) {
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "domain.periodic: must be at least %.6g m wide and high, four times the largest disc (%.6g m "
+                "across), and it is %.6g m; native needs 2.5 times",
+                8.0 * largest, 2.0 * largest, period);
+  return text;
+}
+
 }  // namespace
 
 std::string event_driven_refusal(const Scene& scene) {
@@ -94,10 +105,9 @@ std::string event_driven_refusal(const Scene& scene) {
     if (std::string refusal = refusal_of(scene, row); !refusal.empty()) return refusal;
     if (scene.bodies.kind[row] == BodyKind::dynamic) largest = std::max(largest, scene.bodies.radius[row]);
   }
-  if (scene.domain.kind == DomainKind::periodic &&
-      (scene.domain.max - scene.domain.min).minCoeff() < 8.0 * largest)
-    return "domain.periodic: must measure at least four times the largest disc";
-  return "";
+  if (scene.domain.kind != DomainKind::periodic) return "";
+  const double period = (scene.domain.max - scene.domain.min).minCoeff();
+  return period < 8.0 * largest ? narrow(largest, period) : "";
 }
 
 std::unique_ptr<Simulation> event_driven_simulation(const Scene& scene) {

@@ -70,10 +70,31 @@ double least_restitution(const Scene& scene) {
 
 }  // namespace
 
-double top_speed(const Scene& scene) {
+double fall_speed(const Scene& scene) {
   const double gravity = scene.gravity.norm();
-  const double fall = gravity > 0.0 ? std::sqrt(2.0 * gravity * Height(scene).size()) : 0.0;
-  return first_speed(scene) + fall;
+  return gravity > 0.0 ? std::sqrt(2.0 * gravity * Height(scene).size()) : 0.0;
+}
+
+double top_speed(const Scene& scene) {
+  return first_speed(scene) + fall_speed(scene);
+}
+
+double longest_way(const Scene& scene) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t row = 0; row < scene.bodies.size(); ++row)
+    if (scene.bodies.kind[row] == BodyKind::dynamic) smallest = std::min(smallest, scene.bodies.radius[row]);
+  return smallest;
+}
+
+double first_speed_of_ways(const Scene& scene) {
+  const Bodies& bodies = scene.bodies;
+  double fastest = 0.0;
+  for (std::size_t row = 0; row < bodies.size(); ++row) {
+    const bool disc = scene.shapes[bodies.shape[row]].kind == ShapeKind::disc;
+    const double turning = disc ? 0.0 : std::abs(bodies.spin[row]) * bodies.radius[row];
+    fastest = std::max(fastest, bodies.velocity[row].norm() + turning);
+  }
+  return fastest;
 }
 
 SoftTiming soft_timing(const Scene& scene) {

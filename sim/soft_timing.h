@@ -20,6 +20,16 @@ struct SoftTiming {
 /// top of the scene to its bottom adds. O(bodies + walls).
 double top_speed(const Scene& scene);
 
+/// m, how far a body may get in a substep and still be seen by all that it meets: the radius of the smallest
+/// dynamic disc, as a solid that is passed so fast is noticed in its heart at least. O(bodies).
+double longest_way(const Scene& scene);
+
+/// m/s, that a fall from the top of the scene to its bottom adds. O(bodies + walls).
+double fall_speed(const Scene& scene);
+
+/// m/s, with which discs, and points of what is none, move at the beginning, at most. O(bodies).
+double first_speed_of_ways(const Scene& scene);
+
 /// Of all discs that are dynamic, as if each met its like, or an obstacle where it is alone. `speed` is twice
 /// that of the fastest body and what a fall from the top of the scene to its bottom adds. Impacts of `spring`
 /// last as long at any speed; those of `hertz` are the shorter the faster. O(bodies).

@@ -211,7 +211,7 @@ void step_soft(const Scene& scene, const Plan& plan, State& state, Workspace& wo
     if (!work.candidates.widen(work.bodies, work.soft.farthest(), attempt >= kLocalAttempts)) break;
     if (attempt == kAttempts) fail_at_chain(state);
   }
-  work.soft.check_depth(state);
+  work.soft.check(state);
   ++state.step;
   store_all(scene, plan, state, work);
   work.soft.save(state);

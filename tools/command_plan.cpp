@@ -80,6 +80,14 @@ std::string how_sure(const Scene& scene) {
   return text;
 }
 
+/// " in 4 substeps of h = 0.0025 s", "" where there are none.
+std::string substeps_text(const Scene& scene) {
+  if (!uses_substeps(scene)) return "";
+  char length[40];
+  std::snprintf(length, sizeof length, " of h = %.3g s", scene.time.dt / scene.time.substeps);
+  return " in " + counted(scene.time.substeps, "substep") + length;
+}
+
 void print_plan(const Scene& scene, const Plan& plan) {
   std::printf(
       "%s: %s (%zu dynamic, %zu static, %zu kinematic), %s, %s; engine %s\n", printable(scene.name).c_str(),
@@ -87,8 +95,8 @@ void print_plan(const Scene& scene, const Plan& plan) {
       count(scene, BodyKind::fixed), count(scene, BodyKind::kinematic),
       counted(static_cast<std::int64_t>(scene.crowd.size()), "agent").c_str(),
       counted(static_cast<std::int64_t>(scene.walls.size()), "wall").c_str(), engine_name(scene.engine));
-  const std::string substeps = uses_substeps(scene) ? " in " + counted(scene.time.substeps, "substep") : "";
-  std::printf("%s of %g s%s\n", counted(scene.time.steps(), "step").c_str(), scene.time.dt, substeps.c_str());
+  std::printf("%s of %g s%s\n", counted(scene.time.steps(), "step").c_str(), scene.time.dt,
+              substeps_text(scene).c_str());
   if (scene.time.error > 0.0) {
     const AutoTime chosen = auto_time(scene);
     std::printf("chosen for an error of %g: %s; %s\n", scene.time.error, chosen.promise.c_str(),

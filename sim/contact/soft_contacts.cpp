@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "sim/contact/soft_contacts.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <string>
 
 #include "sim/simulation_error.h"
+#include "sim/soft_timing.h"
 
 namespace throng {
 
@@ -16,6 +20,7 @@ constexpr std::size_t kWave = 32;  // blocks that are pressed before others behi
 SoftContacts::SoftContacts(const Scene& scene, const Plan& plan)
     : scene_(scene),
       h_(plan.substep),
+      most_(longest_way(scene) / plan.substep),
       gravity_(plan.gravity),
       discs_(scene, plan),
       solids_(scene, plan),
@@ -30,11 +35,14 @@ void SoftContacts::run(const Candidates& candidates, const State& state, std::sp
   discs_.find(candidates, state, places_, bodies_);
   solids_.find(candidates, state, places_, bodies_);
   start();
+  too_fast_ = 0.0;
+  watch_speed();
   const int last = scene_.time.substeps - 1;
   for (int i = 0; i <= last; ++i) {
     const double past = i == 0 && state.step == 0 ? 0.5 * h_ : h_;
     const double fringe = h_ * std::sqrt(fastest2_);
     substep({i == 0, i == last, h_, past, fringe, bodies_, speeds_, pushes_});
+    watch_speed();
   }
   give_back(bodies);
 }
@@ -130,18 +138,40 @@ void SoftContacts::kick_and_drift(std::uint32_t begin, std::uint32_t end, double
   fastest2_ = fastest2;
 }
 
-void SoftContacts::check_depth(const State& state) const {
+/// Notes the fastest of the first substep in which somebody is too fast.
+void SoftContacts::watch_speed() {
+  if (too_fast_ > 0.0 || fastest2_ <= most_ * most_) return;
+  const auto fastest = std::ranges::max_element(
+      bodies_, {}, [](const SolverBody& body) { return body.velocity.squaredNorm(); });
+  fast_ = static_cast<std::uint32_t>(fastest - bodies_.begin());
+  too_fast_ = fastest->velocity.norm();
+}
+
+std::string SoftContacts::name(const State& state, std::uint32_t place) const {
+  const std::uint32_t row = places_.row(place);
+  return row < state.id.size() ? "body " + std::to_string(state.id[row]) : std::string("a wall");
+}
+
+void SoftContacts::check_speed(const State& state) const {
+  if (too_fast_ == 0.0) return;
+  char text[250];
+  std::snprintf(
+      text, sizeof text,
+      " moves at %.3g m/s, so %.3g m in a substep, farther than the smallest disc's radius, %.3g m: "
+      "it may pass others unseen; take time.dt = %.3g s at most, with time.substeps = %d",
+      too_fast_, too_fast_ * h_, most_ * h_, 0.99 * most_ / too_fast_ * scene_.time.dt, scene_.time.substeps);
+  throw SimulationError("step " + std::to_string(state.step + 1) + ": " + name(state, fast_) + text);
+}
+
+void SoftContacts::check(const State& state) const {
+  check_speed(state);
   const SoftSqueeze& worst =
       discs_.squeeze().depth > solids_.squeeze().depth ? discs_.squeeze() : solids_.squeeze();
   if (!(worst.depth > 0.0)) return;
-  const auto name = [&](std::uint32_t place) {
-    const std::uint32_t row = places_.row(place);
-    return row < state.id.size() ? "body " + std::to_string(state.id[row]) : std::string("a wall");
-  };
   char depth[32];
   std::snprintf(depth, sizeof depth, "%.3g", worst.depth);
-  throw SimulationError("step " + std::to_string(state.step + 1) + ": " + name(worst.a) + " and " +
-                        name(worst.b) + " are pressed " + depth +
+  throw SimulationError("step " + std::to_string(state.step + 1) + ": " + name(state, worst.a) + " and " +
+                        name(state, worst.b) + " are pressed " + depth +
                         " m into each other, more than half a radius: take stiffer contacts");
 }
 

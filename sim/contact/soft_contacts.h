@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "sim/contact/soft_discs.h"
@@ -27,9 +28,10 @@ class SoftContacts {
   /// m, how far each body was at most from where the step began.
   std::span<const double> farthest() const { return farthest_; }
 
-  /// Throws SimulationError where two were so deep in each other that no spring tells the inside from the
+  /// Throws SimulationError where a body got farther in a substep than the smallest disc's radius, and so may
+  /// have passed others unseen, or two were so deep in each other that no spring tells the inside from the
   /// outside. `state`: that of the step's beginning.
-  void check_depth(const State& state) const;
+  void check(const State& state) const;
 
   void save(State& state) const;  ///< impulses and springs, for the next step
 
@@ -42,10 +44,14 @@ class SoftContacts {
   void start();
   void substep(const SoftSubstep& now);
   void foretell(std::uint32_t begin, std::uint32_t end);
+  void watch_speed();
+  void check_speed(const State& state) const;
+  std::string name(const State& state, std::uint32_t place) const;
   void kick_and_drift(std::uint32_t begin, std::uint32_t end, double time);
 
   const Scene& scene_;
-  const double h_;  // s
+  const double h_;     // s
+  const double most_;  // m/s, beyond which a body may pass others unseen
   const bool gravity_;
   SoftDiscs discs_;
   SoftSolids solids_;
@@ -56,6 +62,8 @@ class SoftContacts {
   std::vector<SoftWay> ways_;
   std::vector<double> farthest_;  // by row
   double fastest2_ = 0.0;         // m²/s²
+  std::uint32_t fast_ = 0;        // place of the first in a step who was too fast
+  double too_fast_ = 0.0;         // m/s, his speed; 0 where nobody was
 };
 
 }  // namespace throng

@@ -246,11 +246,14 @@ void HardDiscs::watch_for_collapse(std::uint32_t disc, std::uint32_t other, doub
   std::uint32_t& still = next_[disc].still;
   still = slow || flown <= kSpacing * one.since ? still + 1 : 0;
   if (still < kMostStill) return;
+  const bool elastic = surface(disc, other).restitution == 1.0;
   throw SimulationError(
       "at " + std::to_string(one.since) + " s body " + std::to_string(body(disc) + 1) + " and " +
-      name(other) +
-      " collide without end (inelastic collapse): hard discs come to rest on one another only in "
-      "infinitely many collisions; let the run end before, or take engine native");
+      name(other) + " collide without end " +
+      (elastic ? "(they touch others all round, or rest): where discs have no room between them, collisions "
+                 "take no time; leave gaps, or take engine native"
+               : "(inelastic collapse): hard discs come to rest on one another only in infinitely many "
+                 "collisions; let the run end before, or take engine native"));
 }
 
 SolverBody HardDiscs::solver_body(std::uint32_t other) const {

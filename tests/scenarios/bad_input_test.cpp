@@ -83,6 +83,11 @@ const FaultyScenario kFaultyScenarios[] = {
     {"time = { dt = 0.1, substeps = 4 }\ncontact = { model = 'spring', stiffness = 1e10 }\n" BALL
      "at = [0, 0]",
      "unstable in a dense packing; time.dt must be at most "},
+    {"time = { dt = 0.01, substeps = 8 }\ncontact = { model = 'spring', stiffness = 1e5 }\n" BALL
+     "at = [0, 0]\nvelocity = [900, 0]\n" WALL "segment = [[3, -1], [3, 1]]",
+     "s.toml:2:32: error: time.substeps: the fastest body moves at 900 m/s, so 1.12 m in a substep, farther "
+     "than the smallest disc's radius, 1 m, and passes others unseen; time.substeps must be at least 9 (or "
+     "time.dt at most 0.0088 s, with time.substeps = 8)"},
     {"record = { quantize = 0 }",
      "s.toml:2:23: error: record.quantize: must be a number from 1e-09 to 1000 m"},
     {"record = { fields = ['angle'], quantize = 1e-3 }",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scenarios/load.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -285,6 +286,26 @@ TEST(Load, WarnsOfFewSubstepsInAnImpact) {
             "--set time.substeps = 50: warning: time.substeps: an impact lasts 0.00394 s, 19.7 substeps of "
             "0.0002 s: "
             "fewer than 20 are not accurate; time.substeps should be at least 51\n");
+}
+
+TEST(Load, WarnsOfFallsSoFastThatSoftContactsMayNotSeeThem) {
+  const std::vector<std::string> few = {"time.dt = 0.01", "time.substeps = 17", "contact.stiffness = 1e5",
+                                        "gravity = [0, -9.81]"};
+  const auto said = [&](const std::string& floor) {
+    auto settings = few;
+    settings.push_back("walls = [{ segment = [[-1, " + floor + "], [1, " + floor + "]] }]");
+    return faults(load_text(kSoft, settings));
+  };
+  EXPECT_EQ(said("-20"), "");
+  EXPECT_THAT(said("-500000"),
+              ::testing::HasSubstr("who falls as far as the scene is high may get to 3.13e+03 m/s, "
+                                   "so 1.84 m in a substep, farther than the smallest disc's "
+                                   "radius, 1 m"));
+  EXPECT_EQ(faults(load_text(
+                "throng = 1\ncontact = { model = 'spring', stiffness = 1e5 }\n"
+                "shapes.b.disc.radius = 1\nbodies = [{ shape = 'b', at = [0, 0], velocity = [1e6, 0] }]\n")),
+            "")
+      << "nothing to meet";
 }
 
 }  // namespace throng

@@ -386,7 +386,7 @@ TEST_F(PlanCommand, TakesTheOptionsOfARun) {
 /// It happened: "1 substeps", and substeps of agents and of what has no time step.
 TEST_F(PlanCommand, SpeaksOfSubstepsWhereThereAreAny) {
   EXPECT_THAT(throng("plan --substeps 1 " + write("a.toml", kDrop)).out,
-              HasSubstr("steps of 0.01 s in 1 substep\n"));
+              HasSubstr("steps of 0.01 s in 1 substep of h = 0.01 s\n"));
   const auto without = [&](const std::string& scene) {
     EXPECT_THAT(throng("plan " + scene).out, testing::ContainsRegex("steps of [0-9.]+ s\n")) << scene;
     EXPECT_TRUE(json::parse(throng("plan --json " + scene).out)["substeps"].is_null()) << scene;

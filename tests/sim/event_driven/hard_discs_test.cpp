@@ -81,6 +81,21 @@ TEST(HardDiscs, BouncesThatNeverEndAreRecognized) {
   }
 }
 
+// "Inelastic collapse" was said of elastic discs, too.
+TEST(HardDiscs, WithoutRoomAreToldToLeaveGaps) {
+  const std::string walls =
+      "[[walls]]\nsegment = [[-0.5, -9], [-0.5, 9]]\n[[walls]]\nsegment = [[0.5, -9], [0.5, 9]]\n";
+  Flown run(setting(1, 0, 0.5) + ball(0, 0, 1, 0) + walls);
+  try {
+    run.steps(1);
+    FAIL() << "it bounces for ever";
+  } catch (const SimulationError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("body 1 and a wall"));
+    EXPECT_THAT(error.what(), HasSubstr("leave gaps"));
+    EXPECT_THAT(error.what(), ::testing::Not(HasSubstr("inelastic")));
+  }
+}
+
 /// Lets a disc bounce on that until it must have come to rest. Returns what is said then.
 std::string coming_to_rest(double floor, double restitution, const std::string& ground) {
   Flown run("gravity = [0, -9.81]\ntime = { dt = 0.1, until = 60 }\n" + material(restitution, 0) +
@@ -202,8 +217,10 @@ TEST(HardDiscs, RefuseWhatIsNoHardDiscAndSayWhy) {
               HasSubstr("body 1 is kinematic"));
   EXPECT_THAT(engine_refusal(Engine::event_driven, "[materials.default]\nrolling_resistance = 0.1\n" + one),
               HasSubstr("rolling_resistance"));
-  EXPECT_THAT(engine_refusal(Engine::event_driven, "domain = { periodic = [[0, 0], [3.9, 9]] }\n" + one),
-              HasSubstr("domain.periodic"));
+  EXPECT_THAT(
+      engine_refusal(Engine::event_driven, "domain = { periodic = [[0, 0], [3.9, 9]] }\n" + one),
+      HasSubstr("domain.periodic: must be at least 4 m wide and high, four times the largest disc (1 m "
+                "across), and it is 3.9 m; native needs 2.5 times"));
   EXPECT_THAT(engine_refusal(Engine::event_driven,
                              "[shapes]\nbox = { polygon = [[0, 0], [1, 0], [1, 1]] }\n[[bodies]]\nshape = "
                              "\"box\"\nat = [0, 0]\n"),
