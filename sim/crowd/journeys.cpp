@@ -239,18 +239,18 @@ bool Journeys::is_kept_out(const State& state, Row row) {
          !is_behind_one(state, row);
 }
 
-void Journeys::go_to(State& state, Row row, const Vec& spot) const {
+void Journeys::go_to(State& state, Row row, const Vec& spot) {
   CrowdState& crowd = state.crowd;
   crowd.spot[row] = spot;
   crowd.halt[row] = position(state, row);
   crowd.stand_step[row] = crowd.halt_step[row] = state.step;
+  spots_[goal(state, row)].add(spot, radius(state, row));
 }
 
 void Journeys::stay(State& state, Row row, const Vec& spot) {
   state.crowd.place[row] = 1;
   state.crowd.since[row] = state.step;
   go_to(state, row, spot);
-  spots_[goal(state, row)].add(spot, radius(state, row));
 }
 
 /// In the area at a free place, or where he is where there is none; and there too, before the area, where

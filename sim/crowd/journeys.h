@@ -113,7 +113,7 @@ class Journeys {
   bool has_room(const State& state, Row row, const Vec& p);
   bool is_way_clear(const State& state, Row row, const Vec& to);
   void look_for_room(State& state, Row row);
-  void go_to(State& state, Row row, const Vec& spot) const;
+  void go_to(State& state, Row row, const Vec& spot);
   void begin_leg(State& state, Row row) const;
 
   const Scene& scene_;

@@ -42,14 +42,14 @@ void PrintTo(const Golden& golden, std::ostream* out) {
 }
 
 constexpr Golden kGallery[] = {
-    {"gas", 400, 0xb7deb10a72f11b9f},          {"pile", 60, 0x451b05018ac039a8},
-    {"polygons", 40, 0x48d64d5a17daa644},      {"pyramid", 10, 0x50d35b9a1501e967},
+    {"gas", 400, 0xb7deb10a72f11b9f},          {"pile", 60, 0xca1c7f0fd8ccc40e},
+    {"polygons", 40, 0x43099d64c501258c},      {"pyramid", 10, 0x50d35b9a1501e967},
     {"hopper", 100, 0xd7ba2f7801789afe},       {"gears", 100, 0xf63b856cb4c09e82},
     {"billiard", 1500, 0x376f2ae3f9e95586},    {"cradle", 2000, 0x7db3d1ee537b00be},
-    {"mixed", 200, 0x0da2d3eec9c01c8e},        {"corridor", 1200, 0xf92f1eb6d2506c8d},
+    {"mixed", 200, 0x0448c9107eb96415},        {"corridor", 1200, 0xf92f1eb6d2506c8d},
     {"bottleneck", 1200, 0xb9f9b0214c5d93d6},  {"circle_swap", 300, 0xcd6b5e91c733da3f},
     {"counterflow", 1200, 0x67578180aff1234e}, {"evacuation", 1500, 0x798590b60ad546f4},
-    {"station", 200, 0x27eb833adc7b0289},      {"stadium", 6, 0xa537c1e4db39cb2d},
+    {"station", 200, 0x27eb833adc7b0289},      {"stadium", 6, 0x91ad4cb408f21116},
     {"crossing", 500, 0x8ca8dd995c2d206f},     {"drum", 100, 0x8eb7324841b1bc4e},
 };
 
