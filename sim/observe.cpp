@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "sim/crowd/walk.h"
 #include "sim/measure/measured_bodies.h"
@@ -12,17 +11,13 @@ namespace throng {
 
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
-bool is_same(double a, double b) {
-  return a == b || (std::isnan(a) && std::isnan(b));
-}
-
 bool same(const std::vector<double>& a, const std::vector<double>& b) {
-  return std::ranges::equal(a, b, is_same);
+  return std::ranges::equal(a, b,
+                            [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); });
 }
 
-CrowdObservables observe_crowd(const Scene& scene, const State& state) {
+std::optional<CrowdObservables> observe_crowd(const Scene& scene, const State& state) {
+  if (scene.crowd.size() == 0) return std::nullopt;
   CrowdObservables result{
       static_cast<double>(state.id.size() - scene.crowd.first), static_cast<double>(state.crowd.arrived), {}};
   for (std::size_t i = 0; i < scene.crowd.measures.size(); ++i)
@@ -40,24 +35,20 @@ bool operator==(const CrowdObservables& a, const CrowdObservables& b) {
 }
 
 bool operator==(const Observables& a, const Observables& b) {
-  return is_same(a.kinetic_energy, b.kinetic_energy) && is_same(a.potential_energy, b.potential_energy) &&
-         is_same(a.momentum.x(), b.momentum.x()) && is_same(a.momentum.y(), b.momentum.y()) &&
-         is_same(a.contacts, b.contacts) && a.max_overlap == b.max_overlap &&
+  return a.kinetic_energy == b.kinetic_energy && a.potential_energy == b.potential_energy &&
+         a.momentum == b.momentum && a.contacts == b.contacts && a.max_overlap == b.max_overlap &&
          a.mean_overlap == b.mean_overlap && a.crowd == b.crowd && same(a.asked, b.asked);
 }
 
 Observables observe(const Scene& scene, const State& state, std::span<const ContactRow> contacts) {
   const Overlap overlaps = overlap(scene, state);
-  if (scene.crowd.size() > 0)
-    return {kNone, kNone, {kNone, kNone}, kNone, overlaps.max, overlaps.mean, observe_crowd(scene, state),
-            {}};
   return {kinetic_energy(scene, state),
           potential_energy(scene, state),
           momentum(scene, state),
           static_cast<double>(contacts.size()),
           overlaps.max,
           overlaps.mean,
-          std::nullopt,
+          observe_crowd(scene, state),
           measure_bodies(scene, state, contacts)};
 }
 

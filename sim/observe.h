@@ -22,7 +22,7 @@ struct CrowdObservables {
   friend bool operator==(const CrowdObservables& a, const CrowdObservables& b);  ///< NaN is NaN
 };
 
-/// What a recording measures of a state. A crowd has no energies, momentum nor contacts: they are NaN.
+/// What a recording measures of a state.
 struct Observables {
   double kinetic_energy = 0.0, potential_energy = 0.0;  ///< J
   Vec momentum{0.0, 0.0};                               ///< kg m/s

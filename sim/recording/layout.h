@@ -30,11 +30,10 @@
 /// /observables            (1.2) attribute every; kinetic_energy, potential_energy, contacts, max_overlap,
 ///                         mean_overlap with value f64[], momentum with value f64[,2]; each with step, time; of
 ///                         agents also (1.5) agents, arrived and measure/NAME/C, NAME as `path_part` of observables.h
-///                         and C as `columns` of crowd/measure.h have them, NaN where too little was measured, and
-///                         NaN for energies, momentum and contacts, which they have none of; of bodies also (1.7)
-///                         what the scenario asks for, as `known_columns` of measure/measured_bodies.h, NaN where it
-///                         isn't known: histograms, value f64[,B], have an attribute up_to f64, where the last of
-///                         their equal bins ends, the first at 0
+///                         and C as `columns` of crowd/measure.h have them, NaN where too little was measured; of
+///                         bodies also (1.7) what the scenario asks for, as `known_columns` of
+///                         measure/measured_bodies.h, NaN where it isn't known: histograms, value f64[,B], have an
+///                         attribute up_to f64, where the last of their equal bins ends, the first at 0
 /// /throng                 attributes version int32[2] = {kMajor, kMinor}, name, description
 ///   finished              u64: 0 while the run goes on, then chain_hash of frames/frame_hash
 ///   frames                step i64[F], time f64[F] = step * dt, state_hash u64[F], frame_hash u64[F]

@@ -29,12 +29,8 @@ std::string path_part(std::string_view name) {
 
 std::vector<Observable> observables_of(bool crowd, std::span<const Measure> measures,
                                        std::span<const AskedColumn> asked) {
-  std::vector<Observable> all{{"kinetic_energy", 1, crowd},
-                              {"potential_energy", 1, crowd},
-                              {"momentum", 2, crowd},
-                              {"contacts", 1, crowd},
-                              {"max_overlap"},
-                              {"mean_overlap"}};
+  std::vector<Observable> all{{"kinetic_energy"}, {"potential_energy"}, {"momentum", 2},
+                              {"contacts"},       {"max_overlap"},      {"mean_overlap"}};
   for (const AskedColumn& column : asked)
     all.push_back({column.name, column.numbers, true, column.bins.up_to});
   if (!crowd) return all;

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <numbers>
 
 #include "tests/sim/scene_from.h"
@@ -35,20 +34,6 @@ TEST(Observe, NothingOverlapsWhereNothingTouches) {
   EXPECT_EQ(o.pairs, 0u);
   EXPECT_EQ(o.max, 0.0);
   EXPECT_EQ(o.mean, 0.0);
-}
-
-// It happened: the recorded energies of a crowd were 0 where the summary said null.
-TEST(Observe, ACrowdHasNoEnergiesAndIsWhatItIs) {
-  const Scene scene = scene_from(
-      "walkable = 'POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0))'\nareas.end = [[8, 0], [9, 0], [9, 9], [8, 9]]\n"
-      "[[agents]]\nat = [1, 1]\nmodel = 'orca'\ngoal = 'end'\n");
-  const Observables seen = observe(scene, initial_state(scene), {});
-  for (const double number :
-       {seen.kinetic_energy, seen.potential_energy, seen.momentum.x(), seen.momentum.y(), seen.contacts})
-    EXPECT_TRUE(std::isnan(number)) << number;
-  EXPECT_EQ(seen.max_overlap, 0.0);
-  EXPECT_EQ(seen.crowd->agents, 1.0);
-  EXPECT_EQ(seen, observe(scene, initial_state(scene), {}));
 }
 
 /// The step's caution, which looks as far as bodies fly, once ended runs that were over.
