@@ -21,8 +21,7 @@ enum class Purpose : std::uint8_t {
   premovement,
   stay,
   spot,
-  hesitation,
-  bearing
+  hesitation
 };
 
 /// The block cipher Philox4x32-10 of Salmon et al., "Parallel random numbers: as easy as 1, 2, 3" (SC 2011).

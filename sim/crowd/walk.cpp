@@ -6,7 +6,6 @@
 #include <cmath>
 #include <map>
 
-#include "sim/crowd/bearing.h"
 #include "sim/crowd/entrance.h"
 #include "sim/crowd/row_order.h"
 #include "sim/crowd/stuck.h"
@@ -103,12 +102,8 @@ const Walk::Known& Walk::known(const State& state, std::size_t row) {
   Known& its = known_[row - scene_.crowd.first];
   if (its.id == state.id[row]) return its;
   const std::size_t agent = this->agent(state, row);
-  its = {scene_.bodies.radius[scene_.crowd.first + agent],
-         scene_.crowd.desired_speed[agent],
-         scene_.crowd.start[agent],
-         bearing(scene_.seed, state.id[row]),
-         state.id[row],
-         scene_.crowd.group[agent]};
+  its = {scene_.bodies.radius[scene_.crowd.first + agent], scene_.crowd.desired_speed[agent],
+         scene_.crowd.start[agent], state.id[row], scene_.crowd.group[agent]};
   return its;
 }
 
@@ -133,10 +128,6 @@ void Walk::rank(const State& state, std::size_t place) {
   auto [towards, distance, square] = journeys_->heading(state, i, its.group);
   if (stand_at_will_[model] && journeys_->has_settled(state, i, distance))  // else others turn him for ever
     towards = Vec(0.0, 0.0), distance = 0.0, square = 1.0;
-  if (state.crowd.place[i] == 0) {
-    towards += its.bearing * Vec(-towards.y(), towards.x());
-    square *= 1.0 + its.bearing * its.bearing;
-  }
   const double now = static_cast<double>(state.step) * scene_.time.dt;
   const double stood = time_stood(scene_, state, i);
   if (stood >= kHesitation && state.crowd.place[i] == 0 && towards != Vec(0.0, 0.0))

@@ -59,7 +59,6 @@ class Walk {
   /// What the scene says of an agent.
   struct Known {
     double radius, desired_speed, start;  ///< m, m/s, s
-    double bearing;                       ///< rad
     std::uint32_t id = 0, group;          ///< row of Crowd::groups
   };
 

@@ -46,11 +46,11 @@ constexpr Golden kGallery[] = {
     {"polygons", 40, 0x43099d64c501258c},      {"pyramid", 10, 0x50d35b9a1501e967},
     {"hopper", 100, 0xd7ba2f7801789afe},       {"gears", 100, 0xf63b856cb4c09e82},
     {"billiard", 1500, 0x376f2ae3f9e95586},    {"cradle", 2000, 0x7db3d1ee537b00be},
-    {"mixed", 200, 0x0448c9107eb96415},        {"corridor", 1200, 0xf92f1eb6d2506c8d},
-    {"bottleneck", 1200, 0xb9f9b0214c5d93d6},  {"circle_swap", 300, 0xcd6b5e91c733da3f},
-    {"counterflow", 1200, 0x67578180aff1234e}, {"evacuation", 1500, 0x798590b60ad546f4},
-    {"station", 200, 0x27eb833adc7b0289},      {"stadium", 6, 0x91ad4cb408f21116},
-    {"crossing", 500, 0x8ca8dd995c2d206f},     {"drum", 100, 0x8eb7324841b1bc4e},
+    {"mixed", 200, 0x0448c9107eb96415},        {"corridor", 1200, 0xdd6a7b723dc082a9},
+    {"bottleneck", 1200, 0x2e0ae480114f4cbe},  {"circle_swap", 300, 0x3098722b25df02fc},
+    {"counterflow", 1200, 0xa0441be365d7d12e}, {"evacuation", 1500, 0x2cc71b77847dc07f},
+    {"station", 200, 0xa9dbe0a7c3cb9d2a},      {"stadium", 6, 0xd8122e71098e5668},
+    {"crossing", 500, 0xc71a083234d00b8c},     {"drum", 100, 0x8eb7324841b1bc4e},
 };
 
 class EveryScene : public ::testing::TestWithParam<Golden> {};

@@ -25,22 +25,16 @@ TEST(Waiting, StandsApartInTheAreaForItsTime) {
         model));
     run.steps(1700);
     ASSERT_EQ(run.state.id.size(), 15u);
-    int beside = 0;  // one of orca is swept past the edge, and others who wait bar all ways back
     for (std::size_t a = 0; a < 15; ++a) {
       const Vec& p = run.state.position[a];
       EXPECT_EQ(run.state.crowd.place[a], 1u) << a;
       const Vec& spot = run.state.crowd.spot[a];
-      const auto is_in = [&](double reach) {
-        return spot.x() >= 12 - reach && spot.x() <= 16 + reach && spot.y() >= 0 && spot.y() <= 3 + reach;
-      };
-      EXPECT_TRUE(is_in(0.2)) << spot.transpose();
-      beside += !is_in(0.0);
+      EXPECT_TRUE(spot.x() >= 12 && spot.x() <= 16 && spot.y() >= 0 && spot.y() <= 3) << spot.transpose();
       EXPECT_LT((p - spot).norm(), 0.5) << a;
       EXPECT_LT(run.state.velocity[a].norm(), 0.5) << a;
       for (std::size_t b = 0; b < a; ++b)
         EXPECT_GT((p - run.state.position[b]).norm(), 0.35) << a << ' ' << b;
     }
-    EXPECT_LE(beside, model == std::string("orca") ? 1 : 0);
     EXPECT_TRUE(stuck_agents(run.scene, run.state).empty());
     const std::vector<std::int64_t> since = run.state.crowd.since;
     for (int i = 0; i < 1400 && run.state.crowd.arrived == 0; ++i) {
@@ -92,12 +86,13 @@ TEST(Waiting, FillsTheAreaFromTheFarSide) {
   }
 }
 
-// It happened: of 240 people 17 stood beside a platform that had room, as none of the first three places that
-// they drew had a way to it with nobody in it, however often they drew. Some are behind a closed row.
+// It happened: of 960 people 58 stood beside a platform that had room (27 now), as none of the first three
+// places that they drew had a way to it with nobody in it, however often they drew. Some are behind a closed
+// row.
 TEST(Waiting, GoesInWhereverThereIsAClearWayToRoom) {
   std::ptrdiff_t outside = 0;
-  for (const char* seed : {"2", "4"}) {
-    Trial run(std::string("seed = ") + seed +
+  for (int seed = 1; seed <= 8; ++seed) {
+    Trial run("seed = " + std::to_string(seed) +
               "\ntime = { dt = 0.05, until = 150 }\nwalkable = 'POLYGON ((0 0, 50 0, 50 8, 0 8, 0 0))'\n"
               "areas.start = [[0, 0], [4, 0], [4, 8], [0, 8]]\n"
               "areas.platform = [[10, 4], [45, 4], [45, 7.5], [10, 7.5]]\n"
@@ -110,7 +105,7 @@ TEST(Waiting, GoesInWhereverThereIsAClearWayToRoom) {
     outside += std::ranges::count_if(
         run.state.position, [&](const Vec& p) { return !contains(run.scene.crowd.areas[0].region, p); });
   }
-  EXPECT_LE(outside, 9);
+  EXPECT_LE(outside, 35);
 }
 
 TEST(Waiting, StandsWhereItGotToWhereThereIsNoRoom) {
