@@ -138,11 +138,12 @@ struct Corner {
     return nullptr;
   }
 
-  /// The normal of the outline that is nearest to `d`, and the edge of the part from which the outline has
-  /// it; none where nothing but hollows is.
-  std::optional<Lean> nearest(const Vec& d) const {
+  /// The normal of the outline that is nearest to `d`, of those before which `centre` is, and the edge of the
+  /// part from which the outline has it; none where nothing but hollows is.
+  std::optional<Lean> nearest(const Vec& d, const Vec& centre) const {
     std::optional<Lean> best;
     const auto offer = [&](const Vec& normal, const Vec& along, std::size_t edge) {
+      if (dot(normal, centre - part.vertices[vertex]) < 0.0) return;
       if (!best || dot(normal, d) > dot(best->normal, d)) best = Lean{normal, along, edge};
     };
     const RimEdge &in = rim[before], &out = rim[after];
@@ -242,9 +243,9 @@ Manifold on_outline(const Manifold& m, const PlacedConvex& part, const Rim& rim,
   const Corner corner(part.shape, rim, support(part.shape, d, from_world * point.point));
   if (corner.admits(d)) return m;
   const Vec& vertex = part.shape.vertices[corner.vertex];
-  if (const Vec* face = corner.hollow_face(from_world * body.pose.position))
-    return face_contact(part, vertex, *face, body, reach);
-  const std::optional<Lean> lean = corner.nearest(d);
+  const Vec centre = from_world * body.pose.position;
+  if (const Vec* face = corner.hollow_face(centre)) return face_contact(part, vertex, *face, body, reach);
+  const std::optional<Lean> lean = corner.nearest(d, centre);
   if (lean && body.shape.vertices.size() > 1 &&
       goes_straight_on(lean->normal, part.shape.normals[lean->edge]))
     return manifold_on_face(part.shape, part.pose, lean->edge, body.shape, body.pose, reach, part_is_b);

@@ -168,6 +168,26 @@ TEST(Standing, ATowerOverASeam) {
   }
 }
 
+/// In the corner where a floor ends on a wall that goes on below: it happened that the wall's part below
+/// pushed the box out through the floor's other side, with up to 85 times the energy that was there.
+TEST(Standing, ABoxInTheCornerOfAFloorAndAWallThatGoesOn) {
+  for (const std::string& walls : {wall("[-50, 0], [0, 0]") + wall("[0, -5], [0, 5]"),
+                                   wall("[-50, 0], [0, 0]") + wall("[0, -0.01], [0, 5]"),
+                                   wall("[-50, 0], [0, 0]") + wall("[0, 0], [0, 5]")})
+    for (const double friction : {0.0, 0.5}) {
+      Trial run("gravity = [0, -9.81]\ntime = { dt = 0.01, until = 60 }\nmaterials.default.friction = " +
+                std::to_string(friction) +
+                "\n[shapes]\nbox = { polygon = [[0, 0], [1, 0], [1, 1], [0, 1]] }\n" + box_at(-0.5, 0.5) +
+                box_at(-1.5, 0.5) + walls);
+      run.steps(steps(1000));
+      EXPECT_LT(fastest(run.state), 1e-6) << walls << friction;
+      for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_NEAR(run.state.position[i].x(), -0.5 - static_cast<double>(i), 1e-3) << walls << friction;
+        EXPECT_NEAR(run.state.position[i].y(), 0.5, 1e-3) << walls << friction;
+      }
+    }
+}
+
 /// A heap of 240 layers between smooth walls, which bear nothing, comes to rest and doesn't swing on as a
 /// whole; and what it bears has hardly pressed its discs into each other.
 TEST(Standing, AHeapOfHundredsOfLayersComesToRest) {
