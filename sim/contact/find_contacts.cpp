@@ -20,6 +20,7 @@ ContactFinder::ContactFinder(const Scene& scene, const Plan& plan, const Collide
       plan_(plan),
       colliders_(colliders),
       hit_speed_(throng::hit_speed(scene, plan)),
+      all_bounce_(std::ranges::all_of(plan.surfaces, [](const Surface& s) { return s.restitution > 0.0; })),
       parts_(scene, plan),
       discs_(scene, plan),
       ahead_(scene, plan, colliders) {}
@@ -35,7 +36,7 @@ void ContactFinder::find(const StepStart& start, Contacts& contacts, Workers& wo
       contacts.disc_bounces.push_back(discs_.contact_of(colliders_, pair_of(key), bodies));
   find_touches(start, moved, contacts, workers);
   if (plan_.rolling) find_rolls(scene_, plan_, candidates, state, bodies, contacts);
-  list_hits(start, contacts);
+  if (!all_bounce_) list_hits(start, contacts);
 }
 
 Touch ContactFinder::touch(Pair pair, bool obstacle, const Vec& shift) const {

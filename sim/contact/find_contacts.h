@@ -108,6 +108,7 @@ class ContactFinder {
   const Plan& plan_;
   const Colliders& colliders_;
   double hit_speed_;
+  bool all_bounce_;  // whatever hits is listed, and nothing is to be stopped
   Parts parts_;
   bool moved_ = false;  // somebody is in another part than when contacts were found last
   DiscFinder discs_;
