@@ -23,7 +23,8 @@ std::optional<CrowdObservables> observe_crowd(const Scene& scene, const State& s
   for (std::size_t i = 0; i < scene.crowd.measures.size(); ++i)
     append_columns(scene.crowd.measures[i], state.crowd.measured[i],
                    {std::span(state.position).subspan(scene.crowd.first),
-                    std::span(state.velocity).subspan(scene.crowd.first), state.step, scene.time.dt},
+                    std::span(state.velocity).subspan(scene.crowd.first), state.step, scene.time.dt,
+                    scene.crowd.walkable},
                    result.measures);
   return result;
 }

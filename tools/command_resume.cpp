@@ -21,6 +21,18 @@ struct ResumeOptions {
   DriveOptions drive;
 };
 
+/// Samples that are there lack what later ones would have.
+void refuse_older_observables(const Kept& kept, const Scene& scene) {
+  if (scene.crowd.size() == 0 || scene.record.observables == 0 || kept.frames == 0) return;
+  const auto refuse = [&](const char* lacks) {
+    throw InputError(kept.source + " cannot be gone on with: " + lacks);
+  };
+  const int minor = kept.recording.origin().minor;
+  if (minor < 5) refuse("observables of a crowd were not recorded before layout 1.5");
+  for (const Measure& measure : scene.crowd.measures)
+    if (minor < 9 && measure.cutoff > 0.0) refuse("density_voronoi was not recorded before layout 1.9");
+}
+
 /// The scenario that the recording holds, with its end where it is wanted now.
 Loaded load_recorded(const Kept& kept, const std::string& until) {
   Overrides overrides;
@@ -29,10 +41,7 @@ Loaded load_recorded(const Kept& kept, const std::string& until) {
       load_text_or_throw(kept.recording.origin().provenance.resolved, kept.source + ":scenario", overrides);
   if (loaded.scene.name.empty()) loaded.scene.name = kept.recording.geometry().name;
   expect_scenario(kept.recording, loaded.scene, kept.source);
-  if (kept.recording.origin().minor < 5 && loaded.scene.crowd.size() > 0 &&
-      loaded.scene.record.observables > 0 && kept.frames > 0)
-    throw InputError(kept.source +
-                     " cannot be gone on with: observables of a crowd were not recorded before layout 1.5");
+  refuse_older_observables(kept, loaded.scene);
   return loaded;
 }
 

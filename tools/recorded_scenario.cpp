@@ -56,6 +56,10 @@ void expect_scenario(const Recording& recording, const Scene& scene, const std::
   if (recording.origin().minor >= 5 &&
       !std::ranges::equal(scene.crowd.measures, recording.geometry().crowd.measures, same_measure))
     refuse("its scenario measures otherwise than its frames");
+  const auto same_cutoff = [](const Measure& a, const Measure& b) { return same_bits(a.cutoff, b.cutoff); };
+  if (recording.origin().minor >= 9 &&
+      !std::ranges::equal(scene.crowd.measures, recording.geometry().crowd.measures, same_cutoff))
+    refuse("its scenario has other Voronoi cells than its frames");
   if (!std::ranges::equal(recorded(scene.sensors), recording.geometry().sensors, same_sensor))
     refuse("its scenario has other sensors than its frames");
   if (const std::string what = difference(scene.record, recording.geometry().record); !what.empty())

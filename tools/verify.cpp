@@ -114,6 +114,12 @@ Loaded load_embedded(const Recording& recording, const std::string& file) {
   return loaded;
 }
 
+/// What isn't recorded isn't observed: before 1.9 that was no density by Voronoi cells.
+void observe_as_then(int minor, Scene& scene) {
+  for (Measure& measure : scene.crowd.measures)
+    if (minor < 9) measure.cutoff = 0.0;
+}
+
 void warn_of_other_version(const RecordingOrigin& origin) {
   if (origin.version != recording::version_text())
     std::fprintf(stderr, "throng: warning: recorded by throng %s, verified by %s\n", origin.version.c_str(),
@@ -171,7 +177,8 @@ std::string other_difference(const Comparison& comparison, const Frame& frame, c
 
 int verify(const Recording& recording, const std::string& file, int threads) {
   warn_of_other_version(recording.origin());
-  const Loaded loaded = load_embedded(recording, file);
+  Loaded loaded = load_embedded(recording, file);
+  observe_as_then(recording.origin().minor, loaded.scene);
   recording.expect_tables(loaded.scene);
   const bool hashes = compares_hashes(recording.origin());
   const Comparison comparison(loaded.scene);

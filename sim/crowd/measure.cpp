@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sim/crowd/inside.h"
+#include "sim/crowd/voronoi_density.h"
 
 namespace throng {
 
@@ -100,7 +101,7 @@ void measure_area(const Measure& measure, std::span<const Stride> strides, std::
 
 constexpr double kUnmeasured = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* kLineColumns[] = {"count", "forward", "back", "flow", "speed"};
-constexpr const char* kAreaColumns[] = {"count", "density", "speed", "flow"};
+constexpr const char* kAreaColumns[] = {"count", "density", "speed", "flow", "density_voronoi"};
 
 /// Density, speed and flow in an area.
 std::array<double, 3> measure_instant(const Measure& measure, const Instant& instant) {
@@ -115,6 +116,12 @@ std::array<double, 3> measure_instant(const Measure& measure, const Instant& ins
   }
   const double density = agents / measure.size;
   return {density, agents > 0.0 ? sum / agents : kUnmeasured, agents > 0.0 ? sum / measure.size : 0.0};
+}
+
+double voronoi_instant(const Measure& measure, const Instant& instant) {
+  if (!measure.is_on(instant.step)) return kUnmeasured;
+  return VoronoiDensity(instant.floor, measure.ground, measure.size, measure.cutoff)
+      .density(instant.position);
 }
 
 }  // namespace
@@ -156,8 +163,9 @@ Reading reading(const Measure& measure, const Measured& measured, double dt) {
 }
 
 std::span<const char* const> columns(const Measure& measure) {
-  return measure.area.empty() ? std::span<const char* const>(kLineColumns)
-                              : std::span<const char* const>(kAreaColumns);
+  if (measure.area.empty()) return kLineColumns;
+  const std::span<const char* const> all(kAreaColumns);
+  return measure.cutoff > 0.0 ? all : all.first(all.size() - 1);
 }
 
 void append_columns(const Measure& measure, const Measured& measured, const Instant& instant,
@@ -173,6 +181,7 @@ void append_columns(const Measure& measure, const Measured& measured, const Inst
   }
   const std::array<double, 3> now = measure_instant(measure, instant);
   row.insert(row.end(), now.begin(), now.end());
+  if (measure.cutoff > 0.0) row.push_back(voronoi_instant(measure, instant));
 }
 
 }  // namespace throng

@@ -90,18 +90,20 @@ Reading reading(const Measure& measure, const Measured& measured, double dt);
 
 /// The columns of a measure in a series over time. Of a line as `reading` has them: how many crossed it so
 /// far, both ways, forward and back, their flow (1/s) and mean speed (m/s). Of an area how many entered it so
-/// far, and density (1/m²), mean speed (m/s) and their product (1/(m s)) at the instant.
+/// far, and density (1/m²), mean speed (m/s) and their product (1/(m s)) at the instant; where the density by
+/// Voronoi cells is measured, that (1/m²) too.
 std::span<const char* const> columns(const Measure& measure);
 
 /// Who is there at the instant.
 struct Instant {
   std::span<const Vec> position, velocity;  ///< m, m/s
   std::int64_t step;
-  double dt;  ///< s
+  double dt;            ///< s
+  const Region& floor;  ///< that they walk on
 };
 
 /// Appends a row of these columns: NaN where too little was measured, or the instant isn't measured.
-/// O(agents) for an area.
+/// O(agents) for an area, and as VoronoiDensity, which is made for it, where that is measured.
 void append_columns(const Measure& measure, const Measured& measured, const Instant& instant,
                     std::vector<double>& row);
 

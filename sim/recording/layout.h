@@ -49,7 +49,8 @@
 ///                         who have it, and how many each senses, those of sample s from offset[s] to offset[s + 1],
 ///                         u64; whom u32: whom they sense, one after the other, from whom_offset[s] on; step, time
 ///   measures              (1.5) of agents, where any are: name, line f64[M,4] (x, y from, x, y to), size f64 (m²);
-///                         area_offset u64[M+1] -> offset u64[rings+1] -> points f64[,2]; no rings: a line
+///                         area_offset u64[M+1] -> offset u64[rings+1] -> points f64[,2]; no rings: a line; cutoff
+///                         f64[M] (1.9), m, of its Voronoi cells, 0: not measured
 ///   domain                attributes kind, min f64[2], max f64[2]
 ///   materials             name, density, restitution, friction
 ///   shapes                name, kind u8 (0 disc, 1 polygon, 2 composite), centre, area, gyration2, radius;
@@ -97,7 +98,9 @@ inline constexpr int kMajor = 1;  ///< a reader refuses a newer one
 /// too. Since 6 areas and queues are there, which readers of 5 overlook. Since
 /// 7 there is what scenarios ask to be observed: to readers of 6 such frames are damaged.
 /// Since 8 the mass of an agent is its model's, where that has one: before, all had 80 kg.
-inline constexpr int kMinor = 8;
+/// Since 9 the density by Voronoi cells is there, where a measure has it: to readers of 8 such frames are
+/// damaged.
+inline constexpr int kMinor = 9;
 
 inline constexpr std::size_t kMaxChunk = std::size_t{1} << 20;  ///< bytes
 inline constexpr std::size_t kRegionChunk = 256;                ///< bodies, where frames hold few of them

@@ -244,6 +244,9 @@ std::vector<Measure> read_measures(const h5::File& file, hid_t throng) {
   const auto line = read_array<double>(file, group, "line", {names.size(), 4});
   const auto size = read_numbers(file, group, "size", names.size());
   expect_finite(line, "line");
+  const std::vector<double> cutoff = h5::exists(group, "cutoff")
+                                         ? read_numbers(file, group, "cutoff", names.size())
+                                         : std::vector<double>(names.size());
   const std::vector<Region> areas = read_regions(file, group, names.size());
   std::vector<Measure> measures(names.size());
   for (std::size_t m = 0; m < names.size(); ++m) {
@@ -251,6 +254,7 @@ std::vector<Measure> read_measures(const h5::File& file, hid_t throng) {
     measures[m].name = names[m];
     measures[m].line = {Vec(line[4 * m], line[4 * m + 1]), Vec(line[4 * m + 2], line[4 * m + 3])};
     measures[m].size = size[m];
+    measures[m].cutoff = cutoff[m];
     measures[m].area = areas[m];
   }
   return measures;

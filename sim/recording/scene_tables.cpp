@@ -64,6 +64,8 @@ void expect_floor(const Crowd& found, const Crowd& crowd, int minor) {
   const auto same_size = [](const Measure& a, const Measure& b) { return a.size == b.size; };
   if (minor >= 5)
     expect(std::ranges::equal(found.measures, crowd.measures, same_size), "size of what is measured");
+  const auto same_cutoff = [](const Measure& a, const Measure& b) { return a.cutoff == b.cutoff; };
+  if (minor >= 9) expect(std::ranges::equal(found.measures, crowd.measures, same_cutoff), "cut-off of cells");
   if (minor < 6) return;
   const auto same_area = [](const Area& a, const Area& b) {
     return a.name == b.name && a.region.rings == b.region.rings && a.use == b.use;

@@ -157,6 +157,7 @@ void write_measures(hid_t throng, const std::vector<Measure>& measures) {
   h5::write_texts(group, "name", column(measures, [](const Measure& m) { return m.name; }));
   write_array(group, "line", flat(lines), 4);
   write_array(group, "size", flat(column(measures, [](const Measure& m) { return m.size; })));
+  write_array(group, "cutoff", flat(column(measures, [](const Measure& m) { return m.cutoff; })));
   write_regions(group, column(measures, [](const Measure& m) { return m.area; }));
 }
 

@@ -315,6 +315,24 @@ class Measures(Program):
         self.record()
         self.assertEqual(self.throng("replay", "a.h5", "--verify"), (0, ""))
 
+    def test_are_densities_by_voronoi_cells_where_they_are_asked_for(self):
+        scene = self.folder / "three.toml"
+        scene.write_text(scene.read_text().replace('area = "hall"', 'area = "hall"\nvoronoi = { cutoff = 1.0 }')
+                         .replace("observables = 25", "observables = 1"))
+        done = subprocess.run([PROGRAM, "run", "three.toml", "-o", "a.h5"], cwd=self.folder, capture_output=True, text=True)
+        summary = json.loads(done.stdout)["measure"]["hall"]["density_voronoi"]
+        with throng_read.open(self.path("a.h5")) as recording:
+            density, time = recording.observables["measure/hall/density_voronoi"]
+            self.assertTrue(np.isnan(density[time <= 1]).all())
+            self.assertGreater(summary, 0.01)
+            # What the run adds up is of those who walked, a sample of those who are there then.
+            np.testing.assert_allclose(density[time > 1].mean(), summary, rtol=1e-2)
+        self.assertEqual(self.throng("replay", "a.h5", "--verify"), (0, ""))
+        self.record("half.h5", "--until", "3.1", "--checkpoint", "1000")
+        self.assertEqual(self.throng("resume", "half.h5", "--until", "6", "--progress", "none")[0], 0)
+        with throng_read.open(self.path("half.h5")) as half:
+            np.testing.assert_array_equal(half.observables["measure/hall/density_voronoi"][0], density)
+
     def test_may_be_named_as_what_a_recording_holds(self):
         names = ("value", "step", "time", ".", "N/S", "50 %", "%2F", "a%41/")
         with open(self.folder / "three.toml", "a") as scene:

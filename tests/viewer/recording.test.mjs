@@ -332,6 +332,15 @@ describe("of agents", () => {
     assert.match(refusal("short.h5"), /observables are missing/);
   });
 
+  test("densities by Voronoi cells have a chart of their own", () => {
+    record("cells", scenario("counterflow"), ["--until", "2", "--every", "10", "--set", "record.observables=20", "--set", "measure.0.voronoi.cutoff=1"]);
+    const recording = open(library, "cells.h5"), { description } = recording;
+    assert.deepEqual(description.observed.slice(1, 5), ["count", "density", "density_voronoi", "speed"].map(column => `measure/middle/${column}`));
+    const shown = charts(description, 0.5, 0).map(({ title, curves }) => [title, curves.map(({ name }) => name)]);
+    assert.deepEqual(shown.filter(([title]) => title.startsWith("Density")), [["Density", ["middle"]], ["Density by Voronoi cells", ["middle"]]]);
+    recording.file.close();
+  });
+
   test("measures may have any name, and curves have it, too", () => {
     const names = ["N/S 50%41", ".", "plain"];
     const text = `${scenario("corridor")}\n${names.map(name => `[[measure]]\nname = "${name}"\nline = [[5, 0], [5, 5]]\n`).join("")}`;

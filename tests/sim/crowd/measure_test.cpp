@@ -122,17 +122,37 @@ TEST(MeasureColumns, OfAnAreaAreThoseOfTheInstant) {
   Measured measured;
   measured.count = 7;
   std::vector<double> row;
-  append_columns(area, measured, {position, velocity, 6, 0.1}, row);
+  append_columns(area, measured, {position, velocity, 6, 0.1, area.area}, row);
   EXPECT_EQ(row, (std::vector<double>{7, 0.5, 3.0, 1.5}));
   row.clear();
-  append_columns(area, measured, {{}, {}, 6, 0.1}, row);
+  append_columns(area, measured, {{}, {}, 6, 0.1, area.area}, row);
   EXPECT_EQ(row[1], 0.0);
   EXPECT_TRUE(std::isnan(row[2])) << "nobody's speed";
   EXPECT_EQ(row[3], 0.0);
   row.clear();
-  append_columns(area, measured, {position, velocity, 5, 0.1}, row);
+  append_columns(area, measured, {position, velocity, 5, 0.1, area.area}, row);
   EXPECT_EQ(row[0], 7.0);
   EXPECT_TRUE(std::isnan(row[1]) && std::isnan(row[2]) && std::isnan(row[3])) << "not measured yet";
+}
+
+/// Two stand 1 m apart in a hall of 4 m x 2 m, whose left half is the area: the border between their cells is
+/// 1.5 m from the left, all of it is nearer than the cut-off to one of them.
+TEST(MeasureColumns, OfAnAreaHaveItsDensityByVoronoiCellsWhereThatIsMeasured) {
+  const Region floor{{{{0, 0}, {4, 0}, {4, 2}, {0, 2}}}};
+  Measure left;
+  left.area.rings = {{{0, 0}, {2, 0}, {2, 2}, {0, 2}}};
+  left.ground = left.area, left.size = 4.0, left.cutoff = 5.0, left.after = 5;
+  EXPECT_STREQ(columns(left).back(), "density_voronoi");
+  EXPECT_EQ(columns(left).size(), 5u);
+  const std::vector<Vec> position{{1, 1}, {2, 1}}, velocity{{1, 0}, {1, 0}};
+  std::vector<double> row;
+  append_columns(left, {}, {position, velocity, 6, 0.1, floor}, row);
+  ASSERT_EQ(row.size(), 5u);
+  EXPECT_NEAR(row[4], (1.0 + 1.0 / 5.0) / 4.0, 1e-12) << "3 m2 of the one, and 1 m2 of the other's 5 m2";
+  append_columns(left, {}, {{}, {}, 6, 0.1, floor}, row);
+  EXPECT_EQ(row[9], 0.0);
+  append_columns(left, {}, {position, velocity, 5, 0.1, floor}, row);
+  EXPECT_TRUE(std::isnan(row[14])) << "not measured yet";
 }
 
 TEST(MeasureColumns, OfALineAreThoseOfItsReading) {
@@ -140,9 +160,9 @@ TEST(MeasureColumns, OfALineAreThoseOfItsReading) {
   measured.count = 3, measured.back = 1, measured.first = 10, measured.last = 40;
   measured.samples = 4, measured.speed = 6.0;
   std::vector<double> row{-1.0};
-  append_columns(door(), measured, {{}, {}, 50, 0.1}, row);
+  append_columns(door(), measured, {{}, {}, 50, 0.1, Region()}, row);
   EXPECT_EQ(row, (std::vector<double>{-1, 4, 3, 1, 1.0, 1.5}));
-  append_columns(door(), {}, {{}, {}, 50, 0.1}, row);
+  append_columns(door(), {}, {{}, {}, 50, 0.1, Region()}, row);
   EXPECT_TRUE(std::isnan(row[9]) && std::isnan(row[10]));
   EXPECT_EQ(columns(door()).size(), 5u);
 }

@@ -42,7 +42,8 @@ function crowdCharts({ observed = [] }) {
                                                             value: (/** @type {Point} */ p) => p.observed[observed.indexOf(path)] ?? NaN })) };
   };
   return [of("Counted", value => short(Math.round(value), 6), "count", ["arrived"]), of("Flow", value => `${short(value, 3)} /s`, "flow"),
-          of("Density", value => `${short(value, 3)} /m²`, "density"), of("Speed", value => si(value, "m/s"), "speed")];
+          of("Density", value => `${short(value, 3)} /m²`, "density"),
+          of("Density by Voronoi cells", value => `${short(value, 3)} /m²`, "density_voronoi"), of("Speed", value => si(value, "m/s"), "speed")];
 }
 
 /** Up to `most` + 1 round values from low to high. @param {number} low @param {number} high @param {number} [most] @returns {number[]} */
