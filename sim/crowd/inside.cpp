@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "narrowphase/crossing.h"
 #include "narrowphase/orientation.h"
 
 namespace throng {
@@ -20,10 +21,10 @@ void Inside::set(const Region& region) {
   for (const std::vector<Vec>& ring : region.rings)
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Vec &a = ring[i], &b = ring[(i + 1) % ring.size()];
-      if (a.y() == b.y()) continue;
       edges_.push_back(a.y() < b.y() ? Edge{a, b} : Edge{b, a});
       heights += edges_.back().high.y() - edges_.back().low.y();
     }
+  if (!(heights > 0.0)) edges_.clear();  // flat: it holds nothing
   if (edges_.empty()) return;
   const double count = static_cast<double>(edges_.size()), height = bounds_.sizes().y();
   const double strips = std::clamp(kMostEntries * count * (height / heights), 1.0, count);
@@ -54,6 +55,18 @@ bool Inside::operator()(const Vec& p) const {
       inside = !inside;
   }
   return inside;
+}
+
+bool Inside::meets_border(const Vec& a, const Vec& b) const {
+  const Eigen::AlignedBox2d box(a.cwiseMin(b), a.cwiseMax(b));
+  if (edges_.empty() || !bounds_.intersects(box)) return false;
+  const std::size_t first = strip(std::max(box.min().y(), bounds_.min().y()));
+  const std::size_t last = strip(std::min(box.max().y(), bounds_.max().y()));
+  for (std::uint32_t i = start_[first]; i < start_[last + 1]; ++i)
+    if (const Edge& edge = edges_[row_[i]];
+        edge.comes_to(box) && narrowphase::segments_meet(a, b, edge.low, edge.high))
+      return true;
+  return false;
 }
 
 }  // namespace throng

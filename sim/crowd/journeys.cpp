@@ -256,7 +256,7 @@ void Journeys::stay(State& state, Row row, const Vec& spot) {
 /// In the area at a free place, or where he is where there is none; and there too, before the area, where
 /// others who wait keep him out: else he would be in the way of those who want out, for ever.
 void Journeys::begin_to_wait(State& state, Row row) {
-  if (is_in(state, row)) {
+  if (has_reached(state, row)) {
     stay(state, row, free_spot(state, row));
   } else if (is_kept_out(state, row)) {
     stay(state, row, position(state, row));
@@ -316,7 +316,7 @@ bool Journeys::is_there(State& state, Row row) {
   if (!is_decided(state, row)) return false;
   switch (leg(state, row).kind) {
     case Leg::Kind::pass:
-      if (ways_.is_open(goal(state, row))) return is_in(state, row);
+      if (ways_.is_open(goal(state, row))) return has_reached(state, row);
       wait_for_opening(state, row);
       return false;
     case Leg::Kind::wait:
@@ -334,11 +334,11 @@ void Journeys::begin_leg(State& state, Row row) const {
   state.crowd.halt[row] = position(state, row);
 }
 
-/// Whether `is_there` is to be asked of him: not of who is on his way to an open goal and not in it.
+/// Whether `is_there` is to be asked of him: not of who is on his way to an open goal and hasn't reached it.
 bool Journeys::may_be_there(const State& state, Row row) const {
   if (!is_decided(state, row)) return false;
   if (leg(state, row).kind != Leg::Kind::pass) return true;
-  return !ways_.is_open(goal(state, row)) || is_in(state, row);
+  return !ways_.is_open(goal(state, row)) || has_reached(state, row);
 }
 
 void Journeys::advance(State& state, Workers& workers, std::vector<std::uint8_t>& leaves) {

@@ -73,6 +73,14 @@ class Journeys {
   double radius(const State& state, Row row) const {
     return scene_.bodies.radius[scene_.crowd.first + agent(state, row)];
   }
+  /// m, where his last step began, to rounding.
+  Vec from(const State& state, Row row) const {
+    return position(state, row) - scene_.time.dt * state.velocity[scene_.crowd.first + row];
+  }
+  /// Whether he is in what is open of his goal, as good as that, or has just stepped over it.
+  bool has_reached(const State& state, Row row) const {
+    return is_in(state, row) || ways_.meets_border(goal(state, row), from(state, row), position(state, row));
+  }
   /// Whether he is in what is open of his goal, or as good as that.
   bool is_in(const State& state, Row row) const {
     const std::uint32_t its = goal(state, row);

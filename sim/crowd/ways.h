@@ -68,6 +68,12 @@ class Ways {
   /// Whether `p` is in what is open of the goal, which some agent has.
   bool is_in(std::uint32_t goal, const Vec& p) const { return is_open(goal) && goals_[goal].now->inside(p); }
 
+  /// Whether the straight way from `a` to `b` meets the border of what is open of the goal. As
+  /// Inside::meets_border.
+  bool meets_border(std::uint32_t goal, const Vec& a, const Vec& b) const {
+    return is_open(goal) && goals_[goal].now->inside.meets_border(a, b);
+  }
+
   /// Whether some who go there are as good as in it beside it.
   bool has_strips(std::uint32_t goal) const { return is_open(goal) && !goals_[goal].now->strips.empty(); }
 

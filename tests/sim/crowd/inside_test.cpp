@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "narrowphase/crossing.h"
 #include "sim/random.h"
 
 namespace throng {
@@ -51,6 +52,44 @@ TEST(Inside, AgreesWithTheDefinition) {
   Region many = star(50, {0, 0});
   for (int i = 0; i < 30; ++i) many.rings.push_back(star(9, {12.0 * i, 11.0 * (i % 5 + 1)}).rings[0]);
   expect_agreement(many, 500);
+}
+
+/// The definition: some edge meets the way.
+bool meets_some_edge(const Region& region, const Vec& a, const Vec& b) {
+  bool meets = false;
+  for (const std::vector<Vec>& ring : region.rings)
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      meets = meets || narrowphase::segments_meet(a, b, ring[i], ring[(i + 1) % ring.size()]);
+  return meets;
+}
+
+TEST(Inside, FindsWaysThatMeetTheBorder) {
+  const Inside strip(Region{{{{0, 0}, {4, 0}, {4, 0.01}, {0, 0.01}}}});
+  EXPECT_TRUE(strip.meets_border({1, -1}, {1, 1})) << "over it, through its level edges alone";
+  EXPECT_TRUE(strip.meets_border({-1, 0.005}, {5, 0.005})) << "along it";
+  EXPECT_TRUE(strip.meets_border({1, 0.01}, {1, 1})) << "from it";
+  EXPECT_TRUE(strip.meets_border({3, -1}, {5, 1})) << "its corner (4, 0)";
+  EXPECT_FALSE(strip.meets_border({3, -1}, {std::nextafter(5.0, 9.0), 1})) << "past its corner";
+  EXPECT_FALSE(strip.meets_border({1, 0.003}, {2, 0.007})) << "in it";
+  EXPECT_FALSE(strip.meets_border({1, 0.02}, {1, 1}));
+  EXPECT_FALSE(Inside(Region{}).meets_border({-1, -1}, {1, 1}));
+  for (const Region& region : {star(7, {-20, 3}), star(1000, {1e6, -1e6})}) {
+    const Inside inside(region);
+    const Eigen::AlignedBox2d box = bounds(region);
+    Random random(4, 0, 1, Purpose::place);
+    const auto place = [&](const Vec& about, double reach) {
+      const double x = random.uniform(-reach, reach);
+      return Vec(about + Vec(x, random.uniform(-reach, reach)));
+    };
+    int met = 0;
+    for (int i = 0; i < 2000; ++i) {
+      const Vec a = place(box.center(), 5.5), b = place(a, i % 2 ? 0.5 : 6.0);
+      ASSERT_EQ(inside.meets_border(a, b), meets_some_edge(region, a, b)) << a.transpose();
+      met += inside.meets_border(a, b);
+    }
+    EXPECT_GT(met, 400);
+    EXPECT_LT(met, 1600);
+  }
 }
 
 TEST(Inside, HoldsNothingOfNothing) {

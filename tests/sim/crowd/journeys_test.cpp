@@ -12,6 +12,7 @@
 #include "sim/crowd/walk.h"
 #include "sim/recording/checkpoint.h"
 #include "tests/sim/crowd/hall.h"
+#include "tests/sim/crowd/models.h"
 #include "tests/sim/trial.h"
 
 namespace throng {
@@ -250,6 +251,23 @@ std::string everything() {
       "count = 40\nradius = 0.2\nappear = { rate = 4 }\n"
       "goal = [{ wait = 'platform', for = { uniform = [1, 5] } }, { queue = ['gate', 'fast'] }, { "
       "least_crowded = ['low', 'high'] }]\n");
+}
+
+// It happened: who stepped over an exit thinner than his step turned, stepped over it again, and so on.
+TEST(Journeys, ReachWhatIsThinnerThanAStep) {
+  for (const char* model : kModels) {
+    SCOPED_TRACE(model);
+    Trial run(
+        "time = { dt = 0.02, until = 100 }\nwalkable = 'POLYGON ((0 0, 12 0, 12 2, 0 2, 0 0))'\n[areas]\n"
+        "gate = [[3, 0], [3.0005, 0], [3.0005, 2], [3, 2]]\n"
+        "stop = [[6, 0], [6.0005, 0], [6.0005, 2], [6, 2]]\n"
+        "exit = [[9, 0], [9.0005, 0], [9.0005, 2], [9, 2]]\n"
+        "[[agents]]\nat = [1, 1]\ndesired_speed = 1\ngoal = ['gate', { wait = 'stop', for = 1 }, 'exit']\n"
+        "model = '" +
+        std::string(model) + "'\n");
+    run.steps(50 * 11);
+    EXPECT_EQ(run.state.crowd.arrived, 1) << "8 m at 1 m/s, a stop, and starts";
+  }
 }
 
 TEST(Journeys, AreResumedToTheSameBitsFromAnyStep) {
