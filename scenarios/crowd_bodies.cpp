@@ -49,10 +49,10 @@ void add_bodies_to_floor(std::span<const Entry> entries, Scene& scene, Report& r
   crowd.walkable = without(crowd.walkable, united(standing));
   if (crowd.walkable.empty()) return refuse_covering(entries, "all of the walkable area", report);
   for (Measure& measure : crowd.measures) {
-    if (measure.area.empty()) continue;
-    find_ground(crowd.walkable, measure);
-    if (!(measure.size > 0.0))
-      refuse_covering(entries, "all that measure " + measure.name + " looks at", report);
+    if (!measure.area.empty()) find_ground(crowd.walkable, measure);
+    if (measure.area.empty() ? !runs_through(measure.line[0], measure.line[1], crowd.walkable)
+                             : !(measure.size > 0.0))
+      refuse_covering(entries, "all that measure " + in_quotes(measure.name) + " looks at", report);
   }
 }
 

@@ -31,6 +31,10 @@ Vec point(const toml::node& node) {
   return {x, y};
 }
 
+std::string to_text(const Vec& place) {
+  return "[" + to_text(place.x()) + ", " + to_text(place.y()) + "]";
+}
+
 std::vector<Vec> points(const toml::node& node) {
   std::vector<Vec> result;
   for (const toml::node& entry : *node.as_array()) result.push_back(point(entry));

@@ -103,6 +103,7 @@ double number(const toml::table& table, std::string_view key, double fallback);
 std::string text(const toml::table& table, std::string_view key, std::string_view fallback);
 Vec point(const toml::node& node);
 std::vector<Vec> points(const toml::node& node);
+std::string to_text(const Vec& place);  ///< as people write it, [x, y]
 Eigen::AlignedBox2d box(const toml::node& node);
 
 /// What is wrong with the line where two neighbours are nearer than kShortestEdge without being equal: a

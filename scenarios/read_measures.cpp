@@ -43,7 +43,11 @@ class MeasureReader {
     const std::vector<Vec> ends = points(*table_.get("line"));
     measure_.line = {ends[0], ends[1]};
     if (table_.contains("voronoi")) fail("voronoi", "belongs to an area");
-    if (ends[0] == ends[1]) fail("line", "must have two different ends");
+    if (ends[0] == ends[1]) return fail("line", "must have two different ends");
+    const Region& floor = scene_.crowd.walkable;  // where it has faults they were reported
+    if (!floor.empty() && !runs_through(ends[0], ends[1], floor))
+      fail("line", "from " + to_text(ends[0]) + " to " + to_text(ends[1]) +
+                       " is nowhere inside the walkable area: nobody can cross it");
   }
 
   void read_area() {

@@ -81,6 +81,15 @@ double common_area(const Region& a, const Region& b) {
   return area;
 }
 
+bool runs_through(const Vec& from, const Vec& to, const Region& region) {
+  const Geos geos;
+  const Vec ends[] = {from, to};
+  const Geometry line = read(geos, "LINESTRING " + line_wkt(ends, false)), other = solid(geos, region);
+  const char has = GEOSRelatePattern_r(geos.handle, line.get(), other.get(), "T********");
+  if (has > 1) throw std::runtime_error("GEOS could not hold a line against the areas of this scene");
+  return has == 1;
+}
+
 Region common(const Region& a, const Region& b) {
   const Geos geos;
   const Geometry one = solid(geos, a), other = solid(geos, b);

@@ -11,6 +11,9 @@ namespace throng::scenarios {
 /// m², of what two regions have in common.
 double common_area(const Region& a, const Region& b);
 
+/// Whether any of the line between two different points is inside the region, not only on its border.
+bool runs_through(const Vec& from, const Vec& to, const Region& region);
+
 /// What is in any of them.
 Region united(std::span<const Region> regions);
 

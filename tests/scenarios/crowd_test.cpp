@@ -274,7 +274,10 @@ TEST(Crowd, IsRefusedWhereStaticBodiesLeaveNoFloor) {
   expect_fault(crowd + slab("60") + "at = [5, 2]\n",
                "bodies[0]: static bodies cover all of the walkable area");
   expect_fault(crowd + slab("4") + "at = [10, 2]\n",
-               "bodies[0]: static bodies cover all that measure x looks at");
+               "bodies[0]: static bodies cover all that measure \"x\" looks at");
+  expect_fault(kFloor + kGroup + "at = [1, 1]\n[[measure]]\nname = 'x'\nline = [[9, 0], [9, 5]]\n" +
+                   slab("4") + "at = [10, 2]\n",
+               "bodies[0]: static bodies cover all that measure \"x\" looks at");
 }
 
 TEST(Crowd, IsNotMeasuredWhereTheMeasureSaysNothing) {
@@ -289,6 +292,12 @@ TEST(Crowd, IsNotMeasuredWhereTheMeasureSaysNothing) {
   expect_fault(crowd + "name = 'x'\narea = 'far'\n",
                "measure[0].area: has nothing in common with the walkable area");
   expect_fault(crowd + "name = 'x'\narea = 'nowhere'\n", "measure[0].area: ");
+  for (const char* line :
+       {"[[20, 0], [20, 5]]", "[[0, 5], [10, 5]]", "[[4.2, 2], [4.8, 3]]", "[[4, 2], [5, 3]]"})
+    expect_fault(crowd + "name = 'x'\nline = " + line + "\n", "is nowhere inside the walkable area");
+  expect_fault(crowd + "name = 'x'\nline = [[20, 0], [20, 5]]\n",
+               "measure[0].line: from [20, 0] to [20, 5] is nowhere inside the walkable area: nobody "
+               "can cross it");
   const Loaded endless =
       load_text("throng = 1\ntime = { dt = 1e-8, until = 1 }\n" + crowd.substr(crowd.find("walkable")) +
                 "name = 'x'\narea = 'start'\nuntil = 1e12\n");
