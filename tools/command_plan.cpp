@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/auto_time.h"
+#include "sim/crowd/walk.h"
+#include "sim/crowd/ways_size.h"
 #include "sim/plan.h"
 #include "sim/recording/expected_bytes.h"
 #include "sim/uses_substeps.h"
@@ -32,6 +34,18 @@ std::size_t count(const Scene& scene, BodyKind kind) {
   return n;
 }
 
+/// Of a crowd.
+WaysSize ways(const Scene& scene) {
+  const Barriers barriers(barrier_lines(scene), 1.0);
+  return ways_size(scene, barriers, sizes_by_goal(scene, barriers));
+}
+
+Json ways_json(const Scene& scene) {
+  if (scene.crowd.size() == 0) return nullptr;
+  const WaysSize size = ways(scene);
+  return {{"fields", size.fields}, {"plans", size.plans}, {"bytes", std::llround(size.bytes)}};
+}
+
 Json to_json(const Scene& scene, const Plan& plan) {
   Json stages = Json::array();
   for (const Stage& stage : plan.stages)
@@ -54,6 +68,7 @@ Json to_json(const Scene& scene, const Plan& plan) {
           {"substeps", uses_substeps(scene) ? Json(scene.time.substeps) : Json(nullptr)},
           {"auto", chosen},
           {"stages", stages},
+          {"ways", ways_json(scene)},
           {"frames", frames(scene)},
           {"output_bytes", std::llround(std::min(recording::expected_bytes(scene), 9e18))}};
 }
@@ -88,6 +103,13 @@ std::string substeps_text(const Scene& scene) {
   return " in " + counted(scene.time.substeps, "substep") + length;
 }
 
+void print_ways(const Scene& scene) {
+  const WaysSize size = ways(scene);
+  std::printf(
+      "\nways: %s on %s, %s\n", counted(static_cast<std::int64_t>(size.fields), "distance field").c_str(),
+      counted(static_cast<std::int64_t>(size.plans), "floor plan").c_str(), size_text(size.bytes).c_str());
+}
+
 void print_plan(const Scene& scene, const Plan& plan) {
   std::printf(
       "%s: %s (%zu dynamic, %zu static, %zu kinematic), %s, %s; engine %s\n", printable(scene.name).c_str(),
@@ -110,6 +132,7 @@ void print_plan(const Scene& scene, const Plan& plan) {
   for (const Stage& stage : plan.stages)
     std::printf("  %-7s %-14s %s\n", stage.runs ? "runs" : "skipped", stage.name.c_str(),
                 stage.reason.c_str());
+  if (scene.crowd.size() > 0) print_ways(scene);
   std::printf("\nrecorded in full: %s, about %s%s\n", counted(frames(scene), "frame").c_str(),
               size_text(recording::expected_bytes(scene)).c_str(), how_sure(scene).c_str());
 }

@@ -110,4 +110,11 @@ struct Crowd {
   }
 };
 
+/// Calls f(row of Crowd::goals) for each option of each leg.
+template <class F>
+void for_each_goal(const Crowd& crowd, const Journey& journey, F f) {
+  for (const Leg& leg : journey)
+    for (std::size_t option = 0; option < leg.options.size(); ++option) f(crowd.goal(leg, option));
+}
+
 }  // namespace throng

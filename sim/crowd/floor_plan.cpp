@@ -96,6 +96,11 @@ void close_narrow(const Barriers& barriers, double closed, FloorPlan& plan) {
   }
 }
 
+/// Of a side of the floor's box, with some beyond.
+double nodes_along(double side, double cell) {
+  return std::ceil(side / cell) + 3.0;
+}
+
 }  // namespace
 
 std::vector<double> passages(const Region& walkable, const Barriers& barriers, double least, double most) {
@@ -126,6 +131,11 @@ Resolution resolution_for(const Region& walkable, const Barriers& barriers, doub
   return {cell, std::max(std::min(radius, 0.5 * passage - 2.0 * cell), 0.5 * cell)};
 }
 
+double plan_nodes(const Region& walkable, const Resolution& resolution) {
+  const Vec sizes = bounds(walkable).sizes();
+  return nodes_along(sizes.x(), resolution.cell) * nodes_along(sizes.y(), resolution.cell);
+}
+
 FloorPlan floor_plan(const Region& walkable, const Barriers& barriers, const Resolution& resolution,
                      double closed) {
   const Eigen::AlignedBox2d box = bounds(walkable);
@@ -133,8 +143,8 @@ FloorPlan floor_plan(const Region& walkable, const Barriers& barriers, const Res
   plan.cell = resolution.cell;
   plan.clearance = resolution.clearance;
   plan.origin = box.min() - Vec(plan.cell, plan.cell);
-  plan.columns = static_cast<int>(std::ceil(box.sizes().x() / plan.cell)) + 3;
-  plan.rows = static_cast<int>(std::ceil(box.sizes().y() / plan.cell)) + 3;
+  plan.columns = static_cast<int>(nodes_along(box.sizes().x(), plan.cell));
+  plan.rows = static_cast<int>(nodes_along(box.sizes().y(), plan.cell));
   plan.footing.assign(static_cast<std::size_t>(plan.columns) * static_cast<std::size_t>(plan.rows),
                       Footing::none);
   fill_inside(walkable, plan);

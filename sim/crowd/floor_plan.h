@@ -57,6 +57,9 @@ inline double closed_to(double radius) {
 
 inline constexpr double kMostNodes = 4e6;
 
+/// How many nodes a plan of these cells has: its columns times its rows.
+double plan_nodes(const Region& walkable, const Resolution& resolution);
+
 /// Passages no wider than `closed` (m) are closed. O(nodes + barriers' length /
 /// cell).
 FloorPlan floor_plan(const Region& walkable, const Barriers& barriers, const Resolution& resolution,

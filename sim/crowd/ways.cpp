@@ -5,38 +5,11 @@
 #include <cstdio>
 
 #include "sim/crowd/room.h"
+#include "sim/crowd/ways_size.h"
 
 namespace throng {
 
 namespace {
-
-/// Calls f(goal) for each option of each leg.
-template <class F>
-void for_each_goal(const Crowd& crowd, const Journey& journey, F f) {
-  for (const Leg& leg : journey)
-    for (std::size_t option = 0; option < leg.options.size(); ++option) f(crowd.goal(leg, option));
-}
-
-/// Of all who have each goal.
-std::vector<std::vector<double>> radii_by_goal(const Scene& scene) {
-  std::vector<std::vector<double>> radii(scene.crowd.goals.size());
-  for (const AgentGroup& group : scene.crowd.groups) {
-    const auto first = scene.bodies.radius.begin() + scene.crowd.first + group.first;
-    for_each_goal(scene.crowd, group.journey, [&](std::uint32_t goal) {
-      radii[goal].insert(radii[goal].end(), first, first + group.count);
-    });
-  }
-  return radii;
-}
-
-/// Those that some agents get through and others don't.
-std::vector<double> narrow_passages(const Scene& scene, const Barriers& barriers) {
-  const auto first = scene.bodies.radius.begin() + scene.crowd.first;
-  const auto [least, largest] =
-      std::minmax_element(first, first + static_cast<std::ptrdiff_t>(scene.crowd.size()));
-  if (scene.crowd.size() == 0 || *least == *largest) return {};
-  return passages(scene.crowd.walkable, barriers, closed_to(*least), closed_to(*largest));
-}
 
 std::string text(double number) {
   char buffer[32];
@@ -49,16 +22,42 @@ std::string text(const Vec& p) {
   return "[" + text(p.x()) + ", " + text(p.y()) + "]";
 }
 
+std::string gigabytes(double bytes) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.3g GB", bytes / 1e9);
+  return buffer;
+}
+
+/// A group that has the goal.
+const AgentGroup& group_with(const Crowd& crowd, std::uint32_t wanted) {
+  return *std::ranges::find_if(crowd.groups, [&](const AgentGroup& group) {
+    bool has = false;
+    for_each_goal(crowd, group.journey, [&](std::uint32_t goal) { has = has || goal == wanted; });
+    return has && group.count > 0;
+  });
+}
+
+void expect_memory(const Crowd& crowd, const WaysSize& size) {
+  if (size.bytes <= kMostWaysBytes) return;
+  throw NoWay(group_with(crowd, size.worst).index,
+              "the ways of all agents to their goals take " + std::to_string(size.fields) +
+                  " distance fields, " + gigabytes(size.bytes) + ", and may take at most " +
+                  gigabytes(kMostWaysBytes) + "; goal " + crowd.goals[size.worst].name + " alone takes " +
+                  std::to_string(size.of_worst) +
+                  ", one for each class of radii whenever any of it opens or closes: take fewer goals, "
+                  "times in [open] or radii, or a smaller `walkable`");
+}
+
 }  // namespace
 
 Ways::Ways(const Scene& scene, const Barriers& barriers)
     : scene_(scene), barriers_(barriers), goals_(scene.crowd.goals.size()) {
   const Crowd& crowd = scene.crowd;
-  std::vector<std::vector<double>> radii = radii_by_goal(scene);
-  const std::vector<double> narrow = narrow_passages(scene, barriers);
+  GoalSizes sizes = sizes_by_goal(scene, barriers);
+  expect_memory(scene.crowd, ways_size(scene, barriers, sizes));
   for (std::uint32_t goal = 0; goal < goals_.size(); ++goal) {
-    if (radii[goal].empty()) continue;
-    goals_[goal].sizes = size_classes(std::move(radii[goal]), narrow);
+    if (sizes[goal].empty()) continue;
+    goals_[goal].sizes = std::move(sizes[goal]);
     const throng::Goal& its = crowd.goals[goal];
     goals_[goal].phases.reserve(its.phases.size() + 1);
     if (its.phases.empty()) add_phase(goal, {0.0, true, its.region});

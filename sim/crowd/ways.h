@@ -30,7 +30,7 @@ inline Heading straight_to(const Vec& from, const Vec& to, double distance) {
   return {length > 0.0 ? Vec((to - from) / length) : Vec(0.0, 0.0), distance};
 }
 
-/// No way leads an agent to a goal of its group's.
+/// No way leads an agent to a goal of its group's, or there would be too many ways to keep.
 struct NoWay : InputError {
   NoWay(std::uint32_t its, const std::string& why)
       : InputError("agents[" + std::to_string(its) + "]: " + why), group(its), reason(why) {}
@@ -43,8 +43,9 @@ struct NoWay : InputError {
 /// for each of the goal's phases.
 class Ways {
  public:
-  /// Throws NoWay that names group, agent and place where no way leads from an agent to one of its
-  /// goals. `scene` and `barriers` must outlive this.
+  /// Throws NoWay that names group, agent and place where no way leads from an agent to one of its goals, and
+  /// before any is made where all would take more than kMostWaysBytes. `scene` and `barriers` must outlive
+  /// this.
   Ways(const Scene& scene, const Barriers& barriers);
 
   /// Whether any goal opens or closes.

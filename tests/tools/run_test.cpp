@@ -370,7 +370,18 @@ TEST_F(PlanCommand, SaysWhichStagesRunAndWhy) {
   const json plan = json::parse(object.out);
   EXPECT_EQ(plan["bodies"], 2);
   EXPECT_EQ(plan["stages"].size(), 16u);
+  EXPECT_TRUE(plan["ways"].is_null()) << "nobody walks";
   EXPECT_GT(plan["output_bytes"], 0);
+}
+
+TEST_F(PlanCommand, SaysWhatTheWaysOfACrowdTake) {
+  const std::string scene = THRONG_SOURCE_DIR "/scenarios/corridor.toml";
+  EXPECT_THAT(throng("plan " + scene).out,
+              testing::ContainsRegex("\nways: 1 distance field on 1 floor plan, [0-9.]+ [kM]B\n"));
+  const json ways = json::parse(throng("plan --json " + scene).out)["ways"];
+  EXPECT_EQ(ways["fields"], 1);
+  EXPECT_EQ(ways["plans"], 1);
+  EXPECT_GT(ways["bytes"], 1000);
 }
 
 TEST_F(PlanCommand, TakesTheOptionsOfARun) {

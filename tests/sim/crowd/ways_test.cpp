@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "sim/crowd/walk.h"
+#include "sim/crowd/ways_size.h"
 #include "sim/input_error.h"
 #include "sim/simulation.h"
 #include "tests/sim/trial.h"
@@ -35,6 +36,53 @@ std::string refusal(const Scene& scene) {
     return error.what();
   }
   return "accepted";
+}
+
+/// Of a scene.
+WaysSize size_of(const std::string& text) {
+  const Scene scene = scene_from(text);
+  const Barriers barriers(barrier_lines(scene), 1.0);
+  return ways_size(scene, barriers, sizes_by_goal(scene, barriers));
+}
+
+TEST(WaysSize, ByHand) {
+  const std::string hall =
+      "domain.box = [[0, 0], [20, 20]]\nareas.e = [[18, 4], [20, 4], [20, 6], [18, 6]]\n";
+  const double nodes = 203 * 203;  // half a radius of 0.2 m apart, and three more
+  const WaysSize alone = size_of(hall + one("[5, 5]", 0.2));
+  EXPECT_EQ(alone.fields, 1u);
+  EXPECT_EQ(alone.plans, 1u);
+  EXPECT_EQ(alone.bytes, 5 * nodes) << "4 a node of a field, 1 of a plan";
+  const WaysSize opens = size_of(hall + "open.e = { from = 1, until = 2 }\n" + one("[5, 5]", 0.2));
+  EXPECT_EQ(opens.fields, 3u);
+  EXPECT_EQ(opens.bytes, 13 * nodes);
+  const double wide = 53 * 53;  // of 0.8 m
+  const WaysSize both = size_of(hall + one("[5, 5]", 0.2) + one("[9, 9]", 0.8));
+  EXPECT_EQ(both.fields, 2u);
+  EXPECT_EQ(both.plans, 2u);
+  EXPECT_EQ(both.bytes, 5 * nodes + 5 * wide);
+}
+
+/// A square 2 km wide with so many small areas, all of which one goes for in turn.
+std::string many_goals(int count) {
+  std::string areas = "domain.box = [[0, 0], [2000, 2000]]\n[areas]\n", goal;
+  for (int i = 0; i < count; ++i) {
+    const std::string x = std::to_string(3 * i), right = std::to_string(3 * i + 2),
+                      name = "a" + std::to_string(i);
+    areas += name + " = [[" + x + ", 0], [" + right + ", 0], [" + right + ", 2], [" + x + ", 2]]\n";
+    goal += (i > 0 ? ", '" : "'") + name + "'";
+  }
+  return areas + "[[agents]]\nmodel = 'orca'\nat = [5, 5]\ngoal = [" + goal + "]\n";
+}
+
+// Nothing bounded them: these would take 4.2 GB, and larger scenes whatever there is.
+TEST(Ways, ThatWouldTakeTooMuchMemoryAreRefusedBeforeAnyIsMade) {
+  EXPECT_LT(size_of(many_goals(240)).bytes, kMostWaysBytes);
+  EXPECT_EQ(
+      refusal(scene_from(many_goals(260))),
+      "agents[0]: the ways of all agents to their goals take 260 distance fields, 4.18 GB, and may take at "
+      "most 4 GB; goal \"a0\" alone takes 1, one for each class of radii whenever any of it opens or "
+      "closes: take fewer goals, times in [open] or radii, or a smaller `walkable`");
 }
 
 // He was led to the gap that a thinner one with the same goal fits through, and stood in it for ever.
