@@ -57,7 +57,8 @@ std::string what_it_is(const toml::node& node) {
   if (const auto* number = node.as_floating_point()) return "the number " + to_text(number->get());
   if (const auto* boolean = node.as_boolean()) return boolean->get() ? "true" : "false";
   if (node.is_table()) return "a table";
-  if (const auto* list = node.as_array()) return "a list of " + std::to_string(list->size());
+  if (const auto* list = node.as_array())
+    return list->empty() ? "an empty list" : "a list of " + std::to_string(list->size());
   return "a date or time";
 }
 

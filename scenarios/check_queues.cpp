@@ -30,8 +30,7 @@ std::string fault(const QueueLine& line, const Queue& queue, double radius, cons
                   const Barriers& barriers) {
   for (std::uint32_t number = 1; number <= line.places(); ++number) {
     const Vec p = line.place(number);
-    const std::string which =
-        "its place " + std::to_string(number) + " at [" + to_text(p.x()) + ", " + to_text(p.y()) + "] ";
+    const std::string which = "its place " + std::to_string(number) + " at " + to_text(p) + " ";
     if (!is_floor(p)) return which + "is not on the walkable area";
     const double clear = barriers.distance(p, std::max(1.0, radius));
     if (!(clear > 0.0)) return which + "is on a wall";

@@ -12,6 +12,7 @@ namespace throng::scenarios {
 namespace {
 
 constexpr int kMostDraws = 1000;
+constexpr double kWidest = 1e6;  // means: of a lognormal distribution's standard deviation
 /// Standard deviations: a cut nearer to the mean takes more than 7 % of the draws, and moves it by 14 % of
 /// one.
 constexpr double kNoticed = 1.5;
@@ -49,6 +50,11 @@ Distribution from_table(const toml::table& table) {
   return result;
 }
 
+/// The logarithm of a number with no mean above 0 has no mean.
+bool is_lognormal(const Distribution& d) {
+  return d.a > 0.0 && d.b <= kWidest * d.a;
+}
+
 }  // namespace
 
 Distribution read_distribution(const toml::node& node, double least, double most, const std::string& path,
@@ -64,7 +70,11 @@ Distribution read_distribution(const toml::node& node, double least, double most
     const Vec bounds = point(*within);
     result.low = bounds.x(), result.high = bounds.y();
   }
-  if (!(result.low <= result.high))
+  if (result.kind == Distribution::Kind::lognormal && !is_lognormal(result))
+    report.error(node, path,
+                 "must have a mean above 0 and a standard deviation of at most " + to_text(kWidest) +
+                     " times the mean, to be lognormal");
+  else if (!(result.low <= result.high))
     report.error(node, path, "must have its lower bound first");
   else if (result.kind != Distribution::Kind::uniform &&
            (result.low > result.a + kCutOff * result.b || result.high < result.a - kCutOff * result.b))

@@ -51,31 +51,32 @@ Field model_parameters(const ModelKind& kind) {
 Table leg_table() {
   const auto some_of = [](const char* table, const char* called) { return list(name_in(table), 1, called); };
   const Type time = number(0, 1e9, "s");
-  return {
-      {{"nearest", some_of("areas", "a list of names of areas"),
-        "To the nearest of these areas, by the way there."},
-       {"weights", named(number(0, 1e6)),
-        "Each agent to one of these areas, by chance in proportion to its weight."},
-       {"least_crowded", either({some_of("areas", "a list of names of areas"), named(number(0, 1e6, "1/s"))}),
-        "To that of these areas which is expected to be got through first, by the way and those who go "
-        "there too and are nearer: as many a second as the number says, without one 1.3."},
-       {"wait", name_in("areas"), "To a free place in this area, and stands there."},
-       {"for", distribution(time, "time, s,"),
-        "How long, s, from when it gets into the area; without this and `until`: for ever."},
-       {"until", distribution(time, "time, s,"), "Until when, s."},
-       {"queue", either({name_in("queues"), some_of("queues", "a list of names of queues")}),
-        "Lines up, of several queues in the least crowded, and goes on when it was served."}},
-      {"nearest", "weights", "least_crowded", "wait", "queue"}};
+  return {{{"nearest", some_of("areas", "a list of names of areas, one or more"),
+            "To the nearest of these areas, by the way there."},
+           {"weights", named(number(0, 1e6)),
+            "Each agent to one of these areas, by chance in proportion to its weight."},
+           {"least_crowded",
+            either({some_of("areas", "a list of names of areas, one or more"), named(number(0, 1e6, "1/s"))}),
+            "To that of these areas which is expected to be got through first, by the way and those who go "
+            "there too and are nearer: as many a second as the number says, without one 1.3."},
+           {"wait", name_in("areas"), "To a free place in this area, and stands there."},
+           {"for", distribution(time, "time, s,"),
+            "How long, s, from when it gets into the area; without this and `until`: for ever."},
+           {"until", distribution(time, "time, s,"), "Until when, s."},
+           {"queue", either({name_in("queues"), some_of("queues", "a list of names of queues, one or more")}),
+            "Lines up, of several queues in the least crowded, and goes on when it was served."}},
+          {"nearest", "weights", "least_crowded", "wait", "queue"}};
 }
 
 Type goal() {
-  return either({name_in("areas"), list(either({name_in("areas"), table(leg_table())}), 1, "a list of goals"),
+  return either({name_in("areas"),
+                 list(either({name_in("areas"), table(leg_table())}), 1, "a list of goals, one or more"),
                  table(leg_table())});
 }
 
 Type appear_table() {
   return table({{{"rate", number(1e-9, 1e6, "1/s"), "How many agents a second."},
-                 {"times", list(number(0, 1e12, "s"), 1, "a list of times, ascending"),
+                 {"times", list(number(0, 1e12, "s"), 1, "a list of times, one or more, ascending"),
                   "When agents appear, s; ascending."},
                  {"from", number(0, 1e12, "s"), "When the first of a rate appear, s.", "0.0"},
                  {"together", integer(1, kMostBodies), "So many appear at once.", "1"}},

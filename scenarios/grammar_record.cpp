@@ -11,7 +11,8 @@ using namespace types;
 namespace {
 
 Type record_fields(std::size_t least) {
-  return list(choice({"position", "angle", "velocity", "spin", "contacts"}), least, "a list of fields", 16);
+  return list(choice({"position", "angle", "velocity", "spin", "contacts"}), least,
+              least > 0 ? "a list of fields, one or more" : "a list of fields", 16);
 }
 
 /// One or several of what `part` is.
@@ -21,11 +22,12 @@ Type some(const Type& part, std::string called) {
 
 Type recorded_bodies_table() {
   return table(
-      {{{"shape", some(name_in("shapes"), "a list of names of shapes"), "Of these shapes."},
-        {"material", some(name_in("materials"), "a list of names of materials"), "Of these materials."},
-        {"kind", some(choice({"dynamic", "static", "kinematic", "agent"}), "a list of kinds"),
+      {{{"shape", some(name_in("shapes"), "a list of names of shapes, one or more"), "Of these shapes."},
+        {"material", some(name_in("materials"), "a list of names of materials, one or more"),
+         "Of these materials."},
+        {"kind", some(choice({"dynamic", "static", "kinematic", "agent"}), "a list of kinds, one or more"),
          "Of these kinds."},
-        {"ids", list(integer(1, kMostBodies), 1, "a list of ids"), "These alone."}}});
+        {"ids", list(integer(1, kMostBodies), 1, "a list of ids, one or more"), "These alone."}}});
 }
 
 Type bins_table(Type up_to, const char* what) {

@@ -101,8 +101,8 @@ void check_inside(const Entry& entry, const Scene& scene, Report& report) {
   const Vec& p = scene.bodies.position[first];
   report.error(*entry.node, path(entry, entry.place == Entry::Place::at ? "at" : "place.lattice"),
                std::to_string(outside) + (outside == 1 ? " body is" : " bodies are") +
-                   " not inside domain.box; the first is body " + std::to_string(first + 1) + " at [" +
-                   to_text(p.x()) + ", " + to_text(p.y()) + "]");
+                   " not inside domain.box; the first is body " + std::to_string(first + 1) + " at " +
+                   to_text(p));
 }
 
 /// Random places are looked for only where the domain is.

@@ -4,6 +4,7 @@
 
 #include "scenarios/body_grid.h"
 #include "scenarios/read_crowd.h"
+#include "scenarios/region_sets.h"
 #include "sim/crowd/model.h"
 #include "sim/crowd/walk.h"
 
@@ -13,6 +14,8 @@ namespace {
 
 constexpr int kAgentTries = 20'000;                             // for one agent
 constexpr std::int64_t kTries = 1'000'000, kTriesEach = 1'000;  // for all of them: an end within seconds
+
+constexpr double kTouch = 1e-9;  // of two radii: who is in another by less touches him
 
 std::uint32_t disc_shape(Scene& scene) {
   Shape shape;
@@ -64,6 +67,21 @@ class AgentPlacer {
   }
 
  private:
+  /// "agent 3 of 20 (id 23, radius 0.2 m)" of its group.
+  std::string which(std::uint32_t row) const {
+    const AgentGroup& group = scene_.crowd.groups[scene_.crowd.group[row - scene_.crowd.first]];
+    return "agent " + std::to_string(row - scene_.crowd.first - group.first + 1) + " of " +
+           std::to_string(group.count) + " (id " + std::to_string(row + 1) + ", radius " +
+           to_text(scene_.bodies.radius[row]) + " m)";
+  }
+
+  /// The area's name, or the box.
+  static std::string where(const AgentEntry& entry) {
+    const toml::node& within = *(*entry.node->as_table())["place"]["random"]["within"].node();
+    if (within.is_string()) return in_quotes(within.as_string()->get());
+    return "[" + to_text(box(within).min()) + ", " + to_text(box(within).max()) + "]";
+  }
+
   bool stands(const Vec& p, double clear) const {
     return contains(scene_.crowd.walkable, p) && movers_.depth(p) == 0.0 &&
            !(barriers_.distance(p, clear) < clear);
@@ -73,10 +91,24 @@ class AgentPlacer {
     const double radius = scene_.bodies.radius[row];
     if (!stands(entry.at, radius))
       report_.error(*entry.node->as_table()->get("at"), entry.path + ".at",
-                    "an agent of radius " + to_text(radius) + " m at [" + to_text(entry.at.x()) + ", " +
-                        to_text(entry.at.y()) +
-                        "] is not wholly on the walkable area, or overlaps a wall or a body");
+                    "an agent of radius " + to_text(radius) + " m at " + to_text(entry.at) +
+                        " is not wholly on the walkable area, or overlaps a wall or a body");
+    warn_of_overlap(entry, radius);
     agents_.add(row, entry.at, radius);
+  }
+
+  /// Who stands in another from the start may be what is wanted.
+  void warn_of_overlap(const AgentEntry& entry, double radius) {
+    Vec other = entry.at;
+    const auto is_in = [&](std::uint32_t, const Vec& at, double its) {
+      other = at;
+      return (at - entry.at).norm() < (1.0 - kTouch) * (radius + its);
+    };
+    const bool overlaps = agents_.visit_near(entry.at, radius, is_in);
+    if (overlaps)
+      report_.warning(entry.node->as_table()->get("at")->source(), entry.path + ".at",
+                      "an agent of radius " + to_text(radius) + " m at " + to_text(entry.at) +
+                          " overlaps one that stands at " + to_text(other));
   }
 
   void place_at_random(const AgentEntry& entry, std::uint32_t row) {
@@ -93,8 +125,10 @@ class AgentPlacer {
     }
     report_.mark_bad(*entry.node);
     report_.error(*entry.node->as_table()->get("place"), entry.path + ".place.random",
-                  "agent " + std::to_string(row + 1) +
-                      " found no free place: take a larger `within`, or fewer or smaller agents");
+                  which(row) + " found no free place in " + where(entry) +
+                      (common_area(entry.within, scene_.crowd.walkable) > 0.0
+                           ? ": take a larger `within`, or fewer or smaller agents"
+                           : ", which has nothing in common with the walkable area"));
   }
 
   bool is_free(const Vec& p, double radius, const AgentEntry& entry) const {

@@ -105,7 +105,8 @@ const FaultyScenario kFaultyScenarios[] = {
      "go up to 30 m from 0: must be at least 1.4e-08 m"},
     {BALL "at = [0, -5]\n[record]\nquantize = 1e-9", "go up to 5 m from 0: must be at least 2.4e-09 m"},
     {"record = { also = [{ every = 5, fields = [] }] }",
-     "s.toml:2:42: error: record.also[0].fields: must be a list of fields, and is a list of 0"},
+     "s.toml:2:42: error: record.also[0].fields: must be a list of fields, one or more, and is an empty "
+     "list"},
     {"record = { within = [[0, 0], [0, 1]] }",
      "s.toml:2:21: error: record.within: must have its least x and y first"},
     {"record = { also = [{ every = 5, fields = ['velocity'] }] }",
@@ -165,7 +166,7 @@ const FaultyScenario kFaultyScenarios[] = {
     {"time.substeps = 2.5", "s.toml:2:17: error: time.substeps: must be an integer from 1 to 1000"},
     {"domain = 1979-05-27",
      "s.toml:2:10: error: domain: must be a table { box, periodic }, and is a date or time"},
-    {"shapes = []", "s.toml:2:10: error: shapes: must be a table of names, and is a list of 0"},
+    {"shapes = []", "s.toml:2:10: error: shapes: must be a table of names, and is an empty list"},
     {"bodies = {}", "s.toml:2:10: error: bodies: must be a list of tables [[...]], and is a table"},
     {"bodies = [1]", "s.toml:2:11: error: bodies[0]: must be a table"},
     {SHAPE "1",

@@ -162,6 +162,13 @@ TEST(Crowd, IsRefusedWhereItLacksSomething) {
 
 TEST(Crowd, IsRefusedWhereItHasNoRoom) {
   expect_fault(kFloor + kGroup + kRandom + "count = 300\n", "agents[0].place.random: agent ");
+  const std::string second = kFloor + kGroup + "at = [6, 1]\n" + kGroup + "radius = 1\ncount = 9\n";
+  expect_fault(second + kRandom, " of 9 (id ");
+  expect_fault(second + kRandom, ", radius 1 m) found no free place in \"start\": take a larger");
+  expect_fault(second + "place.random.within = [[0, 0], [3, 5]]\n",
+               " found no free place in [[0, 0], [3, 5]]: ");
+  expect_fault(kFloor + "off = [[20, 0], [23, 0], [23, 5]]\n" + kGroup + "place.random.within = 'off'\n",
+               "found no free place in \"off\", which has nothing in common with the walkable area");
   expect_fault(kFloor + kGroup + "at = [4.5, 2.5]\n",
                "agents[0].at: an agent of radius 0.2 m at [4.5, 2.5] is not wholly on");
   expect_fault(kFloor + kGroup + "at = [0.1, 2.5]\n",
@@ -182,6 +189,11 @@ TEST(Crowd, IsRefusedWhereDistributionsMakeNoSense) {
   expect_fault(group + "desired_speed = { normal = [1, 0.1], within = [3, 4] }\n",
                "agents[0].desired_speed: must have a range");
   expect_fault(group + "desired_speed = { mean = 1 }\n", "agents[0].desired_speed.mean: unknown key");
+  for (const char* lognormal : {"[0, 1]", "[0, 0]", "[1e-7, 1]"})
+    expect_fault(
+        group + "desired_speed = { lognormal = " + lognormal + " }\n",
+        "agents[0].desired_speed: must have a mean above 0 and a standard deviation of at most 1e+06 "
+        "times the mean, to be lognormal");
   expect_fault(group + "desired_speed = -1\n", "agents[0].desired_speed: must be a number from 0");
 }
 
@@ -212,6 +224,12 @@ TEST(Crowd, IsWarnedOfWhatWontBeAsItSays) {
   EXPECT_NE(said(orca + "desired_speed = { normal = [0.5, 0.5] }\n").find("the mean is above 0.5"),
             std::string::npos);
   EXPECT_EQ(said(orca + "desired_speed = { normal = [0.5, 0.5], within = [0, 2] }\n"), "");
+  EXPECT_NE(
+      said(orca + "[[agents]]\ngoal = 'exit'\nat = [1.3, 1]\n" + orca)
+          .find("warning: agents[1].at: an agent of radius 0.2 m at [1.3, 1] overlaps one that stands at "
+                "[1, 1]"),
+      std::string::npos);
+  EXPECT_EQ(said(orca + "[[agents]]\ngoal = 'exit'\nat = [1.4, 1]\n" + orca), "") << "touches";
   EXPECT_NE(said(orca, "gravity = [0, -9.81]\n").find("warning: gravity: has no meaning"), std::string::npos);
   EXPECT_NE(
       said(orca + "orca = { neighbours = 2.5 }\n").find("agents[0].orca.neighbours: must be an integer"),
@@ -348,7 +366,8 @@ TEST(Crowd, TakesAreasThatOverlapAsOneGoal) {
 TEST(Crowd, IsRefusedWhereItsGoalsOrTimesMakeNoSense) {
   const std::string agents = kFloor + "[[agents]]\nmodel = 'social_force'\n";
   expect_fault(agents + kRandom + "goal = ['exit', 'nowhere']\n", "agents[0].goal[1]");
-  expect_fault(agents + kRandom + "goal = []\n", "agents[0].goal");
+  expect_fault(agents + kRandom + "goal = []\n",
+               "agents[0].goal: must be a list of goals, one or more, and is an empty list");
   expect_fault(agents + kRandom + "goal.nearest = ['nowhere']\n", "agents[0].goal.nearest[0]");
   expect_fault(agents + kRandom + "goal.weights = { exit = 1, nowhere = 2 }\n",
                "agents[0].goal.weights.nowhere: is not the name of an entry of [areas]");

@@ -104,10 +104,10 @@ TEST(AwkwardCrowd, WhoWantsNoSpeedStands) {
 }
 
 TEST(AwkwardCrowd, AGoalOffTheFloorIsAnError) {
-  EXPECT_EQ(
-      scene_refusal(floor(kCorridor, agent("orca", "[5, 2]", "outside"))),
-      "agents[0]: its goal \"outside\" is nowhere on the floor that an agent of radius 0.2 m, such as agent "
-      "1, gets to");
+  EXPECT_EQ(scene_refusal(floor(kCorridor, agent("orca", "[5, 2]", "outside"))),
+            "agents[0]: its goal \"outside\" is nowhere on the floor that agent 1 of 1 (id 1, radius 0.2 m), "
+            "or any "
+            "other as wide, gets to");
 }
 
 TEST(AwkwardCrowd, FloorsInPiecesLeadOnlyWithinAPiece) {

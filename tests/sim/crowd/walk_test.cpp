@@ -157,7 +157,8 @@ TEST(Walk, SaysBeforeTheRunWhomNoWayLeadsToHisGoal) {
   } catch (const InputError& error) {
     EXPECT_STREQ(
         error.what(),
-        "agents[0]: no way wide enough leads from [3, 1], where agent 1 stands, to its goal \"exit\"");
+        "agents[0]: no way wide enough leads from [3, 1], where agent 1 of 1 (id 1, radius 0.2 m) stands, to "
+        "its goal \"exit\"");
   }
   const std::string door =
       "[[walls]]\nsegment = [[20, 0], [20, 0.8]]\n[[walls]]\nsegment = [[20, 1.19], [20, 2]]\n";
