@@ -230,11 +230,13 @@ bool Journeys::is_behind_one(const State& state, Row row) {
                                           [&](const Vec& q) { return way.distance(q) < distance; });
 }
 
-/// Whether he has stood for a while since he set out for his goal, beside one who waits for it, or beside
-/// several who wait for whatever it is: they won't make way. In a jam they do so to the foremost alone: to
-/// others they may be bystanders.
+/// Whether he has stood for a while since he set out for his goal, or walked to and fro for longer, beside
+/// one who waits for it, or beside several who wait for whatever it is: they won't make way. In a jam they do
+/// so to the foremost alone: to others they may be bystanders.
 bool Journeys::is_kept_out(const State& state, Row row) {
-  if (since(state, state.crowd.stand_step[row]) < kPatience || stands_yet(state, row)) return false;
+  const bool gets_nowhere = since(state, state.crowd.stand_step[row]) >= kPatience ||
+                            since(state, state.crowd.halt_step[row]) >= kJostled;
+  if (!gets_nowhere || stands_yet(state, row)) return false;
   return (is_among(state, row, goal(state, row)) || is_among_several(state, row)) &&
          !is_behind_one(state, row);
 }

@@ -138,6 +138,22 @@ TEST(Waiting, BeforeAnAreaThatIsFullHoldsUpNobodyWhoWantsOut) {
   }
 }
 
+// It happened: forty who wanted to wait for 10 s where there is room for one went round and round before it,
+// and the last was served after 158 s.
+TEST(Waiting, BeforeAPlaceForOneBeginsThoughNobodyStands) {
+  for (const char* model : {"collision_free_speed", "social_force", "orca"}) {
+    SCOPED_TRACE(model);
+    Trial run(
+        "time = { dt = 0.02, until = 1000 }\nseed = 3\nwalkable = 'POLYGON ((0 0, 20 0, 20 8, 0 8, 0 0))'\n"
+        "[areas]\nstart = [[0, 0], [5, 0], [5, 8], [0, 8]]\nexit = [[19, 0], [20, 0], [20, 8], [19, 8]]\n"
+        "spot = [[10, 4], [10.2, 4], [10.2, 4.2], [10, 4.2]]\n"
+        "[[agents]]\ncount = 40\nplace.random.within = 'start'\nmodel = '" +
+        std::string(model) + "'\ngoal = [{ wait = 'spot', for = 10 }, 'exit']\n");
+    run.steps(50 * 100);
+    EXPECT_EQ(run.state.crowd.arrived, 40);
+  }
+}
+
 constexpr int kJams = 12;  // draws of the crowd
 
 std::string jam_beside_a_bystander(const char* model, int seed) {
