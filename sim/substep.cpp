@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "sim/substep.h"
 
+#include <algorithm>
+#include <iterator>
+#include <limits>
 #include <span>
+#include <vector>
 
 #include "sim/contact/bounce.h"
 #include "sim/contact/fast.h"
@@ -31,23 +35,66 @@ void move(std::span<SolverBody> bodies, Rows awake, double h) {
   });
 }
 
-/// Bounces all that meets in this substep, and what that sets in motion, until nothing meets any more.
-void bounce(Workspace& work, const Vec& kick, int sweeps) {
-  const BounceRule rule{work.solver.h, kRestSpeed * kick.norm(), work.finder.hit_speed(), kick};
-  for (int sweep = 0; sweep < sweeps; ++sweep) {
-    const bool discs = bounce(work.contacts.disc_bounces, work.bodies, rule);
-    const bool points = bounce(work.contacts.point_bounces, work.bodies, rule);
+constexpr double kNever = std::numeric_limits<double>::infinity();  // m/s, who bounces comes nearer faster
+
+/// Contacts that are looked at one after the other.
+struct Bounces {
+  std::vector<DiscContact>& discs;
+  std::vector<PointContact>& points;
+
+  bool empty() const { return discs.empty() && points.empty(); }
+};
+
+/// The discs' normals, each on its own.
+void prepare(const Bounces& bounces, Workspace& work, const Vec* period) {
+  const std::span<DiscContact> discs = bounces.discs;
+  work.workers.for_ranges(discs.size(), [&](std::size_t begin, std::size_t end) {
+    prepare(discs.subspan(begin, end - begin), work.bodies, period, work.ahead);
+  });
+  prepare(bounces.points, work.bodies);
+}
+
+/// Lets all bounce that meets by the rule, and what that sets in motion, until nothing meets any more.
+void bounce(const Bounces& bounces, Workspace& work, const BounceRule& rule, int sweeps) {
+  Strikes& strikes = work.strikes;
+  strikes.start(work.bodies.size());
+  for (int sweep = 0; sweep < sweeps; ++sweep, strikes.next_sweep()) {
+    const bool discs = bounce(bounces.discs, work.bodies, rule, strikes);
+    const bool points = bounce(bounces.points, work.bodies, rule, strikes);
     if (!discs && !points) return;
   }
 }
 
-/// What bounces is looked at contact after contact. The discs' normals, each on its own.
-void prepare_bounce(Workspace& work, const Vec* period) {
-  const std::span<DiscContact> discs = work.contacts.disc_bounces;
-  work.workers.for_ranges(discs.size(), [&](std::size_t begin, std::size_t end) {
-    prepare(discs.subspan(begin, end - begin), work.bodies, period, work.ahead);
-  });
-  prepare(work.contacts.point_bounces, work.bodies);
+template <class Contact>
+void forget_strikes(std::vector<Contact>& contacts) {
+  for (Contact& contact : contacts) contact.struck = false;
+}
+
+void bounce(const Plan& plan, Workspace& work, const Vec& kick, const Vec* period) {
+  const Bounces bounces{work.contacts.disc_bounces, work.contacts.point_bounces};
+  if (bounces.empty()) return;
+  forget_strikes(bounces.discs), forget_strikes(bounces.points);
+  prepare(bounces, work, period);
+  const BounceRule rule{work.solver.h, kRestSpeed * kick.norm(), work.finder.hit_speed(), kick};
+  bounce(bounces, work, rule, most_sweeps(plan));
+}
+
+template <class Contact>
+void list_strikes(const std::vector<Contact>& contacts, std::vector<Contact>& strikes) {
+  strikes.clear();
+  std::ranges::copy_if(contacts, std::back_inserter(strikes), &Contact::struck);
+}
+
+/// What hit has arrived at the other's surface and is stopped there. Left to the contacts, the impulses of
+/// that would act again in the next substep, and throw up again what stands on who hit.
+void stop(Workspace& work, const Vec* period) {
+  if (!work.contacts.hit) return;
+  const Bounces strikes{work.contacts.disc_strikes, work.contacts.point_strikes};
+  list_strikes(work.contacts.disc_bounces, strikes.discs);
+  list_strikes(work.contacts.point_bounces, strikes.points);
+  if (strikes.empty()) return;
+  prepare(strikes, work, period);
+  bounce(strikes, work, {work.solver.h, kNever, work.finder.hit_speed(), Vec(0.0, 0.0)}, kHitSweeps);
 }
 
 void resist_rolling(Workspace& work) {
@@ -98,10 +145,7 @@ void relax(Workspace& work, bool periodic) {
 void substep(const Scene& scene, const Plan& plan, const State& state, Workspace& work, SubstepWay way) {
   const Vec kick = work.solver.h * scene.gravity;
   const Vec size = scene.domain.max - scene.domain.min, *period = plan.periodic ? &size : nullptr;
-  if (!work.contacts.disc_bounces.empty() || !work.contacts.point_bounces.empty()) {
-    prepare_bounce(work, period);
-    bounce(work, plan.gravity ? kick : Vec(0.0, 0.0), most_sweeps(plan));
-  }
+  bounce(plan, work, plan.gravity ? kick : Vec(0.0, 0.0), period);
   if (plan.gravity) by_parts(work, [&](Rows rows) { fall(work.bodies, rows, kick); });
   work.solver.backward = way.backward;
   if (plan.contacts()) start_and_push_apart(work, period);
@@ -109,6 +153,7 @@ void substep(const Scene& scene, const Plan& plan, const State& state, Workspace
     work.guard->move(state, work.bodies, work.sleepers.bodies(), work.solver.h);
   else
     by_parts(work, [&](Rows rows) { move(work.bodies, rows, work.solver.h); });
+  stop(work, period);
   work.solver.backward = !way.backward;
   if (plan.contacts()) relax(work, plan.periodic);
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "sim/contact/bounce.h"
 #include "sim/contact/candidates.h"
 #include "sim/contact/find_contacts.h"
 #include "sim/contact/flights.h"
@@ -43,6 +44,7 @@ struct Workspace {
   SoftContacts soft;
   ContactFinder finder;
   Contacts contacts;
+  Strikes strikes;                 ///< in a substep
   std::vector<SolverBody> bodies;  ///< a row per body, and one for all obstacles for each group of contacts
   std::vector<std::uint8_t> pressed;  ///< of each body, in the last step; where much stands high
   double mean_radius;                 ///< m, of what may touch

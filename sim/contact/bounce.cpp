@@ -72,13 +72,14 @@ void resist_rolling(SolverBody& a, SolverBody& b, double limit) {
 /// However short a bounce is, the impulses of friction and of rolling resistance stay within what the normal
 /// one allows: both laws hold at each instant of it.
 template <class Contact>
-void strike_at(const Contact& contact, SolverBody& a, SolverBody& b, double impulse) {
+void strike_at(Contact& contact, SolverBody& a, SolverBody& b, double impulse) {
+  contact.struck = true;
   strike(arms(contact), a, b, impulse, contact.friction, contact.tangent_mass);
   if (contact.lever > 0.0) resist_rolling(a, b, contact.lever * impulse);
 }
 
 template <class Contact>
-bool bounce_one(const Contact& contact, std::span<SolverBody> bodies, const BounceRule& rule) {
+bool bounce_one(Contact& contact, std::span<SolverBody> bodies, const BounceRule& rule) {
   SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
   const double added = rebound(contact, a, b, rule);
   if (!(added > 0.0)) return false;
@@ -88,8 +89,7 @@ bool bounce_one(const Contact& contact, std::span<SolverBody> bodies, const Boun
 
 /// Two points at which two bodies meet at once, on one line: one after the other would set a box that lands
 /// flat spinning. False where the two are as good as one point, or one of them doesn't press.
-bool bounce_both(const PointContact& i, const PointContact& j, std::span<SolverBody> bodies,
-                 const BounceRule& rule) {
+bool bounce_both(PointContact& i, PointContact& j, std::span<SolverBody> bodies, const BounceRule& rule) {
   SolverBody &a = bodies[i.a], &b = bodies[i.b];
   const double added_i = rebound(i, a, b, rule), added_j = rebound(j, a, b, rule);
   const double ii = coupling(i, i, a, b), jj = coupling(j, j, a, b), ij = coupling(i, j, a, b);
@@ -120,8 +120,7 @@ std::pair<std::size_t, std::size_t> outermost(std::span<const PointContact> cont
 }
 
 /// The contacts of two bodies, in one part of each or several.
-bool bounce_pair(std::span<const PointContact> contacts, std::span<SolverBody> bodies,
-                 const BounceRule& rule) {
+bool bounce_pair(std::span<PointContact> contacts, std::span<SolverBody> bodies, const BounceRule& rule) {
   bool bounced = false;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     if (!(rebound(contacts[i], bodies[contacts[i].a], bodies[contacts[i].b], rule) > 0.0)) continue;
@@ -133,21 +132,35 @@ bool bounce_pair(std::span<const PointContact> contacts, std::span<SolverBody> b
   return bounced;
 }
 
+/// What doesn't move isn't struck.
+void note(Strikes& strikes, std::uint32_t a, std::uint32_t b, std::span<const SolverBody> bodies) {
+  if (bodies[a].inverse_mass > 0.0) strikes.strike(a);
+  if (bodies[b].inverse_mass > 0.0) strikes.strike(b);
+}
+
 }  // namespace
 
-bool bounce(std::span<DiscContact> contacts, std::span<SolverBody> bodies, const BounceRule& rule) {
+bool bounce(std::span<DiscContact> contacts, std::span<SolverBody> bodies, const BounceRule& rule,
+            Strikes& strikes) {
   bool bounced = false;
-  for (const DiscContact& contact : contacts) bounced |= bounce_one(contact, bodies, rule);
+  for (DiscContact& contact : contacts) {
+    if (!strikes.may_meet(contact.a, contact.b) || !bounce_one(contact, bodies, rule)) continue;
+    note(strikes, contact.a, contact.b, bodies);
+    bounced = true;
+  }
   return bounced;
 }
 
-bool bounce(std::span<PointContact> contacts, std::span<SolverBody> bodies, const BounceRule& rule) {
+bool bounce(std::span<PointContact> contacts, std::span<SolverBody> bodies, const BounceRule& rule,
+            Strikes& strikes) {
   bool bounced = false;
   while (!contacts.empty()) {
-    const auto others = [&](const PointContact& c) { return c.a != contacts[0].a || c.b != contacts[0].b; };
+    const std::uint32_t a = contacts[0].a, b = contacts[0].b;
+    const auto others = [&](const PointContact& contact) { return contact.a != a || contact.b != b; };
     const std::size_t size =
         static_cast<std::size_t>(std::ranges::find_if(contacts, others) - contacts.begin());
-    bounced |= bounce_pair(contacts.first(size), bodies, rule);
+    if (strikes.may_meet(a, b) && bounce_pair(contacts.first(size), bodies, rule))
+      note(strikes, a, b, bodies), bounced = true;
     contacts = contacts.subspan(size);
   }
   return bounced;

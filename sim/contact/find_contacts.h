@@ -17,6 +17,7 @@
 #include "sim/contact/parts.h"
 #include "sim/contact/seat_book.h"
 #include "sim/contact/touch.h"
+#include "sim/islands.h"
 #include "sim/rows.h"
 #include "sim/workers.h"
 
@@ -57,6 +58,22 @@ class ContactFinder {
     std::uint32_t group, lane;
   };
 
+  /// Two bodies at a contact of discs, or a touch.
+  struct Meeting {
+    std::uint32_t a, b;
+    std::size_t contact;  // which of the discs' contacts, or of the touches
+    bool discs;
+    bool hits;
+    std::uint32_t weight;
+  };
+
+  /// Bodies that hang together by meetings. One sweep stops a weight below 2: who hits somebody at a point,
+  /// or a disc, and touches nobody.
+  struct Cluster {
+    std::uint32_t weight = 0;
+    bool hit = false;
+  };
+
   // find_contacts.cpp
   Touch touch(broadphase::Pair pair, bool obstacle, const Vec& shift) const;
   void sort_out(const Candidates& candidates, Contacts& contacts);
@@ -72,8 +89,10 @@ class ContactFinder {
 
   // find_hits.cpp
   Nearness nearness(const StepStart& start, std::uint64_t disc_key) const;
-  bool find_who_hits(const StepStart& start, std::span<const std::uint64_t> disc_keys);
-  void count_touches(std::span<const std::uint64_t> disc_keys);
+  std::uint32_t weight(std::size_t touch) const;
+  bool find_meetings(const StepStart& start, std::span<const std::uint64_t> disc_keys);
+  void find_clusters(std::span<const SolverBody> bodies);
+  Cluster& cluster_of(const Meeting& meeting, std::span<const SolverBody> bodies);
   void list_hits(const StepStart& start, Contacts& contacts);
   void list_disc(const StepStart& start, std::size_t contact, Contacts& contacts) const;
   void list_touch(const StepStart& start, std::size_t touch, Contacts& contacts);
@@ -133,8 +152,9 @@ class ContactFinder {
   std::vector<HeldFaces::Move> moves_;              // likewise, of those that are held
   std::vector<std::uint32_t> first_point_;          // of each touch: how many come before
   std::vector<std::uint8_t> hits_;                  // of each touch
-  std::vector<Nearness> nearness_;                  // of each pair of discs, where somebody may hit
-  std::vector<std::uint32_t> struck_;               // of each body: see count_touches(); 0 of who hits nobody
+  std::vector<Meeting> meetings_;                   // where somebody may hit
+  Islands islands_;                                 // by them
+  std::vector<Cluster> clusters_;                   // likewise, of each body that is the first of one
 };
 
 }  // namespace throng

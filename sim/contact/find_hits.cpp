@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What hits where nothing bounces. One sweep would leave some of the speed to two points at which a body
 // lands, or to who is behind the one that is hit, and impulses to be let go again: so it is stopped before
-// the sweeps, as what bounces is, together with all that touches the two. A body that hits at a single point,
-// and touches nothing else, is stopped by one sweep, however fast.
+// the sweeps, as what bounces is, together with all who hang together with the two by contacts. A body that
+// hits at a single point, and touches nothing else, is stopped by one sweep, however fast.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -21,67 +21,74 @@ double lever(std::span<const RollContact> rolls, std::size_t contact) {
 
 }  // namespace
 
-/// Whether two discs about their bodies' centres hit each other in this step, or are near each other at
-/// least.
+/// Of two discs about their bodies' centres.
 ContactFinder::Nearness ContactFinder::nearness(const StepStart& start, std::uint64_t disc_key) const {
   const broadphase::Pair pair = pair_of(disc_key);
   const SolverBody &a = start.bodies[colliders_.body[pair.a]], &b = start.bodies[colliders_.body[pair.b]];
   const Vec way = b.position + start.candidates.shift(pair) - a.position;
-  const double distance = way.norm(), speed = -way.dot(b.velocity - a.velocity) / distance;
-  const double gap = distance - colliders_.radius[pair.a] - colliders_.radius[pair.b];
-  if (speed > hit_speed_ && speed * scene_.time.dt > gap) return Nearness::hits;
-  return gap < least_way() ? Nearness::near : Nearness::apart;
+  const double distance = way.norm(), gap = distance - colliders_.radius[pair.a] - colliders_.radius[pair.b];
+  const double from_a = way.dot(a.velocity) / distance, from_b = -way.dot(b.velocity) / distance;
+  const double speed = from_a + from_b, dt = scene_.time.dt;
+  if (speed > hit_speed_ && speed * dt > gap) return Nearness::hits;
+  return gap < std::max(least_way(), std::max(from_a, from_b) * dt) ? Nearness::near : Nearness::apart;
 }
 
-/// Marks who hits somebody in this step. False where nobody does.
-bool ContactFinder::find_who_hits(const StepStart& start, std::span<const std::uint64_t> disc_keys) {
-  const bool fast = 2.0 * start.candidates.chain() > hit_speed_ * scene_.time.dt;
-  if (!fast && std::ranges::find(hits_, 1) == hits_.end()) return false;
-  struck_.assign(start.bodies.size(), 0), nearness_.resize(disc_keys.size());
-  bool any = false;
-  const auto mark = [&](std::uint32_t row) {
-    if (start.bodies[row].inverse_mass > 0.0) struck_[row] = 1, any = true;
-  };
-  for (std::size_t i = 0; i < hits_.size(); ++i)
-    if (hits_[i] != 0) mark(touches_[i].a), mark(touches_[i].b);
+/// Of a touch, see Cluster: of a single point at which somebody hits, or which is still far, nothing.
+std::uint32_t ContactFinder::weight(std::size_t touch) const {
+  if (points_[touch] == 2) return 2;
+  const bool near = is_known(touches_[touch]) || manifolds_[touch].points[0].separation < least_way();
+  return hits_[touch] == 0 && near ? 2 : 0;
+}
+
+/// Lists who touch, or come to if one of them is stopped. False where nobody hits anybody.
+bool ContactFinder::find_meetings(const StepStart& start, std::span<const std::uint64_t> disc_keys) {
+  meetings_.clear();
+  bool any = std::ranges::find(hits_, 1) != hits_.end();
+  if (!any && 2.0 * start.candidates.chain() <= hit_speed_ * scene_.time.dt) return false;
   for (std::size_t i = 0; i < disc_keys.size(); ++i) {
-    nearness_[i] = nearness(start, disc_keys[i]);
-    if (nearness_[i] != Nearness::hits) continue;
+    const Nearness nearness = this->nearness(start, disc_keys[i]);
+    if (nearness == Nearness::apart) continue;
     const broadphase::Pair pair = pair_of(disc_keys[i]);
-    mark(colliders_.body[pair.a]), mark(colliders_.body[pair.b]);
+    const bool hits = nearness == Nearness::hits;
+    meetings_.push_back({colliders_.body[pair.a], colliders_.body[pair.b], i, true, hits, hits ? 1u : 2u});
+    any |= hits;
   }
+  for (std::size_t i = 0; i < touches_.size(); ++i)
+    if (points_[i] > 0)
+      meetings_.push_back({touches_[i].a, touches_[i].b, i, false, hits_[i] != 0, weight(i)});
   return any;
 }
 
-/// Of who hits, beginning with 1: more than 2 where he hits two discs, meets a face or rests on something.
-void ContactFinder::count_touches(std::span<const std::uint64_t> disc_keys) {
-  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t more) {
-    if (struck_[a] > 0) struck_[a] += more;
-    if (struck_[b] > 0) struck_[b] += more;
-  };
-  for (std::size_t i = 0; i < disc_keys.size(); ++i) {
-    const broadphase::Pair pair = pair_of(disc_keys[i]);
-    if (nearness_[i] != Nearness::apart)
-      add(colliders_.body[pair.a], colliders_.body[pair.b], nearness_[i] == Nearness::hits ? 1 : 2);
+/// Of who hang together by meetings.
+void ContactFinder::find_clusters(std::span<const SolverBody> bodies) {
+  islands_.start(Rows::all(bodies.size()), bodies.size()), clusters_.assign(bodies.size(), {});
+  for (const Meeting& meeting : meetings_)
+    if (bodies[meeting.a].inverse_mass > 0.0 && bodies[meeting.b].inverse_mass > 0.0)
+      islands_.join(meeting.a, meeting.b);
+  for (const Meeting& meeting : meetings_) {
+    Cluster& cluster = cluster_of(meeting, bodies);
+    cluster.weight += meeting.weight, cluster.hit |= meeting.hits;
   }
-  for (std::size_t i = 0; i < touches_.size(); ++i) {
-    const bool rests = points_[i] == 1 && hits_[i] == 0 &&
-                       (is_known(touches_[i]) || manifolds_[i].points[0].separation < least_way());
-    if (points_[i] == 2 || rests) add(touches_[i].a, touches_[i].b, 2);
-  }
+}
+
+ContactFinder::Cluster& ContactFinder::cluster_of(const Meeting& meeting,
+                                                  std::span<const SolverBody> bodies) {
+  return clusters_[islands_.first(bodies[meeting.a].inverse_mass > 0.0 ? meeting.a : meeting.b)];
 }
 
 /// Where a surface bounces, all contacts are listed anyway: these are told of hits.
 void ContactFinder::list_hits(const StepStart& start, Contacts& contacts) {
-  if (!find_who_hits(start, contacts.disc_key)) return;
-  count_touches(contacts.disc_key);
-  const auto are_hit = [&](std::uint32_t a, std::uint32_t b) { return struck_[a] > 2 || struck_[b] > 2; };
-  for (std::size_t i = 0; i < contacts.disc_key.size(); ++i) {
-    const broadphase::Pair pair = pair_of(contacts.disc_key[i]);
-    if (are_hit(colliders_.body[pair.a], colliders_.body[pair.b])) list_disc(start, i, contacts);
+  if (!find_meetings(start, contacts.disc_key)) return;
+  find_clusters(start.bodies);
+  for (const Meeting& meeting : meetings_) {
+    const Cluster& cluster = cluster_of(meeting, start.bodies);
+    if (!cluster.hit || cluster.weight < 2) continue;
+    contacts.hit = true;
+    if (meeting.discs)
+      list_disc(start, meeting.contact, contacts);
+    else
+      list_touch(start, meeting.contact, contacts);
   }
-  for (std::size_t i = 0; i < touches_.size(); ++i)
-    if (points_[i] > 0 && are_hit(touches_[i].a, touches_[i].b)) list_touch(start, i, contacts);
 }
 
 void ContactFinder::list_disc(const StepStart& start, std::size_t contact, Contacts& contacts) const {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/sim/trial.h"
@@ -170,6 +171,43 @@ TEST(FindContacts, WhatDoesntBounceIsStoppedAlikeWhereOthersBounceAndWhereNone) 
     for (const double share : {0.3, 0.9, 1.5, 4.0}) {
       const std::string here = meeting(shape, share, far_away("stone", shape, 300.0));
       expect_the_same_of_two(without_bounces(here), here);
+    }
+}
+
+/// So many on one another, which fall 2.3 m.
+std::string falling_stack(const std::string& shape, int n, double gap) {
+  std::string text =
+      "gravity = [0, -9.81]\ntime = { dt = 0.016666666666666666, substeps = 4 }\n"
+      "[materials.default]\nfriction = 0.5\n"
+      "[shapes]\nball = { disc = { radius = 0.5 } }\n"
+      "box = { polygon = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]] }\n"
+      "[[walls]]\nsegment = [[-50, 0], [50, 0]]\n";
+  for (int i = 0; i < n; ++i)
+    text +=
+        "[[bodies]]\nshape = \"" + shape + "\"\nat = [0, " + std::to_string(2.8 + i * (1.0 + gap)) + "]\n";
+  return text;
+}
+
+/// m/s, the fastest that one of them goes up.
+double throws_up(const std::string& text) {
+  Trial run(text);
+  double fastest = 0.0;
+  for (int step = 0; step < 120; ++step) {
+    run.steps(1);
+    for (const Vec& velocity : run.state.velocity) fastest = std::max(fastest, velocity.y());
+  }
+  EXPECT_LT(run.state.position[0].y(), 0.51) << "it didn't land";
+  return fastest;
+}
+
+/// They land at 6.7 m/s. More would take more sweeps.
+TEST(FindContacts, StacksThatDontBounceStayDown) {
+  for (const std::string shape : {"ball", "box"})
+    for (const double gap : {0.0, 0.05}) {
+      EXPECT_LT(throws_up(falling_stack(shape, 1, gap)), 1e-4) << shape << " " << gap;
+      EXPECT_LT(throws_up(falling_stack(shape, 2, gap)), 0.08) << shape << " " << gap;
+      EXPECT_LT(throws_up(falling_stack(shape, 3, gap)), 0.15) << shape << " " << gap;
+      EXPECT_LT(throws_up(falling_stack(shape, 5, gap)), 0.45) << shape << " " << gap;
     }
 }
 
