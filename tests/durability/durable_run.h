@@ -11,17 +11,12 @@
 
 #include "sim/recording/checkpoint.h"
 #include "sim/recording/recording.h"
+#include "tests/full_length.h"
 #include "tests/tools/heap.h"
 #include "tests/tools/program.h"
 
 /// A run of the program whose recording is to survive what these tests do to it.
 namespace throng {
-
-/// Tests at full length: THRONG_FULL=1.
-inline bool full_length() {
-  const char* full = std::getenv("THRONG_FULL");
-  return full && std::string(full) == "1";
-}
 
 /// Sanitizers take memory of their own.
 #ifdef THRONG_SANITIZED

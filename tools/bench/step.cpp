@@ -161,30 +161,31 @@ std::vector<Row> run(const StepCase& one, const Options& options) {
   box2d_scene.engine = Engine::box2d, box2d_scene.time.substeps = kBox2dSubsteps;
   sleeping_scene.sleep = one.sleep;
   coarse_scene.time.substeps = one.substeps;
+  const int calm = options.quick ? one.calm / 10 : one.calm;
   std::vector<Racer> racers;
-  const auto add = [&](const char* engine, Simulation* simulation, int calm) {
+  const auto add = [&](const char* engine, Simulation* simulation, int untimed) {
     if (simulation)
       racers.push_back({engine, [simulation] { simulation->step(); },
                         [simulation] { return simulation->state(); }, Errors(scene, simulation->state()),
-                        calm});
+                        untimed});
   };
   const auto native = simulation(scene);
-  add("native", native.get(), kLearns * one.calm);
+  add("native", native.get(), kLearns * calm);
   const auto sleeping = one.sleep ? simulation(sleeping_scene) : nullptr;
-  add("native, sleeps", sleeping.get(), kLearns * one.calm);
+  add("native, sleeps", sleeping.get(), kLearns * calm);
   const std::string coarse_name = "native, " + std::to_string(one.substeps);
   const auto coarse = one.substeps > 0 ? simulation(coarse_scene) : nullptr;
-  add(coarse_name.c_str(), coarse.get(), kLearns * one.calm);
+  add(coarse_name.c_str(), coarse.get(), kLearns * calm);
   std::optional<MinimalDiscs> minimal;
   if (one.minimal) {
     minimal.emplace(scene);
     racers.push_back({"minimal", [&] { minimal->step(); }, [&] { return minimal->state(); },
-                      Errors(scene, minimal->state()), one.calm});
+                      Errors(scene, minimal->state()), calm});
   }
   const auto box2d = one.peers ? simulation(box2d_scene) : nullptr;
-  add("box2d", box2d.get(), one.calm);
+  add("box2d", box2d.get(), calm);
   const auto chipmunk = one.peers ? chipmunk_simulation(scene) : nullptr;
-  add("chipmunk", chipmunk.get(), one.calm);
+  add("chipmunk", chipmunk.get(), calm);
   return race_all(one, options, racers);
 }
 

@@ -4,13 +4,12 @@
 // where it is least, and from motions that are made to pass or to meet by a known margin.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 #include "narrowphase/exhaustive.h"
 #include "narrowphase/motion/check_motion.h"
 #include "narrowphase/motion/first_contact.h"
 #include "narrowphase/nearest_parts.h"
 #include "random_trials.h"
+#include "tests/full_length.h"
 
 namespace throng::narrowphase::soundness {
 namespace {
@@ -131,8 +130,7 @@ struct Kind {
 class Soundness : public ::testing::TestWithParam<Kind> {};
 
 TEST_P(Soundness, NoHitIsMissedAndNothingIsCalledFreeThatIsNot) {
-  const char* full = std::getenv("THRONG_FULL");
-  const int trials = full != nullptr && full[0] == '1' ? 1000000 : GetParam().trials;
+  const int trials = full_length() ? 1000000 : GetParam().trials;
   constexpr std::uint64_t kSeed = 20261121;
   Random random(kSeed);
   Tally tally;
