@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sim/substep.h"
 
-#include <algorithm>
-#include <iterator>
 #include <limits>
 #include <span>
-#include <vector>
 
 #include "sim/contact/bounce.h"
 #include "sim/contact/fast.h"
@@ -17,6 +14,8 @@ namespace {
 /// Of bounces in a substep: what still meets then is left to the contacts. Of impacts that keep some energy
 /// each takes some, sooner than it would be, as dense clusters do anyway.
 constexpr int kElasticSweeps = 64, kHitSweeps = 16, kBounceSweeps = 8;
+
+constexpr double kAtOnce = 1e-6;  // of a substep: who meets so soon has arrived
 
 int most_sweeps(const Plan& plan) {
   return plan.elastic ? kElasticSweeps : plan.restitution ? kBounceSweeps : kHitSweeps;
@@ -35,66 +34,43 @@ void move(std::span<SolverBody> bodies, Rows awake, double h) {
   });
 }
 
-constexpr double kNever = std::numeric_limits<double>::infinity();  // m/s, who bounces comes nearer faster
-
-/// Contacts that are looked at one after the other.
-struct Bounces {
-  std::vector<DiscContact>& discs;
-  std::vector<PointContact>& points;
-
-  bool empty() const { return discs.empty() && points.empty(); }
-};
-
 /// The discs' normals, each on its own.
-void prepare(const Bounces& bounces, Workspace& work, const Vec* period) {
-  const std::span<DiscContact> discs = bounces.discs;
+void prepare_bounce(Workspace& work, const Vec* period) {
+  const std::span<DiscContact> discs = work.contacts.disc_bounces;
   work.workers.for_ranges(discs.size(), [&](std::size_t begin, std::size_t end) {
     prepare(discs.subspan(begin, end - begin), work.bodies, period, work.ahead);
   });
-  prepare(bounces.points, work.bodies);
+  prepare(work.contacts.point_bounces, work.bodies);
 }
 
-/// Lets all bounce that meets by the rule, and what that sets in motion, until nothing meets any more.
-void bounce(const Bounces& bounces, Workspace& work, const BounceRule& rule, int sweeps) {
-  Strikes& strikes = work.strikes;
-  strikes.start(work.bodies.size());
-  for (int sweep = 0; sweep < sweeps; ++sweep, strikes.next_sweep()) {
-    const bool discs = bounce(bounces.discs, work.bodies, rule, strikes);
-    const bool points = bounce(bounces.points, work.bodies, rule, strikes);
+/// Contact after contact: lets all bounce that meets by the rule, and what that sets in motion, until nothing
+/// meets any more.
+void bounce(Workspace& work, const BounceRule& rule, int sweeps) {
+  for (int sweep = 0; sweep < sweeps; ++sweep, work.strikes.next_sweep()) {
+    const bool discs = bounce(work.contacts.disc_bounces, work.bodies, rule, work.strikes);
+    const bool points = bounce(work.contacts.point_bounces, work.bodies, rule, work.strikes);
     if (!discs && !points) return;
   }
 }
 
-template <class Contact>
-void forget_strikes(std::vector<Contact>& contacts) {
-  for (Contact& contact : contacts) contact.struck = false;
-}
-
 void bounce(const Plan& plan, Workspace& work, const Vec& kick, const Vec* period) {
-  const Bounces bounces{work.contacts.disc_bounces, work.contacts.point_bounces};
-  if (bounces.empty()) return;
-  forget_strikes(bounces.discs), forget_strikes(bounces.points);
-  prepare(bounces, work, period);
-  const BounceRule rule{work.solver.h, kRestSpeed * kick.norm(), work.finder.hit_speed(), kick};
-  bounce(bounces, work, rule, most_sweeps(plan));
+  if (work.contacts.disc_bounces.empty() && work.contacts.point_bounces.empty()) return;
+  prepare_bounce(work, period);
+  const double h = work.solver.h;
+  work.strikes.start(work.bodies.size());
+  bounce(work, {h, h, kRestSpeed * kick.norm(), work.finder.hit_speed(), kick}, most_sweeps(plan));
 }
 
-template <class Contact>
-void list_strikes(const std::vector<Contact>& contacts, std::vector<Contact>& strikes) {
-  strikes.clear();
-  std::ranges::copy_if(contacts, std::back_inserter(strikes), &Contact::struck);
-}
-
-/// What hit has arrived at the other's surface and is stopped there. Left to the contacts, the impulses of
-/// that would act again in the next substep, and throw up again what stands on who hit.
+/// What hit has arrived at the other's surface and is stopped there, and who stands on it with it. Left to
+/// the contacts, the impulses of that would act again in the next substep, and throw up who stands there.
+/// What bounces doesn't here.
 void stop(Workspace& work, const Vec* period) {
   if (!work.contacts.hit) return;
-  const Bounces strikes{work.contacts.disc_strikes, work.contacts.point_strikes};
-  list_strikes(work.contacts.disc_bounces, strikes.discs);
-  list_strikes(work.contacts.point_bounces, strikes.points);
-  if (strikes.empty()) return;
-  prepare(strikes, work, period);
-  bounce(strikes, work, {work.solver.h, kNever, work.finder.hit_speed(), Vec(0.0, 0.0)}, kHitSweeps);
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  const double h = work.solver.h;
+  prepare_bounce(work, period);
+  work.strikes.go_on();
+  bounce(work, {h, kAtOnce * h, kNever, work.finder.hit_speed(), Vec(0.0, 0.0)}, kHitSweeps);
 }
 
 void resist_rolling(Workspace& work) {

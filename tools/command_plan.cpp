@@ -106,8 +106,9 @@ std::string substeps_text(const Scene& scene) {
 void print_ways(const Scene& scene) {
   const WaysSize size = ways(scene);
   std::printf(
-      "\nways: %s on %s, %s\n", counted(static_cast<std::int64_t>(size.fields), "distance field").c_str(),
-      counted(static_cast<std::int64_t>(size.plans), "floor plan").c_str(), size_text(size.bytes).c_str());
+      "\nways: %s on %s, %s%s\n", counted(static_cast<std::int64_t>(size.fields), "distance field").c_str(),
+      counted(static_cast<std::int64_t>(size.plans), "floor plan").c_str(), size_text(size.bytes).c_str(),
+      size.bytes > kMostWaysBytes ? ": too much, a run is refused" : "");
 }
 
 void print_plan(const Scene& scene, const Plan& plan) {

@@ -46,7 +46,7 @@ double parting_speed(double restitution, double speed, double s, double fall, do
   return after > 0.0 ? std::sqrt(after) - 0.5 * fall : 0.0;
 }
 
-/// The velocity that a bounce adds along the normal (m/s); 0 where the two don't meet in this substep. What
+/// The velocity that a bounce adds along the normal (m/s); 0 where the two don't meet so soon. What
 /// doesn't bounce but hits arrives at the other's surface.
 template <class Contact>
 double rebound(const Contact& contact, const SolverBody& a, const SolverBody& b, const BounceRule& rule) {
@@ -56,7 +56,7 @@ double rebound(const Contact& contact, const SolverBody& a, const SolverBody& b,
   if (!(speed < -(bounces ? rule.threshold : rule.hit_speed))) return 0.0;
   const double fall = relative_kick(contact, a, b, rule.kick);
   const double s = contact.separation;
-  if (!(s + rule.h * (speed + fall) < 0.0)) return 0.0;
+  if (!(s + rule.within * (speed + fall) < 0.0)) return 0.0;
   const double parts = bounces ? parting_speed(contact.restitution, speed, s, fall, rule.h) : 0.0;
   return (parts > 0.0 ? parts : -std::max(s, 0.0) / rule.h - fall) - speed;
 }
@@ -72,14 +72,13 @@ void resist_rolling(SolverBody& a, SolverBody& b, double limit) {
 /// However short a bounce is, the impulses of friction and of rolling resistance stay within what the normal
 /// one allows: both laws hold at each instant of it.
 template <class Contact>
-void strike_at(Contact& contact, SolverBody& a, SolverBody& b, double impulse) {
-  contact.struck = true;
+void strike_at(const Contact& contact, SolverBody& a, SolverBody& b, double impulse) {
   strike(arms(contact), a, b, impulse, contact.friction, contact.tangent_mass);
   if (contact.lever > 0.0) resist_rolling(a, b, contact.lever * impulse);
 }
 
 template <class Contact>
-bool bounce_one(Contact& contact, std::span<SolverBody> bodies, const BounceRule& rule) {
+bool bounce_one(const Contact& contact, std::span<SolverBody> bodies, const BounceRule& rule) {
   SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
   const double added = rebound(contact, a, b, rule);
   if (!(added > 0.0)) return false;
@@ -89,7 +88,8 @@ bool bounce_one(Contact& contact, std::span<SolverBody> bodies, const BounceRule
 
 /// Two points at which two bodies meet at once, on one line: one after the other would set a box that lands
 /// flat spinning. False where the two are as good as one point, or one of them doesn't press.
-bool bounce_both(PointContact& i, PointContact& j, std::span<SolverBody> bodies, const BounceRule& rule) {
+bool bounce_both(const PointContact& i, const PointContact& j, std::span<SolverBody> bodies,
+                 const BounceRule& rule) {
   SolverBody &a = bodies[i.a], &b = bodies[i.b];
   const double added_i = rebound(i, a, b, rule), added_j = rebound(j, a, b, rule);
   const double ii = coupling(i, i, a, b), jj = coupling(j, j, a, b), ij = coupling(i, j, a, b);
@@ -120,7 +120,8 @@ std::pair<std::size_t, std::size_t> outermost(std::span<const PointContact> cont
 }
 
 /// The contacts of two bodies, in one part of each or several.
-bool bounce_pair(std::span<PointContact> contacts, std::span<SolverBody> bodies, const BounceRule& rule) {
+bool bounce_pair(std::span<const PointContact> contacts, std::span<SolverBody> bodies,
+                 const BounceRule& rule) {
   bool bounced = false;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     if (!(rebound(contacts[i], bodies[contacts[i].a], bodies[contacts[i].b], rule) > 0.0)) continue;
@@ -143,7 +144,7 @@ void note(Strikes& strikes, std::uint32_t a, std::uint32_t b, std::span<const So
 bool bounce(std::span<DiscContact> contacts, std::span<SolverBody> bodies, const BounceRule& rule,
             Strikes& strikes) {
   bool bounced = false;
-  for (DiscContact& contact : contacts) {
+  for (const DiscContact& contact : contacts) {
     if (!strikes.may_meet(contact.a, contact.b) || !bounce_one(contact, bodies, rule)) continue;
     note(strikes, contact.a, contact.b, bodies);
     bounced = true;
@@ -159,8 +160,10 @@ bool bounce(std::span<PointContact> contacts, std::span<SolverBody> bodies, cons
     const auto others = [&](const PointContact& contact) { return contact.a != a || contact.b != b; };
     const std::size_t size =
         static_cast<std::size_t>(std::ranges::find_if(contacts, others) - contacts.begin());
-    if (strikes.may_meet(a, b) && bounce_pair(contacts.first(size), bodies, rule))
-      note(strikes, a, b, bodies), bounced = true;
+    if (strikes.may_meet(a, b) && bounce_pair(contacts.first(size), bodies, rule)) {
+      note(strikes, a, b, bodies);
+      bounced = true;
+    }
     contacts = contacts.subspan(size);
   }
   return bounced;

@@ -43,7 +43,6 @@ struct ContactBase {
   double preload = 0.0;     ///< N s, of the normal impulse, what it bears without giving way: see Learning
   double separation = 0.0;  ///< m, before bodies move in a substep
   bool hits = false;        ///< among bounces: is stopped though it doesn't bounce, see hit_speed()
-  bool struck = false;      ///< among bounces: they met there in this substep
 };
 
 /// Two discs, each about its body's centre: the arm is radius times normal, and both are exact in each

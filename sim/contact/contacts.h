@@ -24,8 +24,6 @@ struct Contacts {
   std::vector<RollContact> point_rolls;
   std::vector<DiscContact> disc_bounces;    ///< those of who hits; all where a surface bounces
   std::vector<PointContact> point_bounces;  ///< likewise
-  std::vector<DiscContact> disc_strikes;    ///< of those the ones at which somebody was struck in a substep
-  std::vector<PointContact> point_strikes;  ///< likewise
   bool hit = false;                         ///< somebody is to be stopped
 
   /// Forgets all; of so many rows of bodies the last ones, one a group, never move.

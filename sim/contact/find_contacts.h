@@ -67,11 +67,13 @@ class ContactFinder {
     std::uint32_t weight;
   };
 
-  /// Bodies that hang together by meetings. One sweep stops a weight below 2: who hits somebody at a point,
-  /// or a disc, and touches nobody.
+  /// Bodies that hang together by meetings. One sweep stops a single one that hits one point, or several as
+  /// good as one, and touches nobody.
   struct Cluster {
-    std::uint32_t weight = 0;
-    bool hit = false;
+    std::uint32_t meetings = 0, weight = 0;
+    bool hit = false, joined = false;  // there are two that move
+
+    bool is_stopped() const { return hit && (weight >= 2 || (joined && meetings >= 2)); }
   };
 
   // find_contacts.cpp
@@ -89,13 +91,16 @@ class ContactFinder {
 
   // find_hits.cpp
   Nearness nearness(const StepStart& start, std::uint64_t disc_key) const;
-  std::uint32_t weight(std::size_t touch) const;
+  void search_known(const StepStart& start, std::size_t touch, KeptImpulses& memory);
+  std::uint32_t weight(const StepStart& start, std::size_t touch, KeptImpulses& memory);
+  bool find_disc_meetings(const StepStart& start, std::span<const std::uint64_t> disc_keys);
+  static bool both_move(const Meeting& meeting, std::span<const SolverBody> bodies);
   bool find_meetings(const StepStart& start, std::span<const std::uint64_t> disc_keys);
   void find_clusters(std::span<const SolverBody> bodies);
   Cluster& cluster_of(const Meeting& meeting, std::span<const SolverBody> bodies);
   void list_hits(const StepStart& start, Contacts& contacts);
   void list_disc(const StepStart& start, std::size_t contact, Contacts& contacts) const;
-  void list_touch(const StepStart& start, std::size_t touch, Contacts& contacts);
+  void list_touch(const StepStart& start, std::size_t touch, KeptImpulses& memory, Contacts& contacts);
 
   // find_held.cpp
   bool is_known(const Touch& touch) const { return touch.held && held_.knows(touch.lane); }

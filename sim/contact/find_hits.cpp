@@ -5,9 +5,11 @@
 // hits at a single point, and touches nothing else, is stopped by one sweep, however fast.
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstddef>
 
 #include "sim/contact/find_contacts.h"
+#include "sim/contact/kept_impulses.h"
 
 namespace throng {
 
@@ -33,18 +35,26 @@ ContactFinder::Nearness ContactFinder::nearness(const StepStart& start, std::uin
   return gap < std::max(least_way(), std::max(from_a, from_b) * dt) ? Nearness::near : Nearness::apart;
 }
 
-/// Of a touch, see Cluster: of a single point at which somebody hits, or which is still far, nothing.
-std::uint32_t ContactFinder::weight(std::size_t touch) const {
-  if (points_[touch] == 2) return 2;
-  const bool near = is_known(touches_[touch]) || manifolds_[touch].points[0].separation < least_way();
-  return hits_[touch] == 0 && near ? 2 : 0;
+/// The manifold of a touch that is known without a search, as a search finds it: a run that goes on from a
+/// checkpoint knows none. `memory` of touches that ascend.
+void ContactFinder::search_known(const StepStart& start, std::size_t touch, KeptImpulses& memory) {
+  const Touch& one = touches_[touch];
+  if (!is_known(one)) return;
+  const TouchPoses poses = touch_poses(start, one);
+  manifolds_[touch] = touch_manifold(start.candidates, one, poses, memory.find(one.key()));
 }
 
-/// Lists who touch, or come to if one of them is stopped. False where nobody hits anybody.
-bool ContactFinder::find_meetings(const StepStart& start, std::span<const std::uint64_t> disc_keys) {
-  meetings_.clear();
-  bool any = std::ranges::find(hits_, 1) != hits_.end();
-  if (!any && 2.0 * start.candidates.chain() <= hit_speed_ * scene_.time.dt) return false;
+/// Of a touch, see Cluster: of a single point at which somebody hits, or which is still far, nothing.
+std::uint32_t ContactFinder::weight(const StepStart& start, std::size_t touch, KeptImpulses& memory) {
+  if (points_[touch] == 2) return 2;
+  if (hits_[touch] != 0) return 0;
+  search_known(start, touch, memory);
+  return manifolds_[touch].points[0].separation < least_way() ? 2 : 0;
+}
+
+/// Lists which discs touch, or come to if one of them is stopped. False where none of them hits another.
+bool ContactFinder::find_disc_meetings(const StepStart& start, std::span<const std::uint64_t> disc_keys) {
+  bool any = false;
   for (std::size_t i = 0; i < disc_keys.size(); ++i) {
     const Nearness nearness = this->nearness(start, disc_keys[i]);
     if (nearness == Nearness::apart) continue;
@@ -53,21 +63,35 @@ bool ContactFinder::find_meetings(const StepStart& start, std::span<const std::u
     meetings_.push_back({colliders_.body[pair.a], colliders_.body[pair.b], i, true, hits, hits ? 1u : 2u});
     any |= hits;
   }
+  return any;
+}
+
+/// Lists who meet. False where nobody hits anybody.
+bool ContactFinder::find_meetings(const StepStart& start, std::span<const std::uint64_t> disc_keys) {
+  meetings_.clear();
+  const bool touches_hit = std::ranges::find(hits_, 1) != hits_.end();
+  if (!touches_hit && 2.0 * start.candidates.chain() <= hit_speed_ * scene_.time.dt) return false;
+  if (!find_disc_meetings(start, disc_keys) && !touches_hit) return false;
+  KeptImpulses memory(start.state.point_contacts);
   for (std::size_t i = 0; i < touches_.size(); ++i)
     if (points_[i] > 0)
-      meetings_.push_back({touches_[i].a, touches_[i].b, i, false, hits_[i] != 0, weight(i)});
-  return any;
+      meetings_.push_back({touches_[i].a, touches_[i].b, i, false, hits_[i] != 0, weight(start, i, memory)});
+  return true;
+}
+
+bool ContactFinder::both_move(const Meeting& meeting, std::span<const SolverBody> bodies) {
+  return bodies[meeting.a].inverse_mass > 0.0 && bodies[meeting.b].inverse_mass > 0.0;
 }
 
 /// Of who hang together by meetings.
 void ContactFinder::find_clusters(std::span<const SolverBody> bodies) {
   islands_.start(Rows::all(bodies.size()), bodies.size()), clusters_.assign(bodies.size(), {});
   for (const Meeting& meeting : meetings_)
-    if (bodies[meeting.a].inverse_mass > 0.0 && bodies[meeting.b].inverse_mass > 0.0)
-      islands_.join(meeting.a, meeting.b);
+    if (both_move(meeting, bodies)) islands_.join(meeting.a, meeting.b);
   for (const Meeting& meeting : meetings_) {
     Cluster& cluster = cluster_of(meeting, bodies);
-    cluster.weight += meeting.weight, cluster.hit |= meeting.hits;
+    ++cluster.meetings, cluster.weight += meeting.weight;
+    cluster.hit |= meeting.hits, cluster.joined |= both_move(meeting, bodies);
   }
 }
 
@@ -80,14 +104,15 @@ ContactFinder::Cluster& ContactFinder::cluster_of(const Meeting& meeting,
 void ContactFinder::list_hits(const StepStart& start, Contacts& contacts) {
   if (!find_meetings(start, contacts.disc_key)) return;
   find_clusters(start.bodies);
+  KeptImpulses memory(start.state.point_contacts);
   for (const Meeting& meeting : meetings_) {
     const Cluster& cluster = cluster_of(meeting, start.bodies);
-    if (!cluster.hit || cluster.weight < 2) continue;
+    if (!cluster.is_stopped()) continue;
     contacts.hit = true;
     if (meeting.discs)
       list_disc(start, meeting.contact, contacts);
     else
-      list_touch(start, meeting.contact, contacts);
+      list_touch(start, meeting.contact, memory, contacts);
   }
 }
 
@@ -98,16 +123,16 @@ void ContactFinder::list_disc(const StepStart& start, std::size_t contact, Conta
   bounces.back().hits = true, bounces.back().lever = lever(contacts.disc_rolls, contact);
 }
 
-void ContactFinder::list_touch(const StepStart& start, std::size_t touch, Contacts& contacts) {
+void ContactFinder::list_touch(const StepStart& start, std::size_t touch, KeptImpulses& memory,
+                               Contacts& contacts) {
   std::vector<PointContact>& bounces = contacts.point_bounces;
   std::size_t row = first_point_[touch];
   if (plan_.restitution) {
     for (std::size_t end = row + points_[touch]; row < end; ++row) bounces[row].hits = true;
     return;
   }
-  if (is_known(touches_[touch]))
-    manifolds_[touch] =
-        touch_manifold(start.candidates, touches_[touch], touch_poses(start, touches_[touch]), nullptr);
+  search_known(start, touch, memory);
+  assert(manifolds_[touch].count == points_[touch]);
   std::array<PointContact, 2> points;
   for (const PointContact& point : face(start, touch, points)) {
     bounces.push_back(point);

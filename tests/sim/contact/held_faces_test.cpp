@@ -98,6 +98,17 @@ TEST_P(HeldFacesOnEachTarget, HaveTheBitsOfASearchBesideBodiesInParts) {
   EXPECT_GT(known, 5'000u);
 }
 
+// A box that lands on one that rests on another: whom it stops with it mustn't depend on what is held.
+TEST_P(HeldFacesOnEachTarget, HaveTheBitsOfASearchUnderWhoLandsOnThem) {
+  const std::size_t known = expect_bits_of_a_search(
+      scene_from(kHeldPolygons + std::string("[[walls]]\nsegment = [[-50, 0], [50, 0]]\n"
+                                             "[[bodies]]\nshape = \"box\"\nat = [0, 0.4]\n"
+                                             "[[bodies]]\nshape = \"box\"\nat = [0.02, 1.2]\n"
+                                             "[[bodies]]\nshape = \"box\"\nat = [0.3, 3.2]\n")),
+      200);
+  EXPECT_GT(known, 100u);
+}
+
 // An edge so short that the difference of its ends has few digits.
 TEST_P(HeldFacesOnEachTarget, HaveTheBitsOfASearchWhereEdgesAreTiny) {
   const std::string cut =
@@ -107,7 +118,7 @@ TEST_P(HeldFacesOnEachTarget, HaveTheBitsOfASearchWhereEdgesAreTiny) {
       scene_from(kHeldPolygons + cut + placed("cut", "[[0, 0], [6, 14]]") +
                  placed("cut", "[[0, 0], [6, 14]]") + placed("box", "[[0, 0], [6, 14]]") +
                  "[domain]\nbox = [[0, 0], [6, 14]]\n"),
-      900);
+      1800);
   EXPECT_GT(known, 500u);
 }
 

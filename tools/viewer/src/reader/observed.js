@@ -6,6 +6,7 @@ import { everyOf } from "./quantized.js";
 
 const MOST = 64;  // columns that are shown
 const OF_LINES = ["count", "flow", "speed"], OF_AREAS = ["count", "density", "density_voronoi", "speed"];
+const NEWER = "density_voronoi";  // older recordings have none
 
 /** A measure's name as part of a path, as the program writes it. @param {string} name */
 const part = name => name === "." ? "%2E" : name.replace(/%(?=[0-9A-Fa-f]{2})/g, "%25").replaceAll("/", "%2F");
@@ -20,7 +21,7 @@ function columnsOf(file) {
   if (!file.get("observables/agents")) return file.get("observables/contacts") ? ["contacts"] : [];
   const names = file.get("throng/measures") ? texts(file, "throng/measures/name", [-1]) : [];
   const has = (/** @type {string} */ path) => Boolean(file.get(`observables/${path}`));
-  const of = (/** @type {string} */ name) => (has(`measure/${part(name)}/density`) ? OF_AREAS : OF_LINES).map(column => `measure/${part(name)}/${column}`).filter(has);
+  const of = (/** @type {string} */ name) => (has(`measure/${part(name)}/density`) ? OF_AREAS : OF_LINES).map(column => `measure/${part(name)}/${column}`).filter(path => !path.endsWith(NEWER) || has(path));
   return ["arrived", ...names.flatMap(of)].slice(0, MOST);
 }
 
