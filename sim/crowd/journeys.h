@@ -9,6 +9,7 @@
 #include "sim/crowd/queues.h"
 #include "sim/crowd/sampler.h"
 #include "sim/crowd/standing.h"
+#include "sim/crowd/stuck.h"
 #include "sim/crowd/ways.h"
 #include "sim/state.h"
 #include "sim/workers.h"
@@ -81,11 +82,14 @@ class Journeys {
   bool has_reached(const State& state, Row row) const {
     return is_in(state, row) || ways_.meets_border(goal(state, row), from(state, row), position(state, row));
   }
-  /// Whether he is in what is open of his goal, or as good as that.
+  /// Whether he is in what is open of his goal, or as good as that. Where one alone can be at a time others
+  /// stand round him in an arch, and he doesn't get out: who has stood there for a while has been there, too.
   bool is_in(const State& state, Row row) const {
     const std::uint32_t its = goal(state, row);
     const Vec& p = position(state, row);
-    return ways_.is_in(its, p) || (ways_.has_strips(its) && ways_.is_at_strip(its, radius(state, row), p));
+    if (ways_.is_in(its, p)) return true;
+    return ways_.has_strips(its) &&
+           ways_.is_at_strip(its, radius(state, row), p, time_stood(scene_, state, row) >= kHesitation);
   }
   /// His to that goal.
   const DistanceField& way(const State& state, Row row, std::uint32_t goal) const {

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <limits>
 #include <vector>
 
 namespace throng {
@@ -13,6 +15,7 @@ namespace {
 
 constexpr double kFinest = 0.01;        // of a radius
 constexpr double kMostSquares = 65536;  // of the first
+constexpr int kLooks = 32;              // at a region's span, in a quarter of the directions
 
 struct Square {
   Vec middle;
@@ -54,6 +57,18 @@ bool has_room(const Region& area, const Region& walkable, const Barriers& barrie
       for (const double y : {-0.5, 0.5}) squares.push_back({Vec(middle + half * Vec(x, y)), 0.5 * half});
   }
   return false;
+}
+
+double span(const Region& region) {
+  double most = 0.0;
+  for (int look = -kLooks; look < kLooks; ++look) {
+    const Vec along = Vec(look, kLooks - std::abs(look)).normalized();
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const std::vector<Vec>& ring : region.rings)
+      for (const Vec& p : ring) low = std::min(low, p.dot(along)), high = std::max(high, p.dot(along));
+    most = std::max(most, high - low);
+  }
+  return most;
 }
 
 double largest_with_room(const Region& area, const Region& walkable, const Barriers& barriers,

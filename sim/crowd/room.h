@@ -12,6 +12,10 @@ namespace throng {
 /// a hundredth of the radius. O(border / radius) looks at edges and barriers.
 bool has_room(const Region& area, const Region& walkable, const Barriers& barriers, double radius);
 
+/// m, how far apart two points of the region are at most, to a thousandth. Expects a region that isn't empty.
+/// O(corners).
+double span(const Region& region);
+
 /// m, of the agents up to the `widest` (m) who have room there; to within a thousandth of the widest below.
 double largest_with_room(const Region& area, const Region& walkable, const Barriers& barriers, double widest);
 

@@ -91,14 +91,15 @@ std::vector<Ways::Strip> Ways::strips(std::uint32_t goal, const GoalPhase& phase
     const Area& area = scene_.crowd.areas[row];
     if (area.opens > phase.from || area.closes <= phase.from) continue;
     const double largest = largest_with_room(area.region, scene_.crowd.walkable, barriers_, widest);
-    if (largest < widest) strips.push_back({area.region, largest});
+    const double two = 0.5 * span(area.region);
+    if (std::min(largest, two) < widest) strips.push_back({area.region, largest, two});
   }
   return strips;
 }
 
-bool Ways::is_at_strip(std::uint32_t goal, double radius, const Vec& p) const {
+bool Ways::is_at_strip(std::uint32_t goal, double radius, const Vec& p, bool stood) const {
   return std::ranges::any_of(goals_[goal].now->strips, [&](const Strip& strip) {
-    if (radius <= strip.largest) return false;
+    if (radius <= strip.largest && !(stood && radius > strip.two)) return false;
     const Vec nearest = nearest_on_border(strip.region, p);
     return (nearest - p).squaredNorm() <= 4.0 * radius * radius && !barriers_.block(p, nearest);
   });

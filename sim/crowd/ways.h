@@ -79,8 +79,9 @@ class Ways {
   bool has_strips(std::uint32_t goal) const { return is_open(goal) && !goals_[goal].now->strips.empty(); }
 
   /// Whether one of that radius (m) at `p` is within his width of an area of the goal that has no room for
-  /// him, and no wall between them: forces of walls may let him get no nearer. O(edges).
-  bool is_at_strip(std::uint32_t goal, double radius, const Vec& p) const;
+  /// him, or, where he has `stood` there, for him alone, and no wall between them: forces of walls, or
+  /// others, may let him get no nearer. O(edges).
+  bool is_at_strip(std::uint32_t goal, double radius, const Vec& p, bool stood) const;
 
   /// Whether ways lead one of the group, of that radius, from there to all goals of its journey, at any time.
   bool lead_on(const AgentGroup& group, double radius, const Vec& place) const;
@@ -90,10 +91,11 @@ class Ways {
     double largest;  ///< m, radius of those who walk on it
     FloorPlan floor;
   };
-  /// An area that has no room for some who go there.
+  /// An area that has no room for some who go there, or for one of them alone.
   struct Strip {
     Region region;
     double largest;  ///< m, radius of those who have room in it; to within a thousandth of the largest one
+    double two;      ///< m, radius of those two of whom have room, middle by middle
   };
   struct Phase {
     std::int64_t from;  ///< step

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/sim/crowd/box.h"
 
 namespace throng {
@@ -32,6 +34,13 @@ TEST(Room, IsWhereItsMiddleHasARadiusToSpare) {
 TEST(Room, IsNoneOutsideTheFloor) {
   EXPECT_FALSE(has_room_for(0.2, box(102, 2, 106, 6)));
   EXPECT_FALSE(has_room_for(0.2, box(20, 20, 30, 30)));
+}
+
+TEST(Span, IsHowFarApartTwoPointsAreAtMost) {
+  EXPECT_NEAR(span(box(50, 5, 53, 9)), 5.0, 5e-3);
+  EXPECT_LE(span(box(50, 5, 53, 9)), 5.0 * (1 + 1e-12));
+  EXPECT_NEAR(span({{{{0, 0}, {0.3, 0.1}, {0, 0.2}}, {{-1, 7}, {-2, 7}, {-1, 8}}}}), std::hypot(1, 8), 8e-3);
+  EXPECT_EQ(span({{{{3, 3}}}}), 0.0);
 }
 
 }  // namespace
