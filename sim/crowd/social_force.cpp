@@ -16,6 +16,9 @@
 #define THRONG_SOCIAL_FORCE
 namespace throng {
 
+/// m/s: beyond the larger of this and so many times an agent's desired speed forces speed up nobody.
+constexpr double kFastestPushed = 5.0, kTimesDesired = 3.0;
+
 /// In the order of the parameters.
 struct Forces {
   double mass, reaction_time, strength, range, stiffness, friction, cutoff;
@@ -44,6 +47,14 @@ HWY_INLINE Vec touches(const Forces& model, const CrowdView& crowd, std::uint32_
   return force;
 }
 
+/// `to` (m/s), no faster than forces may make who had the velocity `from`.
+HWY_INLINE Vec pushed(const Vec& from, const Vec& to, double desired_speed) {
+  const double square = to.squaredNorm();
+  if (!(square > kFastestPushed * kFastestPushed)) return to;
+  const double most = std::max({kFastestPushed, kTimesDesired * desired_speed, from.norm()});
+  return square > most * most ? Vec(most / std::sqrt(square) * to) : to;
+}
+
 /// m/s, of one whom these near him push.
 HWY_INLINE Vec walk_by_forces(const Forces& model, const CrowdView& crowd, std::uint32_t place,
                               const Others& others, const Pushes& pushes, const Near& near) {
@@ -58,7 +69,7 @@ HWY_INLINE Vec walk_by_forces(const Forces& model, const CrowdView& crowd, std::
       const double distance = (p - q).norm();
       if (distance > 0.0) force += model.of_wall(radius - distance, (p - q) / distance, -v, 1.0 / crowd.dt);
     });
-  return v + crowd.dt / model.mass * force;
+  return pushed(v, v + crowd.dt / model.mass * force, crowd.desired_speed[place]);
 }
 
 void WalkByForces(const Forces& model, const CrowdView& crowd, std::span<const std::uint32_t> places,
@@ -109,6 +120,7 @@ static_assert(std::size(kCalibrated) == std::size(kParameters));
 static_assert(std::size(kBottleneck) == std::size(kParameters));
 
 constexpr double kTouching = 6.0;  // as many discs of one size may touch one
+constexpr double kPressing = 2.0;  // so many want the same way as one, who feels what all of them want
 
 class SocialForce : public WalkingModel {
  public:
@@ -127,6 +139,13 @@ class SocialForce : public WalkingModel {
   double core() const override { return 0.5; }
   double longest_step(double, double) const override {
     return std::min(model_.reaction_time, 2.0 / std::sqrt(kTouching * model_.stiffness / model_.mass));
+  }
+  /// In which friction at the depth to which kPressing agents press one ends all slip between two.
+  double converged_step(double desired_speed) const override {
+    const double pressed = kPressing * model_.mass * desired_speed / model_.reaction_time;  // N
+    const double rubs = model_.friction * pressed;
+    return rubs > 0.0 && model_.stiffness > 0.0 ? 0.5 * model_.mass * model_.stiffness / rubs
+                                                : WalkingModel::converged_step(desired_speed);
   }
 
  private:

@@ -212,5 +212,28 @@ TEST(CrowdBodies, AreResumedAndGiveTheSameBitsForAnyNumberOfThreads) {
   EXPECT_FALSE(fits(second.state, scene)) << "bodies stand first";
 }
 
+// It happened: who was crushed between a plate that moves and others left them at 286 m/s.
+TEST(CrowdBodies, WhoIsCrushedLeavesNoFasterThanPeopleRun) {
+  for (const char* preset : {"", "calibrated", "bottleneck"}) {
+    SCOPED_TRACE(preset);
+    const std::string chosen = *preset ? "social_force.preset = '" + std::string(preset) + "'\n" : "";
+    Trial run(
+        "time = { dt = 0.02, until = 12 }\nseed = 1\ndomain.box = [[0, 0], [12, 3]]\n"
+        "areas.start = [[2, 0], [7, 0], [7, 3], [2, 3]]\nareas.exit = [[0, 0], [1, 0], [1, 3], [0, 3]]\n"
+        "shapes.plate.polygon = [[0, 0], [0.2, 0], [0.2, 2.4], [0, 2.4]]\n" +
+        body("plate", "kinematic", "at = [0.5, 1.5]\nvelocity = [1, 0]\n") +
+        agents("count = 50\nplace.random.within = 'start'\n" + chosen, "social_force"));
+    double fastest = 0.0;
+    for (int i = 0; i < 600; ++i) {
+      run.steps(1);
+      for (std::size_t row = 1; row < run.state.id.size(); ++row)
+        fastest = std::max(fastest, run.state.velocity[row].norm());
+    }
+    EXPECT_GT(run.state.crowd.squeezed, 0);
+    EXPECT_GT(fastest, 3.0) << "they were crushed";
+    EXPECT_LE(fastest, 6.5) << "5 m/s, and the plate's own";
+  }
+}
+
 }  // namespace
 }  // namespace throng
