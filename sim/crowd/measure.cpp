@@ -88,8 +88,10 @@ void measure_area(const Measure& measure, std::span<const Stride> strides, std::
   is_in.set(measure.area);
   const Known known(on_lines);
   for (const Stride& stride : strides) {
-    const bool was_in = is_in(stride.from) || known.find(stride.id);
+    bool was_in = is_in(stride.from) || known.find(stride.id);
     if (!is_in(stride.to)) {
+      if (!was_in && is_in.meets_border(stride.from, stride.to))
+        count(step, measured.count, measured), was_in = true;
       if (was_in && is_beside(measure.area, stride)) on_lines.after.push_back({on_lines.line, stride.id, 0});
       continue;
     }

@@ -70,7 +70,8 @@ struct OnLines {
 
 /// Adds a step of all agents, which ends at `step`. Who crosses a line counts at once; how he sways on it
 /// then doesn't, but where he is on the wrong side of it, once he is farther off than his radius, he has
-/// crossed it again. So far off an area he has left it. `before` is used up. O(strides), little if far.
+/// crossed it again. So far off an area he has left it; who steps over one has entered it, too. `before` is
+/// used up. O(strides), little if far.
 void measure(const Measure& measure, std::span<const Stride> strides, std::int64_t step, Measured& measured,
              const OnLines& on_lines);
 

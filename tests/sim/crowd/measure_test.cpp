@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "tests/sim/crowd/box.h"
 #include "tests/sim/trial.h"
 
 namespace throng {
@@ -254,6 +255,26 @@ TEST(Measure, CountsWhoAppearsInItsArea) {
   Trial run(hall);
   run.steps(200);
   EXPECT_EQ(run.state.crowd.measured[0].count, 5);
+}
+
+// It happened: an area thinner than a step saw one in ten of those who went through it.
+TEST(Measure, CountsWhoStepsOverAThinArea) {
+  Measure thin;
+  thin.name = "thin", thin.area = box(2, 0, 2.01, 1), thin.size = 0.01;
+  Watch watch;
+  watch.step(thin, {}, 1);
+  const auto go = [&](const Vec& from, const Vec& to, std::int64_t step) {
+    watch.step(thin, std::array{Stride{from, to, 1.0, 7, 0.2}}, step);
+    return watch.measured.count;
+  };
+  EXPECT_EQ(go({1.8, 0.5}, {1.9, 0.5}, 2), 0);
+  EXPECT_EQ(go({1.9, 0.5}, {2.1, 0.5}, 3), 1);
+  EXPECT_EQ(go({2.1, 0.5}, {1.9, 0.5}, 4), 1) << "he sways";
+  EXPECT_EQ(go({1.9, 0.5}, {1.7, 0.5}, 5), 1);
+  EXPECT_EQ(go({1.7, 0.5}, {2.3, 0.5}, 6), 2) << "and comes again";
+  EXPECT_EQ(go({2.3, 0.5}, {2.3, 1.5}, 7), 2);
+  EXPECT_EQ(go({2.3, 1.5}, {1.7, 1.5}, 8), 2) << "past its end";
+  EXPECT_EQ(watch.measured.samples, 0) << "none of his steps ends in it: its density is a mean over steps";
 }
 
 }  // namespace
