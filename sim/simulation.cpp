@@ -73,7 +73,9 @@ class Native : public Simulation {
 
   std::vector<std::pair<std::string, double>> crowd_times(const StageTimes& times) const {
     std::vector<std::pair<std::string, double>> all{
-        {"look", times.look}, {"steer", times.steer}, {"walk", times.walk}, {"leave", times.leave}};
+        {"look", times.look}, {"steer", times.steer}, {"walk", times.walk}};
+    if (plan_.measures) all.push_back({"measure", times.measure});
+    all.push_back({"leave", times.leave});
     if (plan_.entrances) all.push_back({"appear", times.appear});
     return all;
   }

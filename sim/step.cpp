@@ -3,7 +3,7 @@
 // (and, as a run begins, what they bear) and solve in substeps, or be pushed by soft contacts in substeps.
 // All of it again where bodies got farther than pairs were looked for, or, under guard, where they may have
 // got into each other's hearts. Then store, fall asleep. Of agents: look, steer, walk (kinematic bodies among
-// them, which push them), leave, appear. Of both: sense.
+// them, which push them), measure, leave, appear. Of both: sense.
 #include "sim/step.h"
 
 #include <atomic>
@@ -94,6 +94,10 @@ void step_crowd(const Plan& plan, State& state, Workspace& work) {
   ++state.step;
   work.crowd.walk(state, work.workers);
   clock.lap(work.times.walk);
+  if (plan.measures) {
+    work.crowd.measure(state);
+    clock.lap(work.times.measure);
+  }
   work.crowd.leave(state, work.workers);
   clock.lap(work.times.leave);
   if (!plan.entrances) return;

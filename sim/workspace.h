@@ -24,7 +24,7 @@ namespace throng {
 /// How long the stages took so far, s.
 struct StageTimes {
   double find_pairs = 0.0, collide = 0.0, find_contacts = 0.0, solve = 0.0, store = 0.0;
-  double look = 0.0, steer = 0.0, walk = 0.0, leave = 0.0, appear = 0.0;  ///< of crowds
+  double look = 0.0, steer = 0.0, walk = 0.0, measure = 0.0, leave = 0.0, appear = 0.0;  ///< of crowds
   double sleep = 0.0, sense = 0.0;
   std::int64_t steps = 0;  ///< begun, but for those of crowds, which are all measured
 };

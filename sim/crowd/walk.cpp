@@ -255,10 +255,10 @@ void Walk::walk(State& state, Workers& workers) {
   movers_.move(state);
   for (std::size_t row = 0, end = all_go_on ? scene_.crowd.first : state.id.size(); row < end; ++row)
     check_body(state, row);
-  if (!measuring_.empty()) measure(state);
 }
 
 void Walk::measure(State& state) {
+  if (measuring_.empty()) return;
   const std::span<Stride> strides = measuring_.strides(present(state));
   for (std::size_t place = 0; place < strides.size(); ++place) {
     const std::size_t row = this->row(place);

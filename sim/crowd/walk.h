@@ -16,8 +16,8 @@
 #include "sim/state.h"
 #include "sim/workers.h"
 
-/// The step of a crowd: look, steer, walk, leave. Each reads what the one before it wrote; in none does an
-/// agent see what another one did in the same step, so that neither order nor threads matter.
+/// The step of a crowd: look, steer, walk, measure, leave. Each reads what the one before it wrote; in none
+/// does an agent see what another one did in the same step, so that neither order nor threads matter.
 namespace throng {
 
 /// What stops the scene's agents and stands still: its walls, static bodies and the domain's box.
@@ -36,9 +36,12 @@ class Walk {
   void steer(const State& state, Workers& workers);
 
   /// Walks for dt with these velocities, without getting into barriers, moves the kinematic bodies, which
-  /// push who is in their way, and counts whom a barrier was in the way of, who was squeezed between one and
-  /// a body, and what the scene measures. Barriers win over bodies, and bodies over agents.
+  /// push who is in their way, and counts whom a barrier was in the way of, and who was squeezed between one
+  /// and a body. Barriers win over bodies, and bodies over agents.
   void walk(State& state, Workers& workers);
+
+  /// Measures the steps that they have just walked, where the scene measures anything.
+  void measure(State& state);
 
   /// Moves the agents on in their journeys; who is at the end of his leaves the state.
   void leave(State& state, Workers& workers);
@@ -68,7 +71,6 @@ class Walk {
   void prefetch(const State& state, std::size_t place) const;
   void rank(const State& state, std::size_t place);
   void make_unit(std::size_t begin, std::size_t end);
-  void measure(State& state);
   bool is_due(const State& state, std::size_t group) const;
   bool bring_in(State& state, std::size_t group);
   struct Hindered {

@@ -230,5 +230,20 @@ TEST(Walk, PlanSaysThatThereIsACrowd) {
   }
 }
 
+TEST(WalkStages, ShowWhatMeasuringTakes) {
+  const std::string crowd =
+      "domain.box = [[0, 0], [9, 9]]\nareas.exit = [[8, 0], [9, 0], [9, 9], [8, 9]]\n"
+      "[[agents]]\nmodel = 'orca'\nat = [1, 1]\ngoal = 'exit'\n";
+  const auto names = [](const std::string& text) {
+    const Scene scene = scene_from(text);
+    std::vector<std::string> all;
+    for (const auto& [name, time] : simulation(scene)->stage_times()) all.push_back(name);
+    return all;
+  };
+  EXPECT_EQ(names(crowd), (std::vector<std::string>{"look", "steer", "walk", "leave"}));
+  EXPECT_EQ(names(crowd + "[[measure]]\nname = 'exit'\narea = 'exit'\n"),
+            (std::vector<std::string>{"look", "steer", "walk", "measure", "leave"}));
+}
+
 }  // namespace
 }  // namespace throng
