@@ -78,6 +78,7 @@ void read_scene(const toml::table& root, Scene& scene, Report& report) {
   if (report.errors() > 0) return;
   place_agents(agents, scene, report);
   check_queues(root, scene, report);
+  check_crowd(root, entries, agents, scene, report);
   read_recorded_bodies(root, scene, report);
   if (report.errors() > 0) return;
   check_quantum(root, scene, report);

@@ -49,7 +49,14 @@ void add_agent(const AgentEntry& entry, std::uint32_t group, std::uint32_t i, st
   }
 }
 
-/// Random sequential addition, in the order of the ids.
+/// Who stands where another does from the start, how often and how deep at the deepest.
+struct Overlapped {
+  int others = 0;
+  double depth = 0.0;  // m
+  Vec at{0.0, 0.0};    // m, the one
+};
+
+/// Those with a place of their own, then random sequential addition, each in the order of the ids.
 class AgentPlacer {
  public:
   AgentPlacer(Scene& scene, Report& report, double farthest)
@@ -99,16 +106,19 @@ class AgentPlacer {
 
   /// Who stands in another from the start may be what is wanted.
   void warn_of_overlap(const AgentEntry& entry, double radius) {
-    Vec other = entry.at;
-    const auto is_in = [&](std::uint32_t, const Vec& at, double its) {
-      other = at;
-      return (at - entry.at).norm() < (1.0 - kTouch) * (radius + its);
-    };
-    const bool overlaps = agents_.visit_near(entry.at, radius, is_in);
-    if (overlaps)
-      report_.warning(entry.node->as_table()->get("at")->source(), entry.path + ".at",
-                      "an agent of radius " + to_text(radius) + " m at " + to_text(entry.at) +
-                          " overlaps one that stands at " + to_text(other));
+    Overlapped overlapped;
+    agents_.visit_near(entry.at, radius, [&](std::uint32_t, const Vec& at, double its) {
+      const double depth = radius + its - (at - entry.at).norm();
+      if (depth <= kTouch * (radius + its)) return false;
+      ++overlapped.others;
+      if (depth > overlapped.depth) overlapped.depth = depth, overlapped.at = at;
+      return false;
+    });
+    if (overlapped.others == 0) return;
+    report_.warning(entry.node->as_table()->get("at")->source(), entry.path + ".at",
+                    "an agent of radius " + to_text(radius) + " m at " + to_text(entry.at) + " overlaps " +
+                        (overlapped.others > 1 ? std::to_string(overlapped.others) + ", " : "") + "by " +
+                        three_digits(overlapped.depth) + " m one that stands at " + to_text(overlapped.at));
   }
 
   void place_at_random(const AgentEntry& entry, std::uint32_t row) {
@@ -178,9 +188,12 @@ void place_agents(std::span<const AgentEntry> entries, Scene& scene, Report& rep
     check_step(entries[group], scene.crowd.groups[group], first[group], scene, report);
   }
   AgentPlacer placer(scene, report, farthest);
-  for (std::uint32_t group = 0; group < entries.size(); ++group)
-    for (std::uint32_t i = 0; i < entries[group].count && !report.bad(*entries[group].node); ++i)
-      placer.place(entries[group], first[group] + i);
+  for (const bool random : {false, true})
+    for (std::uint32_t group = 0; group < entries.size(); ++group)
+      for (std::uint32_t i = 0;
+           entries[group].random == random && i < entries[group].count && !report.bad(*entries[group].node);
+           ++i)
+        placer.place(entries[group], first[group] + i);
 }
 
 }  // namespace throng::scenarios

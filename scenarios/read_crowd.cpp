@@ -21,12 +21,11 @@ Region read_region(const toml::node& node, const Path& path, Report& report) {
     return Region();
   };
   const std::string wkt = node.is_string() ? node.as_string()->get() : polygon_wkt(points(node));
-  Wkt read = read_wkt(wkt);
+  Wkt read = read_wkt(wkt, WktKind::polygons);
   if (!read.refusal.empty()) return fail(read.refusal);
   if (const std::string fault = polygon_fault(wkt); !fault.empty()) return fail(fault);
   Region region;
   for (WktLine& line : read.lines) {
-    if (!line.closed) return fail("must be a POLYGON or a MULTIPOLYGON");
     if (const std::string fault = too_short(line.points, true); !fault.empty()) return fail(fault);
     line.points.erase(std::unique(line.points.begin(), line.points.end()), line.points.end());
     region.rings.push_back(std::move(line.points));

@@ -60,6 +60,12 @@ void add_bodies_to_floor(std::span<const Entry> entries, Scene& scene, Report& r
 /// Reports queues in which nobody could stand. Expects all walls in the scene.
 void check_queues(const toml::table& root, const Scene& scene, Report& report);
 
+/// Warns of what won't happen as the file says it: measures and agents after the end, agents who never set
+/// out, bodies that never move and yet are no walls, steps that are too coarse for a model to have
+/// converged. Expects all in the scene.
+void check_crowd(const toml::table& root, std::span<const Entry> bodies, std::span<const AgentEntry> agents,
+                 const Scene& scene, Report& report);
+
 /// Row of the area of this name; behind the last one where there is none.
 std::uint32_t area_row(const std::string& name, const Scene& scene);
 
@@ -78,8 +84,9 @@ void find_ground(const Region& walkable, Measure& measure);
 void read_measures(const toml::table& root, Scene& scene, Report& report);
 
 /// Makes the agents the last of the bodies: radii, speeds and places, none of which overlaps another agent or
-/// a wall where it is random. Reports entries for which there is no room, agents that don't stand on the
-/// walkable area, and steps that are too long for a model.
+/// a wall where it is random: those find theirs after all who have a place of their own. Reports entries for
+/// which there is no room, agents that don't stand on the walkable area, and steps that are too long for a
+/// model.
 void place_agents(std::span<const AgentEntry> entries, Scene& scene, Report& report);
 
 }  // namespace throng::scenarios

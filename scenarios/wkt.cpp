@@ -23,26 +23,22 @@ bool is_space(char c) {
 
 class WktReader {
  public:
-  explicit WktReader(std::string_view text) : text_(text) {}
+  WktReader(std::string_view text, WktKind kind) : text_(text), lines_too_(kind == WktKind::any) {}
 
   Wkt read() {
     const std::string type = word();
-    if (type == "LINESTRING") {
-      line(false);
-    } else if (type == "LINEARRING") {
-      line(true);
-    } else if (type == "POLYGON") {
+    if (type == "POLYGON") {
       list([this] { line(true); });
-    } else if (type == "MULTILINESTRING") {
-      list([this] { line(false); });
     } else if (type == "MULTIPOLYGON") {
       list([this] { list([this] { line(true); }); });
+    } else if (lines_too_ && type == "LINESTRING") {
+      line(false);
+    } else if (lines_too_ && type == "LINEARRING") {
+      line(true);
+    } else if (lines_too_ && type == "MULTILINESTRING") {
+      list([this] { line(false); });
     } else {
-      fail(
-          "must begin with LINESTRING, LINEARRING, POLYGON, MULTILINESTRING or MULTIPOLYGON, and begins "
-          "with " +
-          in_quotes(text_) +
-          suggestion(type, {"POLYGON", "MULTIPOLYGON", "LINESTRING", "LINEARRING", "MULTILINESTRING"}));
+      fail_at_type(type);
     }
     skip_space();
     if (good() && at_ < text_.size()) fail("must end after its last parenthesis");
@@ -54,6 +50,15 @@ class WktReader {
 
   void fail(const std::string& message) {
     if (good()) result_.refusal = message + " (character " + std::to_string(at_ + 1) + ")";
+  }
+
+  void fail_at_type(const std::string& type) {
+    std::vector<std::string> known{"POLYGON", "MULTIPOLYGON"};
+    if (lines_too_) known.insert(known.end(), {"LINESTRING", "LINEARRING", "MULTILINESTRING"});
+    fail(std::string("must begin with ") +
+         (lines_too_ ? "LINESTRING, LINEARRING, POLYGON, MULTILINESTRING or MULTIPOLYGON"
+                     : "POLYGON or MULTIPOLYGON") +
+         ", and begins with " + in_quotes(text_) + suggestion(type, known));
   }
 
   void skip_space() {
@@ -120,14 +125,15 @@ class WktReader {
   }
 
   std::string_view text_;
+  bool lines_too_;
   std::size_t at_ = 0;
   Wkt result_;
 };
 
 }  // namespace
 
-Wkt read_wkt(std::string_view text) {
-  return WktReader(text).read();
+Wkt read_wkt(std::string_view text, WktKind kind) {
+  return WktReader(text, kind).read();
 }
 
 }  // namespace throng::scenarios

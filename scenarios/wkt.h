@@ -20,9 +20,12 @@ struct Wkt {
   std::string refusal;  ///< what is wrong and at which character; empty where all is well
 };
 
+/// What a text may hold.
+enum class WktKind { any, polygons };
+
 /// Reads LINESTRING, LINEARRING, POLYGON, MULTILINESTRING and MULTIPOLYGON in two dimensions (OGC 06-103r4,
 /// section 7) into their lines and rings, in order. What geometry they make is not looked at. O(n), no
-/// recursion.
-Wkt read_wkt(std::string_view text);
+/// recursion. Of polygons: POLYGON and MULTIPOLYGON alone.
+Wkt read_wkt(std::string_view text, WktKind kind = WktKind::any);
 
 }  // namespace throng::scenarios

@@ -134,6 +134,21 @@ TEST(Crowd, PlacesUniformlyWhatTheSeedSays) {
             load_text("throng = 1\nseed = 9" + text.substr(10)).scene.bodies.position);
 }
 
+// It happened: they were placed in the order of the file, and a later one with a place stood in them.
+TEST(Crowd, FindsRandomPlacesBesideThoseWhoHaveTheirs) {
+  const std::string many = kFloor + kGroup + kRandom + "count = 50\n", one = kGroup + "at = [1.5, 2.5]\n";
+  const Loaded loaded = load_text(many + one), without = load_text(many);
+  EXPECT_EQ(faults(loaded), "");
+  ASSERT_EQ(loaded.scene.bodies.size(), 51u);
+  EXPECT_EQ(loaded.scene.bodies.position[50], Vec(1.5, 2.5));
+  int moved = 0;
+  for (std::size_t i = 0; i < 50; ++i) {
+    EXPECT_GE((loaded.scene.bodies.position[i] - Vec(1.5, 2.5)).norm(), 0.4) << i;
+    moved += (without.scene.bodies.position[i] - Vec(1.5, 2.5)).norm() < 0.4;
+  }
+  EXPECT_GT(moved, 0) << "else nobody would have been in the way";
+}
+
 TEST(Crowd, IsRefusedWhereItsFloorIsNoPolygon) {
   expect_fault("throng = 1\nwalkable = 'POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))'",
                "s.toml:2:12: error: walkable: is no polygon: Self-intersection at [2, 2]");
@@ -142,7 +157,10 @@ TEST(Crowd, IsRefusedWhereItsFloorIsNoPolygon) {
   expect_fault("throng = 1\nwalkable = 'POLYGON ((0 0, 4 0, 4 4, 0 4))'",
                "walkable: a ring must end with its first point");
   expect_fault("throng = 1\nwalkable = 'LINESTRING (0 0, 4 0, 4 4)'",
-               "walkable: must be a POLYGON or a MULTIPOLYGON");
+               "walkable: must begin with POLYGON or MULTIPOLYGON, and begins with \"LINESTRING");
+  expect_fault(
+      "throng = 1\nwalkable = 'POINT (0 0)'",
+      "walkable: must begin with POLYGON or MULTIPOLYGON, and begins with \"POINT (0 0)\" (character");
   expect_fault("throng = 1\nareas.a = [[0, 0], [4, 4], [4, 0], [0, 4]]",
                "s.toml:2:11: error: areas.a: is no polygon: Self-inter");
 }
@@ -226,10 +244,16 @@ TEST(Crowd, IsWarnedOfWhatWontBeAsItSays) {
   EXPECT_EQ(said(orca + "desired_speed = { normal = [0.5, 0.5], within = [0, 2] }\n"), "");
   EXPECT_NE(
       said(orca + "[[agents]]\ngoal = 'exit'\nat = [1.3, 1]\n" + orca)
-          .find("warning: agents[1].at: an agent of radius 0.2 m at [1.3, 1] overlaps one that stands at "
-                "[1, 1]"),
+          .find("warning: agents[1].at: an agent of radius 0.2 m at [1.3, 1] overlaps by 0.1 m one that "
+                "stands at [1, 1]"),
       std::string::npos);
   EXPECT_EQ(said(orca + "[[agents]]\ngoal = 'exit'\nat = [1.4, 1]\n" + orca), "") << "touches";
+  EXPECT_NE(said(orca + "[[agents]]\ngoal = 'exit'\nat = [1.7, 1]\n" + orca +
+                 "[[agents]]\ngoal = 'exit'\nat = [1.35, 1]\n" + orca)
+                .find("agents[2].at: an agent of radius 0.2 m at [1.35, 1] overlaps 2, by 0.05 m one that "
+                      "stands at [1.7, 1]"),
+            std::string::npos)
+      << "the deepest";
   EXPECT_NE(said(orca, "gravity = [0, -9.81]\n").find("warning: gravity: has no meaning"), std::string::npos);
   EXPECT_NE(
       said(orca + "orca = { neighbours = 2.5 }\n").find("agents[0].orca.neighbours: must be an integer"),

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <numeric>
+
+#include "scenarios/read_crowd.h"
+#include "sim/crowd/model.h"
+
+namespace throng::scenarios {
+
+namespace {
+
+/// "is 200 s, and the run ends at 100 s (time.until)" of a time.
+std::string after_the_end(double time, const Scene& scene) {
+  return to_text(time) + " s, and the run ends at " + to_text(scene.time.until) + " s (time.until)";
+}
+
+void warn_of_late_measures(const toml::table& root, const Scene& scene, Report& report) {
+  for (std::size_t i = 0; i < scene.crowd.measures.size(); ++i) {
+    const toml::node* from = root["measure"][i]["from"].node();
+    if (!from || scene.crowd.measures[i].after < scene.time.steps()) continue;
+    report.warning(from->source(), "measure[" + std::to_string(i) + "].from",
+                   "is " + after_the_end(number(*from), scene) + ": nothing is measured");
+  }
+}
+
+void warn_of_late_agents(const AgentEntry& entry, const Scene& scene, Report& report) {
+  const double end = static_cast<double>(scene.time.steps()) * scene.time.dt;
+  if (!entry.appears || entry.count == 0 || entry.appears->due(0) <= end) return;
+  report.warning(entry.node->as_table()->get("appear")->source(), entry.path + ".appear",
+                 "the first is due at " + after_the_end(entry.appears->due(0), scene) +
+                     ": nobody of this group ever appears");
+}
+
+/// m/s, of which there is one an agent of a group.
+std::span<const double> desired_speeds(const AgentGroup& group, const Scene& scene) {
+  return std::span(scene.crowd.desired_speed).subspan(group.first, group.count);
+}
+
+void warn_of_standers(const AgentEntry& entry, const AgentGroup& group, const Scene& scene, Report& report) {
+  const toml::node* node = entry.node->as_table()->get("desired_speed");
+  const auto all = desired_speeds(group, scene);
+  if (!node || all.empty() || std::ranges::any_of(all, [](double speed) { return speed > 0.0; })) return;
+  report.warning(node->source(), entry.path + ".desired_speed",
+                 "is 0: they stand, and never get to their goal");
+}
+
+void warn_of_coarse_steps(const AgentEntry& entry, const AgentGroup& group, const Scene& scene,
+                          Report& report) {
+  if (group.count == 0) return;
+  const auto all = desired_speeds(group, scene);
+  const double mean = std::accumulate(all.begin(), all.end(), 0.0) / static_cast<double>(all.size());
+  const double longest = walking_models()[group.model].make(group.parameters)->converged_step(mean);
+  if (!(scene.time.dt > longest)) return;
+  report.warning(entry.node->as_table()->get("model")->source(), entry.path + ".model",
+                 "what a crowd of these does depends on time.dt above " + three_digits(longest) +
+                     " s, and it is " + to_text(scene.time.dt) +
+                     " s: friction ends in one step how those who press slip past each other, and the longer "
+                     "the step the more get through a door");
+}
+
+/// Ways lead round static bodies alone.
+void warn_of_still_bodies(std::span<const Entry> bodies, Report& report) {
+  for (const Entry& entry : bodies)
+    if (entry.kind == BodyKind::kinematic && !entry.maxwell && entry.velocity == Vec(0.0, 0.0) &&
+        entry.spin == 0.0)
+      report.warning(entry.node->as_table()->get("kind")->source(),
+                     "bodies[" + std::to_string(entry.index) + "].kind",
+                     "is \"kinematic\", and the body never moves: agents don't find their way round it, as "
+                     "they do round what is \"static\"");
+}
+
+}  // namespace
+
+void check_crowd(const toml::table& root, std::span<const Entry> bodies, std::span<const AgentEntry> agents,
+                 const Scene& scene, Report& report) {
+  if (agents.empty() || report.errors() > 0) return;
+  warn_of_late_measures(root, scene, report);
+  warn_of_still_bodies(bodies, report);
+  for (std::size_t i = 0; i < agents.size(); ++i) {
+    warn_of_late_agents(agents[i], scene, report);
+    warn_of_standers(agents[i], scene.crowd.groups[i], scene, report);
+    warn_of_coarse_steps(agents[i], scene.crowd.groups[i], scene, report);
+  }
+}
+
+}  // namespace throng::scenarios

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// What a crowd's file says and won't get.
+#include <gtest/gtest.h>
+
+#include "tests/scenarios/scenario_texts.h"
+
+namespace throng {
+
+using testing::faults;
+using testing::load_text;
+
+namespace {
+
+/// What is said of a hall with this in it, that runs for 100 s.
+std::string said_of(const std::string& rest, const std::string& dt = "0.01") {
+  const Loaded loaded = load_text("throng = 1\ntime = { dt = " + dt +
+                                  ", until = 100 }\n"
+                                  "walkable = 'POLYGON ((0 0, 20 0, 20 6, 0 6, 0 0))'\n[areas]\n"
+                                  "start = [[0, 0], [4, 0], [4, 6], [0, 6]]\n"
+                                  "exit = [[19, 0], [20, 0], [20, 6], [19, 6]]\n" +
+                                  rest);
+  EXPECT_EQ(loaded.errors(), 0) << faults(loaded);
+  return faults(loaded);
+}
+
+std::string group(const std::string& more = "at = [2, 2]\n", const std::string& model = "orca") {
+  return "[[agents]]\ngoal = 'exit'\nmodel = '" + model + "'\n" + more;
+}
+
+void expect_warning(const std::string& rest, const std::string& warning, const std::string& dt = "0.01") {
+  const std::string said = said_of(rest, dt);
+  EXPECT_NE(said.find("warning: " + warning), std::string::npos) << rest << "\nsays: " << said;
+}
+
+TEST(CheckCrowd, WarnsOfWhatIsMeasuredAfterTheEnd) {
+  const std::string measure = "[[measure]]\nname = 'door'\nline = [[9, 0], [9, 6]]\nfrom = ";
+  expect_warning(group() + measure + "100\n",
+                 "measure[0].from: is 100 s, and the run ends at 100 s (time.until): nothing is measured");
+  expect_warning(group() + measure + "200\n",
+                 "measure[0].from: is 200 s, and the run ends at 100 s (time.until)");
+  EXPECT_EQ(said_of(group() + measure + "99.9\n"), "");
+}
+
+TEST(CheckCrowd, WarnsOfThoseWhoAreDueAfterTheEnd) {
+  const std::string random = "place.random.within = 'start'\n";
+  expect_warning(
+      group(random + "count = 9\nappear = { rate = 1, from = 101 }\n"),
+      "agents[0].appear: the first is due at 101 s, and the run ends at 100 s (time.until): nobody "
+      "of this group ever appears");
+  expect_warning(group(random + "appear.times = [100.5, 200]\n"),
+                 "agents[0].appear: the first is due at 100.5 s");
+  EXPECT_EQ(said_of(group(random + "appear.times = [99, 200]\n")), "");
+}
+
+TEST(CheckCrowd, WarnsOfThoseWhoNeverSetOut) {
+  expect_warning(group("at = [2, 2]\ndesired_speed = 0\n"),
+                 "agents[0].desired_speed: is 0: they stand, and never get to their goal");
+  EXPECT_EQ(said_of(group("at = [2, 2]\ndesired_speed = 0.1\n")), "");
+}
+
+// It happened: whoever's way led through one walked against it for ever.
+TEST(CheckCrowd, WarnsOfBodiesThatNeverMoveAndAreNotStatic) {
+  const std::string post =
+      "[shapes]\npost.disc.radius = 0.5\n[[bodies]]\nshape = 'post'\nat = [9, 3]\nkind = ";
+  expect_warning(
+      group() + post + "'kinematic'\n",
+      "bodies[0].kind: is \"kinematic\", and the body never moves: agents don't find their way round it, "
+      "as they do round what is \"static\"");
+  EXPECT_EQ(said_of(group() + post + "'kinematic'\nspin = 0.1\n"), "");
+  EXPECT_EQ(said_of(group() + post + "'kinematic'\nvelocity = [0, 0.1]\n"), "");
+  EXPECT_EQ(said_of(group() + post + "'static'\n"), "");
+}
+
+// It happened: through a door 1 m wide 1.73 a second got at 0.04 s, 1.16 at 0.02, 0.79 at 0.01 and at 0.005.
+TEST(CheckCrowd, WarnsOfStepsAtWhichFrictionOfACrowdIsNotConverged) {
+  const std::string calibrated = "at = [2, 2]\nsocial_force.preset = 'calibrated'\n";
+  expect_warning(
+      group(calibrated, "social_force"),
+      "agents[0].model: what a crowd of these does depends on time.dt above 0.0121 s, and it is 0.02 s:",
+      "0.02");
+  expect_warning(group(calibrated + "desired_speed = 2.68\n", "social_force"), "agents[0].model: what",
+                 "0.01");
+  EXPECT_EQ(said_of(group(calibrated, "social_force"), "0.01"), "");
+  EXPECT_EQ(said_of(group("at = [2, 2]\n", "social_force"), "0.02"), "") << "nor with the paper's numbers";
+  EXPECT_EQ(said_of(group("at = [2, 2]\nsocial_force.preset = 'bottleneck'\n", "social_force"), "0.025"), "");
+  EXPECT_EQ(said_of(group("at = [2, 2]\nsocial_force.friction = 0\n", "social_force"), "0.02"), "");
+}
+
+}  // namespace
+}  // namespace throng
