@@ -28,13 +28,25 @@ class VoronoiDensity {
  private:
   /// The part of the plane that is nearer to that agent than to any other, about the agent.
   void make_cell(std::size_t agent);
+  void find_others(const Vec& p, double reach);
+  void leave_to_others();
+  double farthest() const;
+
+  /// Who may take a part of it.
+  struct Other {
+    double square;      ///< m², of `to`
+    std::size_t place;  ///< in the cells, as two may be equally far
+    Vec to;             ///< m
+  };
 
   CellPiece piece_;
   Eigen::AlignedBox2d near_;  // m: agents outside have no cell in the area
   double size_;               // m²
+  double cutoff_;             // m
   std::vector<Vec> disc_;     // m, the polygon round the cut-off's circle
   CrowdCells cells_;
   std::vector<Vec> agents_, cell_;
+  std::vector<Other> others_;
 };
 
 }  // namespace throng

@@ -86,6 +86,20 @@ TEST(VoronoiDensity, AgreesWithTheNearestAgentOfEachOfManyPoints) {
   EXPECT_NEAR(VoronoiDensity(floor, area, size, cutoff).density(agents), sum / size, 2e-3);
 }
 
+TEST(VoronoiDensity, KnowsNoCutOffInADenseCrowd) {
+  Random random(7, 0, 0, Purpose::place);
+  std::vector<Vec> agents;
+  for (int i = 0; i < 900; ++i) {
+    const double x = 0.3 * (i % 30) + random.uniform(0, 0.25);
+    agents.emplace_back(x, 0.3 * (i / 30) + random.uniform(0, 0.25));
+  }
+  const Region floor = box(0, 0, 9, 9), area = box(3, 3, 6, 6);
+  const double density = VoronoiDensity(floor, area, 9.0, 5.0).density(agents);
+  EXPECT_NEAR(density, 1.0 / 0.09, 0.3);
+  for (const double cutoff : {0.45, 0.7, 1.0, 2.0})
+    EXPECT_NEAR(VoronoiDensity(floor, area, 9.0, cutoff).density(agents), density, 1e-9) << cutoff;
+}
+
 TEST(VoronoiDensity, IsMeasuredInAnArea) {
   Trial run(
       "walkable = 'POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0))'\nareas.exit = [[8, 8], [9, 8], [9, 9]]\n"
