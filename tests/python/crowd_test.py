@@ -41,6 +41,28 @@ class Crowd(Program):
             np.testing.assert_allclose(recording.position[40, 2], [6.81, 3.0], atol=1e-6)
             self.assertTrue(np.isnan(recording.frame(100).velocity[0]).all())
 
+    def test_whose_group_is_told(self):
+        ball = "[shapes]\nball = { disc = { radius = 0.2 } }\n[[bodies]]\nshape = 'ball'\nat = [7, 4]\nkind = 'static'\n"
+        random = AGENT.split("\n", 2)[2] + "place.random.within = 'exit'\n"
+        (self.folder / "three.toml").write_text(
+            CROWD + "".join(AGENT.format(*place) for place in PLACES[:2]) +
+            "[[agents]]\ncount = 3\n" + random + "[[agents]]\nappear = { times = [1, 2], together = 2 }\n" + random + ball)
+        with throng_read.open(self.record()) as recording:
+            self.assertEqual(list(recording.groups), [-1, 0, 1, 2, 2, 2, 3, 3, 3, 3])
+        with throng_read.open(self.record("b.h5", "--set", "record.of={ ids = [2, 5, 9] }", "--set", "agents[2].count=2")) as recording:
+            self.assertEqual(list(recording.ids), [2, 5, 9])
+            self.assertEqual(list(recording.groups), [0, 2, 3])
+        with h5py.File(self.path("a.h5"), "r+") as file:
+            file["parameters"].attrs.modify("bodies", 11)
+        with throng_read.open(self.path("a.h5")) as recording:
+            with self.assertRaisesRegex(OSError, "a.h5 is damaged: parameters/resolved: its agents are others"):
+                recording.groups
+
+    def test_groups_of_bodies_are_none(self):
+        (self.folder / "three.toml").write_text("throng = 1\ntime = { until = 0.1 }\n[shapes]\nball = { disc = { radius = 1 } }\n[[bodies]]\nshape = 'ball'\nat = [0, 0]\n")
+        with throng_read.open(self.record()) as recording:
+            self.assertEqual(list(recording.groups), [-1])
+
     def test_is_verified(self):
         self.record()
         self.assertEqual(self.throng("replay", "a.h5", "--verify"), (0, ""))
@@ -111,7 +133,7 @@ class Crowd(Program):
             CROWD + heavy.format(2.0, 1.0) + "social_force = { preset = 'calibrated', mass = 75 }\n" + heavy.format(2.0, 4.0) +
             AGENT.format(6.0, 3.0))
         masses = [75, 80, 80]  # the model's own, its default, and of a model that has none
-        with throng_read.open(self.record()) as recording:
+        with throng_read.open(self.record("a.h5", "--dt", "0.01")) as recording:
             self.assertEqual(list(recording.bodies.mass), masses)
         self.assertEqual(self.throng("replay", "a.h5", "--verify"), (0, ""))
         self.assertEqual(self.throng("export", "a.h5", "--format", "h5md3", "-o", "a.h5md"), (0, ""))

@@ -16,7 +16,8 @@ and go: recording.ids has all that ever may be there, who is away has NaN, and r
 those who are there. recording.contacts(i) gives where bodies pressed, recording.observables the measurements, of
 agents also "agents", "arrived" and "measure/NAME/count" and so on, recording.bins("speeds") the edges of a histogram's
 bins; recording.sensed("NAME", i) whom a sensor found;
-recording.bodies, .shapes, .materials, .domain, .walls, of crowds .walkable (rings), .areas and .queues the scene.
+recording.bodies, .shapes, .materials, .domain, .walls, of crowds .walkable (rings), .areas, .queues and .groups, which
+[[agents]] of the scenario each of ids is of, the scene: recording.position[-1][recording.groups == 0] is the first group.
 
 Whatever isn't there, be it a frame, a field, a sample, a sensor, an observable or a time, raises NotRecorded, which
 says what there is. To ask before: .frames of a field (none where it was not recorded), recording.contact_frames,
@@ -341,6 +342,20 @@ class Recording:
         self.queues = [Queue(_text(name), float(spacing), float(service), line) for (name, spacing, service), line in zip(
             self._columns("throng/queues", ("name", "spacing", "service")), self._lists("throng/queues"))]
 
+    @functools.cached_property
+    def groups(self):
+        """Which [[agents]] of the scenario each of `ids` is of, counted from 0; -1 for whoever is no agent."""
+        import tomllib  # of Python 3.11
+        with _damage_named(self._path, "parameters/resolved"):
+            count = [_count_of_group(group) for group in tomllib.loads(self.resolved).get("agents", ())]
+            behind = int(self.parameters.get("bodies", len(self.ids))) + 1  # agents have the last ids of the run
+            first = np.cumsum([behind - sum(count), *count])
+            group = np.searchsorted(first, self.ids, "right") - 1
+            group[self.ids >= behind] = -1
+            if not np.array_equal(group >= 0, self.bodies.kind == "agent"):
+                raise ValueError("its agents are others")
+        return group
+
     def _areas(self):
         """None in files of before 1.6, but in `resolved`."""
         if "throng/areas" not in self._file:
@@ -596,6 +611,12 @@ class Recording:
 def open(path):
     """Opens a recording, or raises NotARecording; FileNotFoundError and the like where there is no file."""
     return Recording(path)
+
+
+def _count_of_group(group):
+    """How many agents an entry of [[agents]] makes."""
+    appear = group.get("appear", {})
+    return int(group.get("count", len(appear.get("times", (0,))) * appear.get("together", 1) if "times" in appear else 1))
 
 
 def _open_file(path):
