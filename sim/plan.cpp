@@ -86,6 +86,19 @@ std::string soft_solve(const Scene& scene, const Plan& plan, const std::string& 
   return text;
 }
 
+bool spins(const Scene& scene) {
+  return any_moving(scene, [&](std::size_t row) { return scene.bodies.spin[row] != 0.0; });
+}
+
+std::string why_it_turns(const Scene& scene, const Plan& plan) {
+  if (plan.crowd) return "the matter of who pushes agents";
+  if (spins(scene)) return "some body spins";
+  if (!plan.contacts()) return "nobody spins, and nothing touches";
+  if (plan.polygons) return "some body isn't a disc: what touches it turns it";
+  if (plan.rotation) return "surfaces that rub turn discs";
+  return "nobody spins, all are discs, and no surface rubs";
+}
+
 std::vector<Stage> stages(const Scene& scene, const Plan& plan) {
   const std::size_t moving = count(scene, BodyKind::dynamic) + count(scene, BodyKind::kinematic);
   const bool dynamic = count(scene, BodyKind::dynamic) > 0;
@@ -117,6 +130,7 @@ std::vector<Stage> stages(const Scene& scene, const Plan& plan) {
        moving == 0  ? "nothing moves"
        : plan.crowd ? "what moves beside agents moves as they walk"
                     : bodies + ", " + substeps},
+      {"rotation", plan.rotation && !plan.crowd, why_it_turns(scene, plan)},
       {"gravity", plan.gravity, plan.gravity ? "bodies fall" : "gravity is zero, or nothing is dynamic"},
       {"collide", plan.restitution || hits,
        plan.soft ? "springs throw back what meets"
@@ -184,6 +198,7 @@ Plan plan_for(const Scene& scene, ContactModel contact) {
       plan.contacts() && std::ranges::any_of(plan.surfaces, [](const Surface& s) { return s.friction > 0; });
   plan.rolling = plan.contacts() && any_round(scene) &&
                  std::ranges::any_of(plan.surfaces, [](const Surface& s) { return s.rolling > 0; });
+  plan.rotation = spins(scene) || (plan.contacts() && (plan.polygons || plan.friction || plan.rolling));
   plan.soft = plan.contacts() && is_soft(contact) && !plan.crowd;
   plan.restitution = plan.contacts() && !plan.soft &&
                      std::ranges::any_of(plan.surfaces, [](const Surface& s) { return s.restitution > 0; });

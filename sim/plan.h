@@ -33,6 +33,7 @@ struct Plan {
   bool periodic = false;          ///< the domain repeats
   bool composites = false;        ///< some moving body has several parts
   bool polygons = false;          ///< some moving body is not a disc: manifolds, and angles turn shapes
+  bool rotation = false;          ///< something turns, or may come to
   bool friction = false;          ///< some surface rubs
   bool rolling = false;           ///< some surface resists the rolling of discs
   bool restitution = false;       ///< some surface bounces

@@ -35,11 +35,13 @@ int steps_measured(const Scene& scene, StageTimes& times) {
   return step % kStepsPerMeasure == 0 ? kStepsPerMeasure : 0;
 }
 
-/// No velocity is -0: FaceBlocks' lanes without a face would make it 0.
-void load(const State& state, Rows awake, std::span<SolverBody> bodies) {
+/// No velocity is -0: FaceBlocks' lanes without a face would make it 0. What doesn't turn has a spin and a
+/// turn of 0 for ever.
+void load(const Plan& plan, const State& state, Rows awake, std::span<SolverBody> bodies) {
   awake.for_each([&](std::uint32_t i) {
     bodies[i].position = state.position[i];
     bodies[i].velocity = state.velocity[i].array() + 0.0;
+    if (!plan.rotation) return;
     bodies[i].spin = state.spin[i] + 0.0;
     bodies[i].turn = 0.0;
   });
@@ -52,8 +54,10 @@ bool store(const Scene& scene, const Plan& plan, std::span<const SolverBody> bod
   awake.for_each([&](std::uint32_t i) {
     state.position[i] = bodies[i].position;
     state.velocity[i] = bodies[i].velocity;
-    state.spin[i] = bodies[i].spin;
-    state.angle[i] += bodies[i].turn;
+    if (plan.rotation) {
+      state.spin[i] = bodies[i].spin;
+      state.angle[i] += bodies[i].turn;
+    }
     const bool goes_on = can_go_on(state, i);
     all_go_on &= goes_on;
     if (plan.periodic && goes_on) state.position[i] = wrapped(state.position[i], scene.domain);
@@ -133,7 +137,7 @@ void push(const Scene& scene, const Plan& plan, State& state, Workspace& work, b
   if (plan.contacts()) find_pairs(scene, plan, state, work, clock);
   const Rows awake = work.sleepers.bodies();
   if (plan.contacts()) work.finder.divide(state, awake);
-  by_parts(work, [&](Rows rows) { load(state, rows, work.bodies); });
+  by_parts(work, [&](Rows rows) { load(plan, state, rows, work.bodies); });
   if (plan.contacts()) {
     work.finder.find({work.candidates, state, work.bodies}, work.contacts, work.workers);
     work.ahead = 2.0 * work.candidates.chain() > work.finder.least_way() ? work.solver.h : 0.0;
@@ -209,7 +213,7 @@ void step_soft(const Scene& scene, const Plan& plan, State& state, Workspace& wo
   for (int attempt = 1;; ++attempt) {
     work.candidates.find(state, scene.time.dt);
     clock.lap(work.times.find_pairs);
-    load(state, all, work.bodies);
+    load(plan, state, all, work.bodies);
     work.soft.run(work.candidates, state, work.bodies);
     clock.lap(work.times.solve);
     if (!work.candidates.widen(work.bodies, work.soft.farthest(), attempt >= kLocalAttempts)) break;

@@ -27,10 +27,10 @@ void fall(std::span<SolverBody> bodies, Rows awake, const Vec& kick) {
   });
 }
 
-void move(std::span<SolverBody> bodies, Rows awake, double h) {
+void move(std::span<SolverBody> bodies, Rows awake, double h, bool rotation) {
   awake.for_each([&](std::uint32_t i) {
     bodies[i].position += h * bodies[i].velocity;
-    bodies[i].turn += h * bodies[i].spin;
+    if (rotation) bodies[i].turn += h * bodies[i].spin;
   });
 }
 
@@ -128,7 +128,7 @@ void substep(const Scene& scene, const Plan& plan, const State& state, Workspace
   if (way.guarded)
     work.guard->move(state, work.bodies, work.sleepers.bodies(), work.solver.h);
   else
-    by_parts(work, [&](Rows rows) { move(work.bodies, rows, work.solver.h); });
+    by_parts(work, [&](Rows rows) { move(work.bodies, rows, work.solver.h, plan.rotation); });
   stop(work, period);
   work.solver.backward = !way.backward;
   if (plan.contacts()) relax(work, plan.periodic);

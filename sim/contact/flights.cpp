@@ -262,7 +262,7 @@ bool Flights::land_straight(State& state, std::size_t begin, std::size_t end) co
   bool all_go_on = true;
   for (std::size_t i = begin; i < end; ++i) {
     state.position[i] += scene_.time.dt * state.velocity[i];
-    state.angle[i] += scene_.time.dt * state.spin[i];
+    if (plan_.rotation) state.angle[i] += scene_.time.dt * state.spin[i];
     all_go_on &= settle(state, i);
   }
   return all_go_on;

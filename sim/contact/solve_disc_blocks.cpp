@@ -14,16 +14,19 @@ HWY_BEFORE_NAMESPACE();
 namespace throng::HWY_NAMESPACE {
 namespace {
 
-/// Impulses on both bodies of each lane: along the normal, and across at the arms that discs have.
-HWY_INLINE void apply(Motion& a, Motion& b, const DiscBlock& c, std::size_t k, Reals normal, Reals tangent) {
+/// Impulses on both bodies of each lane: along the normal, and across at the arms that discs have. Only what
+/// rubs turns them.
+HWY_INLINE void apply(Motion& a, Motion& b, const DiscBlock& c, std::size_t k, Reals normal, Reals tangent,
+                      bool friction) {
   const Reals nx = load(c.normal_x + k), ny = load(c.normal_y + k);
   const Reals x = hn::Sub(hn::Mul(normal, nx), hn::Mul(tangent, ny));
   const Reals y = hn::Add(hn::Mul(normal, ny), hn::Mul(tangent, nx));
   a.velocity_x = hn::Sub(a.velocity_x, hn::Mul(a.inverse_mass, x));
   a.velocity_y = hn::Sub(a.velocity_y, hn::Mul(a.inverse_mass, y));
-  a.spin = hn::Sub(a.spin, hn::Mul(load(c.turn_a + k), tangent));
   b.velocity_x = hn::Add(b.velocity_x, hn::Mul(b.inverse_mass, x));
   b.velocity_y = hn::Add(b.velocity_y, hn::Mul(b.inverse_mass, y));
+  if (!friction) return;
+  a.spin = hn::Sub(a.spin, hn::Mul(load(c.turn_a + k), tangent));
   b.spin = hn::Sub(b.spin, hn::Mul(load(c.turn_b + k), tangent));
 }
 
@@ -46,7 +49,7 @@ HWY_INLINE bool respond(DiscBlock& c, std::size_t k, Motion& a, Motion& b, const
         pressing, rub(across, load(c.tangent_mass + k), slip, hn::Mul(load(c.friction + k), impulse)));
     store(hn::IfThenElse(pressing, across, load(c.tangent_impulse + k)), c.tangent_impulse + k);
   }
-  apply(a, b, c, k, normal, tangent);
+  apply(a, b, c, k, normal, tangent, friction);
   return true;
 }
 
@@ -122,7 +125,7 @@ void prepare_and_start(std::span<DiscBlock> blocks, SolverBody* bodies, const Ve
     if (hn::AllFalse(D(), pressing)) return;
     Motion a = motion(bodies, c.a + k), b = motion(bodies, c.b + k);
     apply(a, b, c, k, hn::IfThenElseZero(pressing, impulse),
-          hn::IfThenElseZero(pressing, load(c.tangent_impulse + k)));
+          hn::IfThenElseZero(pressing, load(c.tangent_impulse + k)), true);
     keep(a, bodies, c.a + k), keep(b, bodies, c.b + k);
   });
 }

@@ -50,6 +50,48 @@ TEST(Plan, SaysThatWhatHitsIsStopped) {
   }
 }
 
+/// After fifty steps of discs that fall, or fly, into each other and onto a floor.
+std::uint64_t hash_of(const Scene& scene, const Plan& plan) {
+  State state = initial_state(scene);
+  Workspace work(scene, plan, 1);
+  for (int i = 0; i < 50; ++i) step(scene, plan, state, work);
+  return hash(state);
+}
+
+std::string crowded_discs(const std::string& settings) {
+  return "seed = 3\ntime = { dt = 0.01, until = 1, substeps = 2 }\nsleep = false\n" + settings +
+         "\n[shapes]\nball.disc.radius = 0.5\n[[bodies]]\nshape = 'ball'\nvelocity = { maxwell = 2 }\n"
+         "place.lattice = { origin = [0, 0], spacing = [1.01, 1.02], size = [9, 9] }\n"
+         "[[walls]]\nsegment = [[-20, -0.5], [30, -0.5]]\n";
+}
+
+TEST(Plan, DiscsThatNothingTurnsCarryNoRotation) {
+  for (const char* settings : {"gravity = [0, -9.81]\nmaterials.default.friction = 0",
+                               "materials.default = { friction = 0, restitution = 1 }"}) {
+    const Scene scene = scene_from(crowded_discs(settings));
+    Plan plan = plan_for(scene);
+    EXPECT_FALSE(runs(plan, "rotation")) << settings;
+    const std::uint64_t without = hash_of(scene, plan);
+    plan.rotation = plan.friction = true;
+    EXPECT_EQ(hash_of(scene, plan), without) << settings;
+  }
+}
+
+TEST(Plan, WhatTurnsOrMayBeTurnedDoes) {
+  const std::string smooth = "materials.default.friction = 0\n", spinning = "spin = 1\n";
+  const std::string square =
+      "[shapes.square]\npolygon = [[9, 9], [10, 9], [10, 10], [9, 10]]\n"
+      "[[bodies]]\nshape = 'square'\nat = [9, 9]\n";
+  for (const auto& [text, turns] :
+       {std::pair{smooth + kTwoDiscs, false},
+        {smooth + kTwoDiscs + spinning, true},
+        {kTwoDiscs, true},
+        {smooth + kTwoDiscs + square, true},
+        {"contact.model = 'none'\n" + square, false},
+        {"materials.default = { friction = 0, rolling_resistance = 0.1 }\n" + std::string(kTwoDiscs), true}})
+    EXPECT_EQ(runs(plan_for(scene_from(text)), "rotation"), turns) << text;
+}
+
 TEST(Plan, SensesAfterBodiesAreWrapped) {
   EXPECT_EQ(plan_for(scene_from(kTwoDiscs)).stages.back().name, "sense");
 }

@@ -369,7 +369,7 @@ TEST_F(PlanCommand, SaysWhichStagesRunAndWhy) {
   const Result object = throng("plan --json " + path("a.toml"));
   const json plan = json::parse(object.out);
   EXPECT_EQ(plan["bodies"], 2);
-  EXPECT_EQ(plan["stages"].size(), 16u);
+  EXPECT_EQ(plan["stages"].size(), 17u);
   EXPECT_TRUE(plan["ways"].is_null()) << "nobody walks";
   EXPECT_GT(plan["output_bytes"], 0);
 }

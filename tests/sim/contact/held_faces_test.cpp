@@ -260,7 +260,8 @@ TEST(HeldFaces, AreTheSameForAnyNumberOfThreads) {
 
 // Where nothing pushes, a velocity of -0 would become 0 in some seats and not in others.
 TEST(HeldFaces, MeetNoVelocityOfMinusZero) {
-  std::string text = kHeldPolygons + std::string("[[bodies]]\nshape = \"box\"\nat = [3, 1]\n");
+  std::string text = kHeldPolygons + std::string("[[bodies]]\nshape = \"box\"\nat = [3, 1]\n") +
+                     "[[walls]]\nsegment = [[0, -9], [9, -9]]\n";
   text.replace(text.find("gravity = [0, -9.81]"), 20, "gravity = [0, 0]");
   Trial run(scene_from(text));
   run.state.velocity[0] = {-0.0, -0.0}, run.state.spin[0] = -0.0;
