@@ -80,7 +80,7 @@ Scene scene_of(const StepCase& one, const Options& options) {
   Scene scene = gallery_scene(options.scenarios, one.scene, overrides);
   scene.sleep = false;
   if (scene.domain.kind == DomainKind::periodic) wall_in(scene);
-  const double settle = options.quick ? 0.1 * one.settle_s : one.settle_s;
+  const double settle = options.quick ? 0.05 * one.settle_s : one.settle_s;
   return settle > 0.0 ? settled(scene, settle) : scene;
 }
 
@@ -161,7 +161,7 @@ std::vector<Row> run(const StepCase& one, const Options& options) {
   box2d_scene.engine = Engine::box2d, box2d_scene.time.substeps = kBox2dSubsteps;
   sleeping_scene.sleep = one.sleep;
   coarse_scene.time.substeps = one.substeps;
-  const int calm = options.quick ? one.calm / 10 : one.calm;
+  const int calm = options.quick ? one.calm / 50 : one.calm;
   std::vector<Racer> racers;
   const auto add = [&](const char* engine, Simulation* simulation, int untimed) {
     if (simulation)

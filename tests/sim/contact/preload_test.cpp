@@ -41,12 +41,12 @@ TEST(Preload, IsLearntMoreSlowlyInMoreThan110Layers) {
 /// A disc that has come down on the floor. What it would sink there: the spring's gravity over the square of
 /// its frequency.
 TEST(Preload, LeavesAFifthOfTheSag) {
-  constexpr double kDt = 0.01;
+  constexpr double dt = 0.01;
   constexpr int kSubsteps = 4;
   Trial trial("sleep = false\ngravity = [0, -9.81]\ntime = { dt = 0.01, substeps = 4 }\n" +
               std::string(kDisc) +
               "[[walls]]\nsegment = [[-9, 0], [9, 0]]\n[[bodies]]\nshape = \"ball\"\nat = [0, 0.501]\n");
-  const double h = kDt / kSubsteps;
+  const double h = dt / kSubsteps;
   const Softness soft = softness(0.18 / h, 20.0, h);
   const double sag = kG * h * soft.impulse_scale / (soft.mass_scale * soft.bias_rate);
   trial.steps(1000);

@@ -11,6 +11,7 @@
 #include "sim/crowd/stuck.h"
 #include "sim/crowd/walk.h"
 #include "sim/recording/checkpoint.h"
+#include "tests/less_when_watched.h"
 #include "tests/sim/crowd/hall.h"
 #include "tests/sim/crowd/models.h"
 #include "tests/sim/trial.h"
@@ -154,7 +155,7 @@ TEST(Waiting, BeforeAPlaceForOneBeginsThoughNobodyStands) {
   }
 }
 
-constexpr int kJams = 12;  // draws of the crowd
+constexpr int kJams = static_cast<int>(less_when_watched(12));  // draws of the crowd
 
 std::string jam_beside_a_bystander(const char* model, int seed) {
   return "time = { dt = 0.02, until = 200 }\nseed = " + std::to_string(seed) +
