@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/substep.h"
 
+#include <algorithm>
 #include <limits>
 #include <span>
 
@@ -13,12 +14,25 @@ namespace {
 
 /// Of bounces in a substep: what still meets then is left to the contacts. Of impacts that keep some energy
 /// each takes some, sooner than it would be, as dense clusters do anyway.
-constexpr int kElasticSweeps = 64, kHitSweeps = 16, kBounceSweeps = 8;
+constexpr int kElasticSweeps = 64, kBounceSweeps = 8;
 
-constexpr double kAtOnce = 1e-6;  // of a substep: who meets so soon has arrived
+/// Of those that stop what hits: more where so much work does for it, counted in contacts. Then who is struck
+/// in their course is stopped at less than hit_speed(), too.
+constexpr int kHitSweeps = 16, kMostHitSweeps = 128;
+constexpr std::size_t kHitWork = 20'000;
+constexpr double kFollows = 0.05;
 
-int most_sweeps(const Plan& plan) {
-  return plan.elastic ? kElasticSweeps : plan.restitution ? kBounceSweeps : kHitSweeps;
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+constexpr double kAtOnce = 0.01;  // of a substep: who meets so soon has arrived
+
+int bounce_sweeps(const Plan& plan) {
+  return plan.elastic ? kElasticSweeps : plan.restitution ? kBounceSweeps : 0;
+}
+
+int hit_sweeps(const Contacts& contacts) {
+  if (contacts.hits == 0) return 0;
+  return std::clamp(static_cast<int>(kHitWork / contacts.hits), kHitSweeps, kMostHitSweeps);
 }
 
 void fall(std::span<SolverBody> bodies, Rows awake, const Vec& kick) {
@@ -45,8 +59,12 @@ void prepare_bounce(Workspace& work, const Vec* period) {
 
 /// Contact after contact: lets all bounce that meets by the rule, and what that sets in motion, until nothing
 /// meets any more.
-void bounce(Workspace& work, const BounceRule& rule, int sweeps) {
-  for (int sweep = 0; sweep < sweeps; ++sweep, work.strikes.next_sweep()) {
+void bounce(Workspace& work, BounceRule rule, int bounces) {
+  const int hits = hit_sweeps(work.contacts);
+  for (int sweep = 0; sweep < std::max(bounces, hits); ++sweep, work.strikes.next_sweep()) {
+    if (sweep == 1 && hits > kHitSweeps) rule.hit_speed *= kFollows;
+    if (sweep == hits) rule.hit_speed = kNever;
+    if (sweep == bounces) rule.threshold = kNever;
     const bool discs = bounce(work.contacts.disc_bounces, work.bodies, rule, work.strikes);
     const bool points = bounce(work.contacts.point_bounces, work.bodies, rule, work.strikes);
     if (!discs && !points) return;
@@ -58,19 +76,18 @@ void bounce(const Plan& plan, Workspace& work, const Vec& kick, const Vec* perio
   prepare_bounce(work, period);
   const double h = work.solver.h;
   work.strikes.start(work.bodies.size());
-  bounce(work, {h, h, kRestSpeed * kick.norm(), work.finder.hit_speed(), kick}, most_sweeps(plan));
+  bounce(work, {h, h, kRestSpeed * kick.norm(), work.finder.hit_speed(), kick}, bounce_sweeps(plan));
 }
 
 /// What hit has arrived at the other's surface and is stopped there, and who stands on it with it. Left to
 /// the contacts, the impulses of that would act again in the next substep, and throw up who stands there.
 /// What bounces doesn't here.
 void stop(Workspace& work, const Vec* period) {
-  if (!work.contacts.hit) return;
-  constexpr double kNever = std::numeric_limits<double>::infinity();
+  if (work.contacts.hits == 0) return;
   const double h = work.solver.h;
   prepare_bounce(work, period);
   work.strikes.go_on();
-  bounce(work, {h, kAtOnce * h, kNever, work.finder.hit_speed(), Vec(0.0, 0.0)}, kHitSweeps);
+  bounce(work, {h, kAtOnce * h, kNever, work.finder.hit_speed(), Vec(0.0, 0.0)}, 0);
 }
 
 void resist_rolling(Workspace& work) {

@@ -60,14 +60,16 @@ inline PointArms arms(const PointContact& contact) {
 }
 
 /// An impact in no time: the impulse along the normal and, where the surfaces rub, Coulomb's across it, which
-/// stops the slip where it can. `tangent_mass`: what they feel across, kg.
+/// stops the slip where it can. `tangent_mass`: what they feel across, kg. Returns the impulse across.
 template <class Arms>
-void strike(const Arms& at, SolverBody& a, SolverBody& b, double impulse, double friction,
-            double tangent_mass) {
+double strike(const Arms& at, SolverBody& a, SolverBody& b, double impulse, double friction,
+              double tangent_mass) {
   at.apply(a, b, impulse, 0.0);
   const double limit = friction * impulse;
-  if (!(limit > 0.0)) return;
-  at.apply(a, b, 0.0, std::clamp(-tangent_mass * at.tangent_velocity(a, b), -limit, limit));
+  if (!(limit > 0.0)) return 0.0;
+  const double across = std::clamp(-tangent_mass * at.tangent_velocity(a, b), -limit, limit);
+  at.apply(a, b, 0.0, across);
+  return across;
 }
 
 }  // namespace throng

@@ -14,6 +14,8 @@ namespace {
 
 constexpr double kSameNormal = 1.0 - 1e-12;  // cosine of the angle between normals up to which they are one
 
+constexpr double kLeastTaken = 1e-4;  // of an impulse: less is not taken back
+
 /// The velocity that gravity adds to b against a, along the normal: nothing where both fall.
 double relative_kick(const ContactBase& c, const SolverBody& a, const SolverBody& b, const Vec& kick) {
   const double falls_a = a.inverse_mass > 0.0 ? 1.0 : 0.0, falls_b = b.inverse_mass > 0.0 ? 1.0 : 0.0;
@@ -46,6 +48,11 @@ double parting_speed(double restitution, double speed, double s, double fall, do
   return after > 0.0 ? std::sqrt(after) - 0.5 * fall : 0.0;
 }
 
+/// The velocity at which what hits without a bounce arrives at the other's surface (m/s).
+double arrival(const ContactBase& contact, double fall, double h) {
+  return -std::max(contact.separation, 0.0) / h - fall;
+}
+
 /// The velocity that a bounce adds along the normal (m/s); 0 where the two don't meet so soon. What
 /// doesn't bounce but hits arrives at the other's surface.
 template <class Contact>
@@ -58,7 +65,7 @@ double rebound(const Contact& contact, const SolverBody& a, const SolverBody& b,
   const double s = contact.separation;
   if (!(s + rule.within * (speed + fall) < 0.0)) return 0.0;
   const double parts = bounces ? parting_speed(contact.restitution, speed, s, fall, rule.h) : 0.0;
-  return (parts > 0.0 ? parts : -std::max(s, 0.0) / rule.h - fall) - speed;
+  return (parts > 0.0 ? parts : arrival(contact, fall, rule.h)) - speed;
 }
 
 /// Holds the two spins together, by a torque's impulse (N m s) up to `limit`.
@@ -72,24 +79,43 @@ void resist_rolling(SolverBody& a, SolverBody& b, double limit) {
 /// However short a bounce is, the impulses of friction and of rolling resistance stay within what the normal
 /// one allows: both laws hold at each instant of it.
 template <class Contact>
-void strike_at(const Contact& contact, SolverBody& a, SolverBody& b, double impulse) {
-  strike(arms(contact), a, b, impulse, contact.friction, contact.tangent_mass);
+void strike_at(Contact& contact, SolverBody& a, SolverBody& b, double impulse) {
+  contact.struck += impulse;
+  contact.rubbed += strike(arms(contact), a, b, impulse, contact.friction, contact.tangent_mass);
   if (contact.lever > 0.0) resist_rolling(a, b, contact.lever * impulse);
 }
 
+/// What stops at several surfaces at once is stopped by all of them: one after the other each would take what
+/// another had to, and throw it back. So an impulse that didn't bounce is taken back as far as others, since
+/// then, have made the two part. False where that is hardly any.
 template <class Contact>
-bool bounce_one(const Contact& contact, std::span<SolverBody> bodies, const BounceRule& rule) {
+bool take_back(Contact& contact, std::span<SolverBody> bodies, const BounceRule& rule) {
+  if (contact.restitution > 0.0 || !(contact.struck > 0.0)) return false;
+  SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
+  const double fall = relative_kick(contact, a, b, rule.kick);
+  const double parting = arms(contact).normal_velocity(a, b) - arrival(contact, fall, rule.h);
+  const double impulse = std::min(normal_mass(contact, a, b) * parting, contact.struck);
+  if (!(impulse > kLeastTaken * contact.struck)) return false;
+  contact.struck -= impulse;
+  const double limit = contact.friction * contact.struck;
+  const double rubbed = std::clamp(contact.rubbed, -limit, limit);
+  arms(contact).apply(a, b, -impulse, rubbed - contact.rubbed);
+  contact.rubbed = rubbed;
+  return true;
+}
+
+template <class Contact>
+bool bounce_one(Contact& contact, std::span<SolverBody> bodies, const BounceRule& rule) {
   SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
   const double added = rebound(contact, a, b, rule);
-  if (!(added > 0.0)) return false;
+  if (!(added > 0.0)) return take_back(contact, bodies, rule);
   strike_at(contact, a, b, normal_mass(contact, a, b) * added);
   return true;
 }
 
 /// Two points at which two bodies meet at once, on one line: one after the other would set a box that lands
 /// flat spinning. False where the two are as good as one point, or one of them doesn't press.
-bool bounce_both(const PointContact& i, const PointContact& j, std::span<SolverBody> bodies,
-                 const BounceRule& rule) {
+bool bounce_both(PointContact& i, PointContact& j, std::span<SolverBody> bodies, const BounceRule& rule) {
   SolverBody &a = bodies[i.a], &b = bodies[i.b];
   const double added_i = rebound(i, a, b, rule), added_j = rebound(j, a, b, rule);
   const double ii = coupling(i, i, a, b), jj = coupling(j, j, a, b), ij = coupling(i, j, a, b);
@@ -120,11 +146,13 @@ std::pair<std::size_t, std::size_t> outermost(std::span<const PointContact> cont
 }
 
 /// The contacts of two bodies, in one part of each or several.
-bool bounce_pair(std::span<const PointContact> contacts, std::span<SolverBody> bodies,
-                 const BounceRule& rule) {
+bool bounce_pair(std::span<PointContact> contacts, std::span<SolverBody> bodies, const BounceRule& rule) {
   bool bounced = false;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    if (!(rebound(contacts[i], bodies[contacts[i].a], bodies[contacts[i].b], rule) > 0.0)) continue;
+    if (!(rebound(contacts[i], bodies[contacts[i].a], bodies[contacts[i].b], rule) > 0.0)) {
+      bounced |= take_back(contacts[i], bodies, rule);
+      continue;
+    }
     const auto [low, high] = outermost(contacts, i, bodies, rule);
     if (low == high || !bounce_both(contacts[low], contacts[high], bodies, rule))
       bounce_one(contacts[i], bodies, rule);
@@ -144,7 +172,7 @@ void note(Strikes& strikes, std::uint32_t a, std::uint32_t b, std::span<const So
 bool bounce(std::span<DiscContact> contacts, std::span<SolverBody> bodies, const BounceRule& rule,
             Strikes& strikes) {
   bool bounced = false;
-  for (const DiscContact& contact : contacts) {
+  for (DiscContact& contact : contacts) {
     if (!strikes.may_meet(contact.a, contact.b) || !bounce_one(contact, bodies, rule)) continue;
     note(strikes, contact.a, contact.b, bodies);
     bounced = true;

@@ -43,9 +43,11 @@ class Strikes {
 /// Lets all bounce once that would meet so soon: one contact after the other, but those that two bodies have
 /// with each other, one after the other in the list, as one impact where they have one normal. What doesn't
 /// bounce is left to the sweeps, but for what hits: it is stopped at the other's surface, whatever other
-/// surfaces of the scene do. To be called after prepare(), for what bounces before gravity acts: then the
-/// flight after a bounce with e = 1 mirrors the one before, and energy stays. Returns whether anything
-/// bounced: call again until nothing does. O(contacts), and that of a pair's squared where these meet.
+/// surfaces of the scene do. The impulses for that are those of all its contacts at once, as call follows
+/// call: projected Gauss-Seidel, of which none pulls in sum. To be called after prepare(), for what bounces
+/// before gravity acts: then the flight after a bounce with e = 1 mirrors the one before, and energy stays.
+/// Returns whether anything bounced: call again until nothing does. O(contacts), and that of a pair's squared
+/// where these meet.
 bool bounce(std::span<DiscContact> contacts, std::span<SolverBody> bodies, const BounceRule& rule,
             Strikes& strikes);
 bool bounce(std::span<PointContact> contacts, std::span<SolverBody> bodies, const BounceRule& rule,

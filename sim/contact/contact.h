@@ -42,6 +42,8 @@ struct ContactBase {
   double tangent_impulse = 0.0;  ///< N s, likewise, along the normal turned left
   double preload = 0.0;     ///< N s, of the normal impulse, what it bears without giving way: see Learning
   double separation = 0.0;  ///< m, before bodies move in a substep
+  double struck = 0.0;      ///< N s, among bounces: the normal impulses so far, and of friction in
+  double rubbed = 0.0;      ///< them, on b
   bool hits = false;        ///< among bounces: is stopped though it doesn't bounce, see hit_speed()
 };
 

@@ -22,7 +22,7 @@ void save_rolls(const Blocks& contacts, std::span<const RollContact> rolls, std:
 
 void Contacts::start(std::size_t bodies, std::size_t groups) {
   discs.groups() == groups ? discs.clear() : discs.start(bodies, groups);
-  hit = false;
+  hits = 0;
   disc_key.clear(), disc_bounces.clear();
   faces.groups() == groups ? faces.clear() : faces.start(bodies, groups);
   point_key.clear(), point_feature.clear(), point_bounces.clear();

@@ -24,7 +24,7 @@ struct Contacts {
   std::vector<RollContact> point_rolls;
   std::vector<DiscContact> disc_bounces;    ///< those of who hits; all where a surface bounces
   std::vector<PointContact> point_bounces;  ///< likewise
-  bool hit = false;                         ///< somebody is to be stopped
+  std::size_t hits = 0;                     ///< how many of them are to be stopped
 
   /// Forgets all; of so many rows of bodies the last ones, one a group, never move.
   void start(std::size_t bodies, std::size_t groups);

@@ -74,7 +74,7 @@ class ContactFinder {
     std::uint32_t meetings = 0, weight = 0;
     bool hit = false, joined = false;  // there are two that move
 
-    bool is_stopped() const { return hit && (weight >= 2 || (joined && meetings >= 2)); }
+    bool is_stopped() const { return hit && (weight >= 2 || meetings >= 2); }
   };
 
   // find_contacts.cpp

@@ -2,7 +2,8 @@
 // What hits where nothing bounces. One sweep would leave some of the speed to two points at which a body
 // lands, or to who is behind the one that is hit, and impulses to be let go again: so it is stopped before
 // the sweeps, as what bounces is, together with all who hang together with the two by contacts. A body that
-// hits at a single point, and touches nothing else, is stopped by one sweep, however fast.
+// hits at a single point, and touches nothing else, is stopped by one sweep, however fast; one that hits at
+// two, or hits two others, isn't.
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -108,7 +109,7 @@ void ContactFinder::list_hits(const StepStart& start, Contacts& contacts) {
   for (const Meeting& meeting : meetings_) {
     const Cluster& cluster = cluster_of(meeting, start.bodies);
     if (!cluster.is_stopped()) continue;
-    contacts.hit = true;
+    contacts.hits += meeting.discs ? 1 : points_[meeting.contact];
     if (meeting.discs)
       list_disc(start, meeting.contact, contacts);
     else

@@ -206,7 +206,6 @@ TEST(Guard, ADiscThatRollsIntoACornerAt100MetresASecondStaysBeforeTheWall) {
       run.steps(1);
       ASSERT_LT(run.state.position[0].x(), 5.0) << "step " << step;
     }
-    EXPECT_GT(guarded(run), 0);
   }
 }
 

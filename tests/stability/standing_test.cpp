@@ -119,8 +119,9 @@ TEST(Standing, HeavyOnLight) {
   EXPECT_LT(fastest(run.state), 1e-6);
 }
 
-/// Whatever a contact bears, it sags by that law: how fast overlaps are undone is limited, not what they
-/// hold. Discs at the foot of a pile 190 m high were pressed into one another by 0.48 m, more than a radius.
+/// Whatever a contact bears, it sags by that law, less what it may have learnt while it bore less: how fast
+/// overlaps are undone is limited, not what they hold. Discs at the foot of a pile 190 m high were pressed
+/// into one another by 0.48 m, more than a radius.
 TEST(Standing, WhatBearsMoreThanIsUndoneAtOnceSagsNoFurther) {
   constexpr double kRatio = 2500.0, kSubstep = 0.0025, kFelt = 0.4;  // kg, by a corner of the light box
   Masonry site(0.01, 0.6, {0.0, 0.0}, 4);
@@ -130,8 +131,11 @@ TEST(Standing, WhatBearsMoreThanIsUndoneAtOnceSagsNoFurther) {
   Trial run(site.text());
   run.steps(steps(5000));
   const double sag = 0.5 * kRatio * 9.81 * kSubstep * kSubstep / (1.28 * kFelt);  // m: two corners bear it
-  EXPECT_NEAR(0.5 - run.state.position[0].y(), sag, 0.02 * sag);
-  EXPECT_NEAR(1.5 - run.state.position[1].y(), 2.0 * sag, 0.04 * sag);
+  const double first = 0.5 - run.state.position[0].y(), both = 1.5 - run.state.position[1].y();
+  EXPECT_LT(first, 1.02 * sag);
+  EXPECT_GT(first, 0.9 * sag);
+  EXPECT_LT(both, 2.0 * 1.02 * sag);
+  EXPECT_GT(both, 2.0 * 0.9 * sag);
   EXPECT_LT(fastest(run.state), 1e-6);
 }
 
