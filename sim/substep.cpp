@@ -19,7 +19,7 @@ constexpr int kElasticSweeps = 64, kBounceSweeps = 8;
 /// Of those that stop what hits: more where so much work does for it, counted in contacts. Then who is struck
 /// in their course is stopped at less than hit_speed(), too.
 constexpr int kHitSweeps = 16, kMostHitSweeps = 128;
-constexpr std::size_t kHitWork = 20'000;
+constexpr std::size_t kHitWork = 6'000;
 constexpr double kFollows = 0.05;
 
 constexpr double kNever = std::numeric_limits<double>::infinity();

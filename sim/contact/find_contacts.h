@@ -72,7 +72,7 @@ class ContactFinder {
   /// a disc on a floor of tiles would trip over the next one's corner.
   struct Cluster {
     std::uint32_t meetings = 0, weight = 0;
-    bool hit = false, joined = false;  // there are two that move
+    bool hit = false;
 
     bool is_stopped() const { return hit && (weight >= 2 || meetings >= 2); }
   };

@@ -92,7 +92,7 @@ void ContactFinder::find_clusters(std::span<const SolverBody> bodies) {
   for (const Meeting& meeting : meetings_) {
     Cluster& cluster = cluster_of(meeting, bodies);
     ++cluster.meetings, cluster.weight += meeting.weight;
-    cluster.hit |= meeting.hits, cluster.joined |= both_move(meeting, bodies);
+    cluster.hit |= meeting.hits;
   }
 }
 

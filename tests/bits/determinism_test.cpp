@@ -42,8 +42,8 @@ void PrintTo(const Golden& golden, std::ostream* out) {
 }
 
 constexpr Golden kGallery[] = {
-    {"gas", 400, 0xb7deb10a72f11b9f},          {"pile", 60, 0xc4f685e721c948ef},
-    {"polygons", 40, 0xc32f140c95ef3101},      {"pyramid", 10, 0x50d35b9a1501e967},
+    {"gas", 400, 0xb7deb10a72f11b9f},          {"pile", 60, 0x9811f00c6c9bac3f},
+    {"polygons", 40, 0xf8d40170fcf22331},      {"pyramid", 10, 0x50d35b9a1501e967},
     {"hopper", 100, 0xd7ba2f7801789afe},       {"gears", 100, 0xf63b856cb4c09e82},
     {"billiard", 1500, 0x376f2ae3f9e95586},    {"cradle", 2000, 0x7db3d1ee537b00be},
     {"mixed", 200, 0x0448c9107eb96415},        {"corridor", 1200, 0xdd6a7b723dc082a9},
