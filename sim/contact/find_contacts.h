@@ -67,9 +67,8 @@ class ContactFinder {
     std::uint32_t weight;
   };
 
-  /// Bodies that hang together by meetings. Left to the sweeps is who hits alone and touches nobody: at one
-  /// point, which one sweep stops, or at several single ones, of which all but the first may be gone by then:
-  /// a disc on a floor of tiles would trip over the next one's corner.
+  /// Bodies that hang together by meetings. Left to the sweeps is who hits alone, at one point, and touches
+  /// nobody: one sweep stops him.
   struct Cluster {
     std::uint32_t meetings = 0, weight = 0;
     bool hit = false;
