@@ -95,7 +95,7 @@ std::string why_it_turns(const Scene& scene, const Plan& plan) {
   if (spins(scene)) return "some body spins";
   if (!plan.contacts()) return "nobody spins, and nothing touches";
   if (plan.polygons) return "some body isn't a disc: what touches it turns it";
-  if (plan.rotation) return "surfaces that rub turn discs";
+  if (plan.rotation) return "surfaces that rub or resist rolling turn discs";
   return "nobody spins, all are discs, and no surface rubs";
 }
 

@@ -13,8 +13,8 @@ namespace throng::tools {
 
 namespace {
 
-constexpr std::uint8_t kBorderDot = 240, kWallDot = 250, kStillDot = 245;  // greys
-constexpr std::uint8_t kPlaceDot = 67, kGoalDot = 172, kStayDot = 72;      // blue, orange, green
+constexpr std::uint8_t kBorderDot = 240, kWallDot = 250, kStillDot = 245;               // greys
+constexpr std::uint8_t kPlaceDot = 67, kGoalDot = 172, kStayDot = 72, kCountDot = 132;  // as pictures
 constexpr char32_t kNoDots = 0x2800, kAllDots = 0x28FF;
 
 /// The nearest of the 6 x 6 x 6 colours that every terminal has.
@@ -161,6 +161,11 @@ void draw_queue(Dots& dots, const Queue& queue) {
   dots.name(queue.name, queue.line[0], dots.right(), kStayDot);
 }
 
+void draw_line(Dots& dots, const Measure& measure) {
+  dots.draw_line(measure.line[0], measure.line[1], kCountDot, 2);
+  dots.name(measure.name, upper_left_end(measure.line), dots.right(), kCountDot);
+}
+
 /// Whether a point lies in a polygon, in its frame, and farther than `rim` from its border.
 bool is_within(const Shape& polygon, const Vec& point, double rim) {
   bool inside = false, clear = true;
@@ -206,6 +211,8 @@ void draw_dots(Screen& screen, const Cells& area, const Scene& scene, const View
   draw_domain(dots, scene.domain);
   for (const Area& each : scene.crowd.areas) draw_area(dots, each);
   for (const Queue& queue : scene.crowd.queues) draw_queue(dots, queue);
+  for (const Measure& measure : scene.crowd.measures)
+    if (measure.area.empty()) draw_line(dots, measure);
   for (const Wall& wall : scene.walls) draw_wall(dots, wall);
   for (std::size_t row = 0; row < frame.position.size(); ++row) {
     if (!frame.has(row)) continue;

@@ -9,7 +9,8 @@ namespace throng::tools {
 
 namespace {
 
-constexpr Colour kPlace{0.00, 0.45, 0.70}, kGoal{0.70, 0.35, 0.04}, kStay{0.00, 0.45, 0.35};
+constexpr Colour kPlace{0.00, 0.45, 0.70}, kGoal{0.70, 0.35, 0.04}, kStay{0.00, 0.45, 0.35},
+    kCount{0.55, 0.15, 0.40};
 constexpr std::size_t kMostNames = 100;
 constexpr double kSeen = 24.0;  // pixels of an area that has a name
 
@@ -41,6 +42,20 @@ void draw_queue(cairo_t* cairo, const Queue& queue, double pixel) {
   for (const Vec& point : queue.line) cairo_line_to(cairo, point.x(), point.y());
   stroke_dashed(cairo, kStay, 2.0, pixel);
   cairo_arc(cairo, queue.line[0].x(), queue.line[0].y(), 4.5 * pixel, 0, 6.2831853071795865);
+  cairo_fill(cairo);
+}
+
+/// Dashed, and an arrow from its left to its right, the way that it counts forward.
+void draw_line(cairo_t* cairo, const std::array<Vec, 2>& line, double pixel) {
+  const Vec along = (line[1] - line[0]).normalized(), forward(along.y(), -along.x());
+  const Vec middle = 0.5 * (line[0] + line[1]), tip = middle + 26 * pixel * forward;
+  const auto to = [&](const Vec& point) { cairo_line_to(cairo, point.x(), point.y()); };
+  cairo_new_path(cairo);
+  to(line[0]), to(line[1]);
+  stroke_dashed(cairo, kCount, 2.0, pixel);
+  to(middle), to(tip);
+  cairo_stroke(cairo);
+  to(tip), to(tip - 10 * pixel * (forward + 0.5 * along)), to(tip - 10 * pixel * (forward - 0.5 * along));
   cairo_fill(cairo);
 }
 
@@ -79,6 +94,8 @@ void put_name(cairo_t* cairo, const std::string& name, Vec corner, const Colour&
 void draw_floor(cairo_t* cairo, const Crowd& crowd, double pixel) {
   for (const Area& area : crowd.areas) draw_area(cairo, area, pixel);
   for (const Queue& queue : crowd.queues) draw_queue(cairo, queue, pixel);
+  for (const Measure& measure : crowd.measures)
+    if (measure.area.empty()) draw_line(cairo, measure.line, pixel);
 }
 
 void name_floor(cairo_t* cairo, const Crowd& crowd, double size, int width) {
@@ -93,6 +110,9 @@ void name_floor(cairo_t* cairo, const Crowd& crowd, double size, int width) {
   }
   for (std::size_t i = 0; i < std::min(kMostNames, crowd.queues.size()); ++i)
     put_name(cairo, crowd.queues[i].name, crowd.queues[i].line[0], kStay, size, width);
+  for (std::size_t i = 0; i < std::min(kMostNames, crowd.measures.size()); ++i)
+    if (const Measure& measure = crowd.measures[i]; measure.area.empty())
+      put_name(cairo, measure.name, upper_left_end(measure.line), kCount, size, width);
 }
 
 }  // namespace throng::tools

@@ -27,6 +27,11 @@ struct Measure {
   bool is_on(std::int64_t step) const { return after < step && step <= last; }
 };
 
+/// Where its name stands in pictures.
+inline Vec upper_left_end(const std::array<Vec, 2>& line) {
+  return line[1].y() - line[1].x() > line[0].y() - line[0].x() ? line[1] : line[0];
+}
+
 /// What was measured so far; all of it zero before the first step.
 struct Measured {
   std::int64_t count = 0;            ///< of a line crossings from its left to its right, of an area entries

@@ -58,7 +58,8 @@ class WriteOrder : public DurableRun, public ::testing::WithParamInterface<Recor
 
 TEST_P(WriteOrder, NoCrashBetweenTwoWritesLosesAFrameAndNoneInsideAWriteShowsAWrongOne) {
   const std::string scene = write("a.toml", heap(GetParam())), log = path("log");
-  const int steps = cases(500, 100) * (GetParam().scene == kHeap ? 1 : 2);  // those of agents are quick
+  const int steps =
+      cases(500, kSanitized ? 250 : 100) * (GetParam().scene == kHeap ? 1 : 2);  // those of agents are quick
   const std::string options = "--substeps 400 --checkpoint 0.001" + GetParam().until(steps);
   const std::vector<std::uint64_t> whole = reference(scene, options);
   const Result result = throng(

@@ -228,6 +228,7 @@ class Floor(Program):
         hall, cafe = '"POLYGON ((0 0, 8 0, 8 5, 0 5, 0 0), (1 1, 2 1, 2 2, 1 2, 1 1))"', "[[6, 4], [7, 4], [7, 5], [6, 5]]"
         text = CROWD.replace("areas = {", f'areas = {{ hall = {hall}, "café" = {cafe},') + "queues = { till = { line = [[7, 1], [5.5, 1], [5.5, 1.7]], service = 2.5 } }\n"
         text += AGENT.format(2.0, 4.0).replace('"exit"', '[{ queue = "till" }, { wait = "café", for = 1 }, "exit"]')
+        text += '[[measure]]\nname = "door"\nline = [[8, 0], [8, 5]]\n[[measure]]\nname = "seats"\narea = "café"\n'
         (self.folder / "three.toml").write_text(text)
 
     def test_is_read(self):
@@ -240,6 +241,9 @@ class Floor(Program):
             (queue,) = recording.queues
             self.assertEqual(queue[:3], ("till", 0.6, 2.5))
             self.assertEqual(queue.line.tolist(), [[7, 1], [5.5, 1], [5.5, 1.7]])
+            door, seats = recording.measures
+            self.assertEqual((door.name, door.line.tolist(), door.rings), ("door", [[8, 0], [8, 5]], []))
+            self.assertEqual((seats.name, seats.line, [ring.tolist() for ring in seats.rings]), ("seats", None, [[[6, 4], [7, 4], [7, 5], [6, 5]]]))
         info = json.loads(subprocess.run([PROGRAM, "info", self.path("a.h5"), "--json"], capture_output=True, check=True).stdout)
         self.assertEqual(info["areas"], [{"name": area.name, "use": area.use} for area in recording.areas])
         self.assertEqual(info["queues"], [{"name": "till", "spacing": 0.6, "service": 2.5}])
@@ -252,7 +256,7 @@ class Floor(Program):
     def test_is_not_there_without_a_crowd(self):
         (self.folder / "three.toml").write_text("throng = 1\ntime = { until = 0.1 }\n[shapes]\nball = { disc = { radius = 1 } }\n[[bodies]]\nshape = 'ball'\nat = [0, 0]\n")
         with throng_read.open(self.record()) as recording:
-            self.assertEqual((recording.walkable, recording.areas, recording.queues), ([], [], []))
+            self.assertEqual((recording.walkable, recording.areas, recording.queues, recording.measures), ([], [], [], []))
 
     def test_is_held_against_the_scenario(self):
         """Checksums are right: somebody wrote these numbers."""

@@ -54,7 +54,7 @@ TEST_F(BenchCommand, AddsOneFeatureAfterTheOther) {
   EXPECT_GT(rows[1]["error"]["contacts"], 10);
 }
 
-TEST_F(BenchCommand, PutsAPileToSleep) {
+TEST_F(BenchCommand, RunsAPileWithAndWithoutSleep) {
   const Result result = throng("bench step --only asleep --quick --blocks 1 --json " + path("rows.json"));
   ASSERT_EQ(result.exit_code, 0) << result.err;
   std::set<std::string> engines;

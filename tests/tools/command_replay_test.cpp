@@ -463,13 +463,17 @@ exit = "POLYGON ((8 1, 10 1, 10 4, 8 4, 8 1), (8.5 2, 9.5 2, 9.5 3, 8.5 3, 8.5 2
 bench = [[4, 3], [6, 3], [6, 5], [4, 5]]
 [queues]
 till = { line = [[6, 1], [4, 1]], service = 1 }
+[[measure]]
+name = "door"
+line = [[7, 0.5], [7, 2.5]]
 [[agents]]
 at = [3, 2.5]
 model = "constant_velocity"
 goal = [{ queue = "till" }, { wait = "bench", for = 1 }, "exit"]
 )TOML";
 
-/// Areas are tinted by what agents do there, but for their holes, and a queue is a line.
+/// Areas are tinted by what agents do there, but for their holes, queues are lines, and so is what is
+/// measured, with an arrow to its right.
 TEST_F(Replay, ShowsTheFloorOfACrowd) {
   std::ofstream(folder / "floor.toml") << kFloor;
   ASSERT_EQ(throng("run floor.toml -o floor.h5 --progress none").code, 0);
@@ -492,6 +496,13 @@ TEST_F(Replay, ShowsTheFloorOfACrowd) {
     line += near(0.97) || near(0.98) || near(0.99) || near(1.0) || near(1.01) || near(1.02) || near(1.03);
   }
   EXPECT_TRUE(line > 60 && line < 190) << line << ": dashed";
+  const auto arrow = [&](double pixels) {
+    bool seen = false;
+    for (double y = -3.0; y <= 3.0; ++y) seen |= at(7.0 + pixels / scale, 1.5 + y / scale)[1] < 160;
+    return seen;
+  };
+  EXPECT_TRUE(arrow(5) && arrow(9));
+  EXPECT_FALSE(arrow(-5) || arrow(-9) || arrow(25));
 }
 
 TEST_F(Replay, ShowsThroughTheHolesOfPolygons) {

@@ -24,6 +24,19 @@ shape = "ball"
 at = [6, 1]
 `;
 
+const LINE = `throng = 1
+time = { dt = 0.01, until = 0.02 }
+walkable = "POLYGON ((0 0, 10 0, 10 5, 0 5, 0 0))"
+areas = { exit = [[9, 0], [10, 0], [10, 1], [9, 1]] }
+[[agents]]
+at = [1, 1]
+model = "constant_velocity"
+goal = "exit"
+[[measure]]
+name = "door"
+line = [[6, 3], [6, 5]]
+`;
+
 let chromium;
 
 before(async () => {
@@ -303,6 +316,30 @@ test("agents are drawn with a line to where they walk, and without one where the
   await done();
 });
 
+/** What is painted at a place (m), RGB. */
+const shadeOn = (page, x, y) => page.evaluate(([x, y]) => {
+  const { stage: { gl, canvas }, camera } = globalThis.replay, [px, py] = camera.pixel(x, y), ratio = canvas.width / camera.width, bytes = new Uint8Array(4);
+  globalThis.replay.dirty = true;
+  globalThis.replay.tick(0);
+  gl.readPixels(Math.round(px * ratio), canvas.height - Math.round(py * ratio), 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+  return [...bytes.subarray(0, 3)];
+}, [x, y]);
+
+test("measured lines are named, and an arrow goes to where they count forward", async () => {
+  record("line", LINE);
+  const { page, errors, done } = await visit("mixed.html");
+  await page.setInputFiles("#file", path("line.h5"));
+  await page.waitForFunction(() => globalThis.replay?.description.measuredLines.length === 1 && globalThis.replay.shown);
+  await page.evaluate(() => { globalThis.replay.camera.fit([0, 0, 10, 5]); globalThis.replay.dirty = true; });
+  await page.waitForSelector("#areas span.count");
+  assert.deepEqual(await page.locator("#areas span:visible").allTextContents(), ["exit", "door"]);
+  const pixel = await page.evaluate(() => 1 / globalThis.replay.camera.scale);
+  assert.ok((await shadeOn(page, 6 + 9 * pixel, 4))[1] < 160);
+  assert.deepEqual(await shadeOn(page, 6 - 9 * pixel, 4), [255, 255, 255]);
+  assert.deepEqual(errors, []);
+  await done();
+});
+
 test("areas are filled and named, and those who go together have a colour of their own", async () => {
   record("areas", AREAS);
   const { page, errors, done } = await visit("mixed.html");
@@ -311,13 +348,7 @@ test("areas are filled and named, and those who go together have a colour of the
   await page.evaluate(() => { globalThis.replay.camera.fit([0, 0, 10, 5]); globalThis.replay.dirty = true; });
   await page.waitForSelector("#areas span.goal", { state: "detached" });  // nobody goes anywhere
   assert.deepEqual(await page.locator("#areas span:visible").allTextContents(), ["<b>exit</b>", "start"]);
-  const shade = (x, y) => page.evaluate(([x, y]) => {
-    const { stage: { gl, canvas }, camera } = globalThis.replay, [px, py] = camera.pixel(x, y), ratio = canvas.width / camera.width, bytes = new Uint8Array(4);
-    globalThis.replay.dirty = true;
-    globalThis.replay.tick(0);
-    gl.readPixels(Math.round(px * ratio), canvas.height - Math.round(py * ratio), 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
-    return [...bytes.subarray(0, 3)];
-  }, [x, y]);
+  const shade = (x, y) => shadeOn(page, x, y);
   const [start, hole, notch, floor] = [await shade(1, 4.2), await shade(1, 2.5), await shade(9.5, 2.7), await shade(5, 4)];
   assert.deepEqual([hole, notch, floor], [[255, 255, 255], [255, 255, 255], [255, 255, 255]]);
   assert.ok(start[0] < 240 && start[2] > 245, `${start}`);

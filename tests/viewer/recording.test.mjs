@@ -362,12 +362,19 @@ queues = { till = { line = [[6, 1], [4, 1], [4, 2]], service = 1 } }
 at = [3, 2.5]
 model = "constant_velocity"
 goal = [{ queue = "till" }, { wait = "bench", for = 1 }, "exit"]
+[[measure]]
+name = "seat"
+area = "bench"
+[[measure]]
+name = "door"
+line = [[8, 1], [8, 4]]
 `;
     record("floor", floor);
-    const { areas, queues } = open(library, "floor.h5").description;
+    const { areas, queues, measuredLines } = open(library, "floor.h5").description;
     assert.deepEqual(areas.map(({ name, use, rings }) => [name, use, rings.map(ring => [...ring])]), [
       ["bench", "wait", [[4, 3, 6, 3, 6, 5, 4, 5]]], ["exit", "goal", [[8, 1, 10, 1, 10, 4, 8, 4]]], ["start", "none", [[1, 1, 2, 1, 2, 4, 1, 4]]]]);
     assert.deepEqual(queues.map(({ name, line }) => [name, ...line]), [["till", 6, 1, 4, 1, 4, 2]]);
+    assert.deepEqual(measuredLines, [{ name: "door", line: [8, 1, 8, 4] }]);
     copyFileSync(path("floor.h5"), path("old.h5"));
     alter("old.h5", "del f['throng/areas'], f['throng/queues']");
     const old = open(library, "old.h5").description;

@@ -23,7 +23,7 @@ const pair = { name: "pair", kind: 2, radius: 1, gyration2: 1, outline: new Floa
 
 function scene(shapes, rows, kinds = rows.map(() => 0)) {
   const n = rows.length, column = values => Float64Array.from(values);
-  return { name: "s", description: "", version: "", domain: UNBOUNDED, gravity: [0, -1], shapes, materials: ["default"], walls: [], walkable: [], areas: [], queues: [], groups: [], fields: ["position", "velocity"], times: column([0, 1]), steps: column([0, 1]), complete: true,
+  return { name: "s", description: "", version: "", domain: UNBOUNDED, gravity: [0, -1], shapes, materials: ["default"], walls: [], walkable: [], areas: [], queues: [], measuredLines: [], groups: [], fields: ["position", "velocity"], times: column([0, 1]), steps: column([0, 1]), complete: true,
            bodies: { count: n, changes: false, id: column(rows.map((_, i) => i + 1)), shape: column(rows), material: new Float64Array(n), kind: column(kinds), radius: new Float64Array(n).fill(0.5), mass: new Float64Array(n).fill(1) } };
 }
 

@@ -16,8 +16,8 @@ and go: recording.ids has all that ever may be there, who is away has NaN, and r
 those who are there. recording.contacts(i) gives where bodies pressed, recording.observables the measurements, of
 agents also "agents", "arrived" and "measure/NAME/count" and so on, recording.bins("speeds") the edges of a histogram's
 bins; recording.sensed("NAME", i) whom a sensor found;
-recording.bodies, .shapes, .materials, .domain, .walls, of crowds .walkable (rings), .areas, .queues and .groups, which
-[[agents]] of the scenario each of ids is of, the scene: recording.position[-1][recording.groups == 0] is the first group.
+recording.bodies, .shapes, .materials, .domain, .walls, of crowds .walkable (rings), .areas, .queues, .measures and
+.groups, which [[agents]] of the scenario each of ids is of, the scene: recording.position[-1][recording.groups == 0] is the first group.
 
 Whatever isn't there, be it a frame, a field, a sample, a sensor, an observable or a time, raises NotRecorded, which
 says what there is. To ask before: .frames of a field (none where it was not recorded), recording.contact_frames,
@@ -79,6 +79,7 @@ Wall = namedtuple("Wall", "points closed material")
 Domain = namedtuple("Domain", "kind min max")
 Area = namedtuple("Area", "name use rings")  # use: none, goal, wait; inside is what an odd number of rings encloses
 Queue = namedtuple("Queue", "name spacing service line")  # m, s; the first of its points is the head
+Measure = namedtuple("Measure", "name line rings")  # line: from and to (m), None where an area is measured, of rings
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -341,6 +342,7 @@ class Recording:
         self.areas = self._areas()
         self.queues = [Queue(_text(name), float(spacing), float(service), line) for (name, spacing, service), line in zip(
             self._columns("throng/queues", ("name", "spacing", "service")), self._lists("throng/queues"))]
+        self.measures = self._measures()
 
     @functools.cached_property
     def groups(self):
@@ -363,6 +365,13 @@ class Recording:
         rings, offset, uses = self._lists("throng/areas"), self._all("throng/areas/area_offset"), ("none", "goal", "wait")
         return [Area(_text(name), uses[use], rings[a:b]) for (name, use), a, b in zip(
             self._columns("throng/areas", ("name", "use")), offset, offset[1:])]
+
+    def _measures(self):
+        if "throng/measures" not in self._file:
+            return []
+        rings, offset = self._lists("throng/measures"), self._all("throng/measures/area_offset")
+        return [Measure(_text(name), None if b > a else line.reshape(2, 2), rings[a:b]) for (name, line), a, b in zip(
+            self._columns("throng/measures", ("name", "line")), offset, offset[1:])]
 
     def _lists(self, group):
         """The lists of points of a group; none where that isn't there."""

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is drawn under and over the bodies: areas, queues, domain and walls; contacts; the picked body, its sensing radius and whom it senses.
+// What is drawn under and over the bodies: areas, queues, measured lines, domain and walls; contacts; the picked body, its sensing radius and whom it senses.
 import { Lines } from "./gl/lines.js";
 import { styleColour } from "./ui/dom.js";
 
@@ -22,7 +22,7 @@ export class Overlay {
   restyle() {
     this.paper = styleColour("--paper");
     this.colours = { wall: styleColour("--wall"), domain: styleColour("--domain"), link: styleColour("--link"), pick: styleColour("--pick"),
-                     none: styleColour("--area"), goal: styleColour("--goal"), wait: styleColour("--stay") };
+                     none: styleColour("--area"), goal: styleColour("--goal"), wait: styleColour("--stay"), count: styleColour("--count") };
     this.#anchor = [NaN, NaN];
   }
 
@@ -44,22 +44,32 @@ export class Overlay {
     this.#anchor = [NaN, NaN];
   }
 
-  /** Areas, queues, domain and walls. @param {import("./gl/stage.js").View} view */
+  /** Areas, queues, measured lines, domain and walls. @param {import("./gl/stage.js").View} view */
   #still(view) {
     this.#anchor = [view.x, view.y];
     const lines = new Lines(this.#anchor), { domain, walls } = this.description, colours = this.colours;
     if (!colours) return;
-    const { areas, queues } = this.showAreas ? this.description : { areas: [], queues: [] };
+    const { areas, queues, measuredLines } = this.showAreas ? this.description : { areas: [], queues: [], measuredLines: [] };
     this.stage.areas.load(this.#anchor, areas.map(({ rings, use }) => ({ rings, colour: [...colours[use], use === "none" ? 0.1 : 0.16] })));
     for (const { rings, use } of areas) for (const points of rings) lines.path(points, true, 1.5, colours[use], 4);
     for (const { line } of queues) {
       lines.path(line, false, 2, colours.wait, 4);
       lines.ring(line[0], line[1], 4 * view.ratio / view.scale, 2.5, colours.wait);
     }
+    for (const { line } of measuredLines) this.#counted(lines, line, view.ratio / view.scale);
     const [left, bottom] = domain.min, [right, top] = domain.max;
     if (domain.kind !== "unbounded") lines.path([left, bottom, right, bottom, right, top, left, top], true, 2, colours.domain, domain.kind === "periodic" ? 6 : 0);
     for (const { points, closed } of walls) lines.path(points, closed, 2.5, colours.wall);
     this.stage.under.load(lines);
+  }
+
+  /** A measured line, and from its middle an arrow to where it counts forward. @param {Lines} lines @param {number[]} line @param {number} pixel  m */
+  #counted(lines, [ax, ay, bx, by], pixel) {
+    const colour = this.colours?.count ?? [0, 0, 0], far = Math.hypot(bx - ax, by - ay), ux = (bx - ax) / far, uy = (by - ay) / far;
+    const x = (ax + bx) / 2, y = (ay + by) / 2, tipX = x + 18 * pixel * uy, tipY = y - 18 * pixel * ux;
+    lines.path([ax, ay, bx, by], false, 2, colour, 4);
+    lines.add(x, y, tipX, tipY, 2, colour);
+    for (const side of [1, -1]) lines.add(tipX, tipY, tipX + 6 * pixel * (side * ux - uy), tipY + 6 * pixel * (side * uy + ux), 2, colour);
   }
 
   /** The bodies in touch, centre to centre, the wider the deeper. @param {import("./gl/stage.js").View} view @param {{states: Float32Array, contacts: import("./physics/contacts.js").Contacts | undefined}} what */

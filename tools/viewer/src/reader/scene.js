@@ -14,9 +14,11 @@ import { areasOf, gravityOf, groupsOf, sections } from "./scenario.js";
  *   3 agent; changes: each frame holds some of them, agents until they leave
  * @typedef {{points: Float64Array, closed: boolean}} Wall
  * @typedef {{name: string, line: Float64Array}} Queue  x, y, x, y (m), from its head
+ * @typedef {{name: string, line: number[]}} MeasuredLine  x, y, x, y (m); forward is from its left to its right
  * @typedef {{kind: "unbounded" | "box" | "periodic", min: number[], max: number[]}} Domain
  * @typedef {{name: string, description: string, version: string, domain: Domain, gravity: number[] | null, shapes: Shape[],
- *   materials: string[], bodies: Bodies, walls: Wall[], walkable: Float64Array[], areas: import("./scenario.js").Area[], queues: Queue[], groups: import("./scenario.js").Group[]}} Scene
+ *   materials: string[], bodies: Bodies, walls: Wall[], walkable: Float64Array[], areas: import("./scenario.js").Area[], queues: Queue[],
+ *   measuredLines: MeasuredLine[], groups: import("./scenario.js").Group[]}} Scene
  */
 
 /** @param {any} value @returns {string} */
@@ -132,6 +134,15 @@ function readQueues(file) {
   return names.map((name, i) => ({ name, line: lines[i] }));
 }
 
+/** Of the measures those that have no area. @param {File} file @returns {MeasuredLine[]} */
+function readMeasuredLines(file) {
+  const at = "throng/measures/";
+  if (!file.get("throng/measures")) return [];
+  const names = texts(file, at + "name", [-1]), line = expectRange(numbers(file, at + "line", "float", [names.length, 4]), at + "line", -1e300, 1e300);
+  const offset = numbers(file, at + "area_offset", "int", [names.length + 1]);
+  return names.map((name, i) => ({ name, line: Array.from(line.slice(4 * i, 4 * i + 4)) })).filter((_, i) => offset[i] === offset[i + 1]);
+}
+
 /** Throws unless this program can read the file. @param {File} file */
 export function expectVersion(file) {
   const version = attribute(file.get("throng"), "version");
@@ -147,6 +158,6 @@ export function readScene(file) {
   const bodies = readBodies(file, shapes.length, materials.length);
   return { name: text(attribute(throng, "name")), description: text(attribute(throng, "description")),
            version: text(attribute(parameters, "version")), domain: readDomain(file), gravity: gravityOf(scenario),
-           shapes, materials, bodies, walls: readWalls(file), walkable: readWalkable(file), areas: readAreas(file) ?? areasOf(scenario), queues: readQueues(file),
+           shapes, materials, bodies, walls: readWalls(file), walkable: readWalkable(file), areas: readAreas(file) ?? areasOf(scenario), queues: readQueues(file), measuredLines: readMeasuredLines(file),
            groups: groupsOf(scenario, Number(attribute(parameters, "bodies") ?? bodies.count)) };
 }

@@ -24,7 +24,7 @@ const RANGE = 1000;  // steps of the slider of the sensing radius: from 1 to 100
 export class Controls {
   replay = /** @type {Replay | null} */ (null);
   charts = /** @type {import("./charts.js").Charts | null} */ (null);
-  #labels = new Labels([], []);
+  #labels = new Labels([], [], []);
   #last = 0;
   #told = 0;
 
@@ -53,9 +53,9 @@ export class Controls {
     const seconds = [0, 0.02, 0.1, 0.4].map(part => Number(roundBelow(Math.max(1e-12, part * (player.last - player.first))).toPrecision(1)));
     fillSelect(byId("trails"), seconds.map((s, i) => ({ value: i === 0 ? "0" : String(s), text: i === 0 ? "none" : `${short(s)} s` })), "0");
     byId("contacts").checked = false;
-    byId("areas-row").hidden = d.areas.length + d.queues.length === 0;
+    byId("areas-row").hidden = d.areas.length + d.queues.length + d.measuredLines.length === 0;
     byId("show-areas").checked = true;
-    this.#labels = new Labels(d.areas, d.queues);
+    this.#labels = new Labels(d.areas, d.queues, d.measuredLines);
     byId("pick").max = bodies.id[bodies.count - 1] ?? 1;
     player.loop = byId("loop").checked;
     this.#pick(-1);
