@@ -28,8 +28,7 @@ constexpr HalvesOfMasks halves_of_masks() {
   return table;
 }
 
-/// For each mask of four numbers the halves of those in it, ascending. (Where vectors can't be compressed by
-/// one instruction, Highway 1.0.3 does it by a table that g++ copies to the stack each time, 512 bytes.)
+/// For each mask of four numbers the halves of those in it, ascending.
 inline constexpr HalvesOfMasks kHalvesOfMask = halves_of_masks();
 
 }  // namespace throng
@@ -38,7 +37,8 @@ inline constexpr HalvesOfMasks kHalvesOfMask = halves_of_masks();
 HWY_BEFORE_NAMESPACE();
 namespace throng::HWY_NAMESPACE {
 
-/// Stores the numbers of a mask one after the other, and rubbish up to a vector behind them.
+/// Stores the numbers of a mask one after the other, and rubbish up to a vector behind them. (Highway 1.0.3
+/// compresses numbers of 64 bits by a table that g++ copies to the stack each time, 512 bytes or 2 kB.)
 class Compressor {
   using D = hwy::HWY_NAMESPACE::ScalableTag<double>;
   using Numbers = hwy::HWY_NAMESPACE::Vec<D>;
@@ -73,10 +73,18 @@ class Compressor {
     return hwy::HWY_NAMESPACE::CountTrue(D(), mask_);
   }
   HWY_INLINE void store(Numbers v, double* to) const {
-    hwy::HWY_NAMESPACE::StoreU(hwy::HWY_NAMESPACE::Compress(v, mask_), D(), to);
+    hwy::HWY_NAMESPACE::StoreU(compressed(v), D(), to);
   }
 
  private:
+  HWY_INLINE Numbers compressed(Numbers v) const {
+#if HWY_TARGET == HWY_AVX3
+    return Numbers{_mm512_maskz_compress_pd(mask_.raw, v.raw)};
+#else
+    return hwy::HWY_NAMESPACE::Compress(v, mask_);
+#endif
+  }
+
   Mask mask_;
 #endif
 };
