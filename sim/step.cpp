@@ -140,6 +140,7 @@ void push(const Scene& scene, const Plan& plan, State& state, Workspace& work, b
   by_parts(work, [&](Rows rows) { load(plan, state, rows, work.bodies); });
   if (plan.contacts()) {
     work.finder.find({work.candidates, state, work.bodies}, work.contacts, work.workers);
+    work.bounces.start_step(work.contacts);
     work.ahead = 2.0 * work.candidates.chain() > work.finder.least_way() ? work.solver.h : 0.0;
     clock.lap(work.times.find_contacts);
   }
@@ -154,10 +155,13 @@ void push(const Scene& scene, const Plan& plan, State& state, Workspace& work, b
   clock.lap(work.times.solve);
 }
 
-/// Where bodies are looked for as far as they got.
-bool widen(Workspace& work, bool flown, bool all) {
+/// Whether bodies got farther than they were looked for, and may have met somebody there; then the next
+/// attempt looks as far.
+bool widen(const State& state, Workspace& work, bool flown, bool all) {
   if (flown) return work.candidates.widen(work.flights.reached(), all);
-  return work.candidates.widen(work.bodies, {}, all);
+  std::span<const Reached> strays = work.candidates.strays(work.bodies);
+  if (!strays.empty() && !work.unseen.met(strays, state, work.bodies, work.contacts)) strays = {};
+  return work.candidates.widen(strays, all);
 }
 
 /// How a step of bodies is taken.
@@ -170,7 +174,7 @@ struct Attempt {
 /// Whether the step must be taken again: as bodies got where nobody was looked for, or, under guard, as
 /// hearts may have met.
 bool again(const State& state, Workspace& work, Attempt& attempt) {
-  if (widen(work, attempt.flown, attempt.number >= kLocalAttempts)) return true;
+  if (widen(state, work, attempt.flown, attempt.number >= kLocalAttempts)) return true;
   if (attempt.flown || attempt.guarded) return false;
   return attempt.guarded = work.guard->saw_meeting(state, work.bodies, work.workers);
 }
@@ -216,7 +220,8 @@ void step_soft(const Scene& scene, const Plan& plan, State& state, Workspace& wo
     load(plan, state, all, work.bodies);
     work.soft.run(work.candidates, state, work.bodies);
     clock.lap(work.times.solve);
-    if (!work.candidates.widen(work.bodies, work.soft.farthest(), attempt >= kLocalAttempts)) break;
+    const std::span<const Reached> strays = work.candidates.strays(work.bodies, work.soft.farthest());
+    if (!work.candidates.widen(strays, attempt >= kLocalAttempts)) break;
     if (attempt == kAttempts) fail_at_chain(state);
   }
   work.soft.check(state);

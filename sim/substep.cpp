@@ -5,7 +5,6 @@
 #include <limits>
 #include <span>
 
-#include "sim/contact/bounce.h"
 #include "sim/contact/fast.h"
 
 namespace throng {
@@ -48,35 +47,23 @@ void move(std::span<SolverBody> bodies, Rows awake, double h, bool rotation) {
   });
 }
 
-/// The discs' normals, each on its own.
-void prepare_bounce(Workspace& work, const Vec* period) {
-  const std::span<DiscContact> discs = work.contacts.disc_bounces;
-  work.workers.for_ranges(discs.size(), [&](std::size_t begin, std::size_t end) {
-    prepare(discs.subspan(begin, end - begin), work.bodies, period, work.ahead);
-  });
-  prepare(work.contacts.point_bounces, work.bodies);
-}
-
-/// Contact after contact: lets all bounce that meets by the rule, and what that sets in motion, until nothing
-/// meets any more.
+/// Lets all bounce that meets by the rule, and what that sets in motion, until nothing meets any more.
 void bounce(Workspace& work, BounceRule rule, int bounces) {
   const int hits = hit_sweeps(work.contacts);
-  for (int sweep = 0; sweep < std::max(bounces, hits); ++sweep, work.strikes.next_sweep()) {
-    if (sweep == 1 && hits > kHitSweeps) rule.hit_speed *= kFollows;
-    if (sweep == hits) rule.hit_speed = kNever;
+  rule.follow_speed = hits > kHitSweeps ? kFollows * rule.hit_speed : rule.hit_speed;
+  for (int sweep = 0; sweep < std::max(bounces, hits); ++sweep) {
+    if (sweep == hits) rule.hit_speed = rule.follow_speed = kNever;
     if (sweep == bounces) rule.threshold = kNever;
-    const bool discs = bounce(work.contacts.disc_bounces, work.bodies, rule, work.strikes);
-    const bool points = bounce(work.contacts.point_bounces, work.bodies, rule, work.strikes);
-    if (!discs && !points) return;
+    if (!work.bounces.sweep(work.contacts, work.bodies, rule)) return;
   }
 }
 
 void bounce(const Plan& plan, Workspace& work, const Vec& kick, const Vec* period) {
   if (work.contacts.disc_bounces.empty() && work.contacts.point_bounces.empty()) return;
-  prepare_bounce(work, period);
-  const double h = work.solver.h;
-  work.strikes.start(work.bodies.size());
-  bounce(work, {h, h, kRestSpeed * kick.norm(), work.finder.hit_speed(), kick}, bounce_sweeps(plan));
+  const double h = work.solver.h, hit_speed = work.finder.hit_speed();
+  const BounceRule rule{h, h, kRestSpeed * kick.norm(), hit_speed, hit_speed, kick, period, work.ahead};
+  work.bounces.start(work.bodies, rule);
+  bounce(work, rule, bounce_sweeps(plan));
 }
 
 /// What hit has arrived at the other's surface and is stopped there, and who stands on it with it. Left to
@@ -84,10 +71,9 @@ void bounce(const Plan& plan, Workspace& work, const Vec& kick, const Vec* perio
 /// What bounces doesn't here.
 void stop(Workspace& work, const Vec* period) {
   if (work.contacts.hits == 0) return;
-  const double h = work.solver.h;
-  prepare_bounce(work, period);
-  work.strikes.go_on();
-  bounce(work, {h, kAtOnce * h, kNever, work.finder.hit_speed(), Vec(0.0, 0.0)}, 0);
+  const double h = work.solver.h, hit_speed = work.finder.hit_speed();
+  work.bounces.go_on();
+  bounce(work, {h, kAtOnce * h, kNever, hit_speed, hit_speed, Vec(0.0, 0.0), period, work.ahead}, 0);
 }
 
 void resist_rolling(Workspace& work) {

@@ -5,13 +5,14 @@
 #include <optional>
 #include <vector>
 
-#include "sim/contact/bounce.h"
+#include "sim/contact/bounce_queue.h"
 #include "sim/contact/candidates.h"
 #include "sim/contact/find_contacts.h"
 #include "sim/contact/flights.h"
 #include "sim/contact/guard.h"
 #include "sim/contact/soft_contacts.h"
 #include "sim/contact/solve.h"
+#include "sim/contact/unseen.h"
 #include "sim/crowd/walk.h"
 #include "sim/plan.h"
 #include "sim/scene.h"
@@ -44,10 +45,11 @@ struct Workspace {
   SoftContacts soft;
   ContactFinder finder;
   Contacts contacts;
-  Strikes strikes;                 ///< in a substep
+  BounceQueue bounces;
   std::vector<SolverBody> bodies;  ///< a row per body, and one for all obstacles for each group of contacts
   std::vector<std::uint8_t> pressed;  ///< of each body, in the last step; where much stands high
-  double mean_radius;                 ///< m, of what may touch
+  Unseen unseen;
+  double mean_radius;  ///< m, of what may touch
   SolverSettings solver;
   double ahead = 0.0;  ///< s, for how long discs look ahead in a substep: 0 where nobody gets far
   Walk crowd;

@@ -145,8 +145,13 @@ std::pair<std::size_t, std::size_t> outermost(std::span<const PointContact> cont
   return std::minmax(low, high);
 }
 
-/// The contacts of two bodies, in one part of each or several.
-bool bounce_pair(std::span<PointContact> contacts, std::span<SolverBody> bodies, const BounceRule& rule) {
+}  // namespace
+
+bool bounce(DiscContact& contact, std::span<SolverBody> bodies, const BounceRule& rule) {
+  return bounce_one(contact, bodies, rule);
+}
+
+bool bounce(std::span<PointContact> contacts, std::span<SolverBody> bodies, const BounceRule& rule) {
   bool bounced = false;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     if (!(rebound(contacts[i], bodies[contacts[i].a], bodies[contacts[i].b], rule) > 0.0)) {
@@ -157,42 +162,6 @@ bool bounce_pair(std::span<PointContact> contacts, std::span<SolverBody> bodies,
     if (low == high || !bounce_both(contacts[low], contacts[high], bodies, rule))
       bounce_one(contacts[i], bodies, rule);
     bounced = true;
-  }
-  return bounced;
-}
-
-/// What doesn't move isn't struck.
-void note(Strikes& strikes, std::uint32_t a, std::uint32_t b, std::span<const SolverBody> bodies) {
-  if (bodies[a].inverse_mass > 0.0) strikes.strike(a);
-  if (bodies[b].inverse_mass > 0.0) strikes.strike(b);
-}
-
-}  // namespace
-
-bool bounce(std::span<DiscContact> contacts, std::span<SolverBody> bodies, const BounceRule& rule,
-            Strikes& strikes) {
-  bool bounced = false;
-  for (DiscContact& contact : contacts) {
-    if (!strikes.may_meet(contact.a, contact.b) || !bounce_one(contact, bodies, rule)) continue;
-    note(strikes, contact.a, contact.b, bodies);
-    bounced = true;
-  }
-  return bounced;
-}
-
-bool bounce(std::span<PointContact> contacts, std::span<SolverBody> bodies, const BounceRule& rule,
-            Strikes& strikes) {
-  bool bounced = false;
-  while (!contacts.empty()) {
-    const std::uint32_t a = contacts[0].a, b = contacts[0].b;
-    const auto others = [&](const PointContact& contact) { return contact.a != a || contact.b != b; };
-    const std::size_t size =
-        static_cast<std::size_t>(std::ranges::find_if(contacts, others) - contacts.begin());
-    if (strikes.may_meet(a, b) && bounce_pair(contacts.first(size), bodies, rule)) {
-      note(strikes, a, b, bodies);
-      bounced = true;
-    }
-    contacts = contacts.subspan(size);
   }
   return bounced;
 }

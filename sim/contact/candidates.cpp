@@ -192,8 +192,9 @@ double Candidates::swung(std::uint32_t i, double turn) const {
   return std::max(unseen - 0.5 * std::max(radius - swing, 0.0), 0.0);
 }
 
-bool Candidates::widen(std::span<const SolverBody> bodies, std::span<const double> farthest, bool all) {
-  Widened widened;
+std::span<const Reached> Candidates::strays(std::span<const SolverBody> bodies,
+                                            std::span<const double> farthest) {
+  strays_.clear();
   rows_.for_each([&](std::uint32_t i) {
     if (!colliders_.movable[i]) return;
     const std::uint32_t body = colliders_.body[i];
@@ -204,9 +205,10 @@ bool Candidates::widen(std::span<const SolverBody> bodies, std::span<const doubl
     const double before = farthest.empty() ? 0.0 : farthest[body];
     const double moved = squared_way(body, bodies[body].position);
     if (looked >= before && moved <= looked * looked) return;
-    widen_one(i, std::max(std::sqrt(moved), before) + aside, widened);
+    strays_.push_back({i, std::max(std::sqrt(moved), before) + aside});
   });
-  return keep(widened, all);
+  if (!strays_.empty()) farthest_way_ = kUnbounded;
+  return strays_;
 }
 
 bool Candidates::widen(std::span<const Reached> reached, bool all) {
@@ -240,13 +242,11 @@ void Candidates::drop_own_parts() {
 
 void Candidates::find_obstacle_pairs() {
   obstacle_pairs_.clear();
-  const auto first = static_cast<std::uint32_t>(obstacles_.side.size());
   rows_.for_each([&](std::uint32_t i) {
     if (!colliders_.movable[i]) return;
     if (plan_.box) add_box_sides(i);
-    if (!plan_.obstacles) return;
     const broadphase::Box box(centre_[i].array() - reach_[i], centre_[i].array() + reach_[i]);
-    index_.for_each_near(box, [&](std::uint32_t item) { obstacle_pairs_.push_back({i, first + item}); });
+    for_each_obstacle_near(box, [&](std::uint32_t row) { obstacle_pairs_.push_back({i, row}); });
   });
 }
 

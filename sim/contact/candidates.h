@@ -47,14 +47,25 @@ class Candidates {
   /// farther than a step. O(n).
   bool serve(const State& state, double dt) const;
 
-  /// Whether some body got farther from where find() found it than find() looked, in a step that brought
-  /// `bodies` to where they are. If so, the next find() looks far enough, round `all` bodies if asked for,
-  /// and the step must be taken again. `farthest` (m): how far from there each was on its way, where that is
-  /// known; or empty.
-  bool widen(std::span<const SolverBody> bodies, std::span<const double> farthest, bool all);
+  /// Who got farther from where find() found it than find() looked, in a step that brought `bodies` to where
+  /// they are. `farthest` (m): how far from there each was on its way, where that is known; or empty. Valid
+  /// until the next call.
+  std::span<const Reached> strays(std::span<const SolverBody> bodies, std::span<const double> farthest = {});
 
-  /// The same where only those that `reached` tells of may have got so far.
+  /// Whether one of those that `reached` tells of got farther than find() looked. If so, the next find()
+  /// looks far enough, round `all` bodies if asked for, and the step must be taken again.
   bool widen(std::span<const Reached> reached, bool all);
+
+  /// Whether the domain does.
+  bool repeats() const { return plan_.periodic; }
+
+  /// Calls f(row) for every obstacle but the box's sides that touches the box, ascending.
+  template <class F>
+  void for_each_obstacle_near(const broadphase::Box& box, F&& f) const {
+    if (!plan_.obstacles) return;
+    const auto first = static_cast<std::uint32_t>(obstacles_.side.size());
+    index_.for_each_near(box, [&](std::uint32_t item) { f(first + item); });
+  }
 
   /// How far `position` is from where find() found the body, squared (m²); by the shorter way where the
   /// domain repeats.
@@ -92,7 +103,7 @@ class Candidates {
   double chain() const { return chain_; }
 
   /// How far the fastest body's velocity, gravity and the widest turn take any point within the step (m);
-  /// infinite where bodies got farther and the step is taken again.
+  /// infinite where bodies got farther.
   double farthest_way() const { return farthest_way_; }
 
   /// Where a body that was placed stands. Discs look the same from all sides: where there is nothing else,
@@ -148,6 +159,7 @@ class Candidates {
   std::vector<double> margin_;   ///< m, how far that disc may get within the step
   std::vector<double> turning_;  ///< m, how much farther turning may bring its surface; empty for discs
   std::vector<double> reach_;    ///< m, its radius and margin
+  std::vector<Reached> strays_;
   std::vector<double>
       widened_;  ///< m, the least margin of each body, while a step is taken again; else empty
   std::vector<broadphase::Pair> pairs_, obstacle_pairs_;

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "sim/contact/bounce_queue.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "sim/contact/solve.h"
+
+namespace throng {
+
+namespace {
+
+bool moves(const SolverBody& body) {
+  return body.inverse_mass > 0.0;
+}
+
+/// The contacts at the front that are of the same two bodies.
+std::size_t of_one_pair(std::span<const PointContact> contacts) {
+  const auto other = [&](const PointContact& contact) {
+    return contact.a != contacts[0].a || contact.b != contacts[0].b;
+  };
+  return static_cast<std::size_t>(std::ranges::find_if(contacts, other) - contacts.begin());
+}
+
+}  // namespace
+
+void BounceQueue::list(std::span<const DiscContact> contacts) {
+  for (std::uint32_t i = 0; i < contacts.size(); ++i) {
+    const DiscContact& contact = contacts[i];
+    const bool bounces = contact.restitution > 0.0;
+    if (bounces || contact.hits)
+      entries_.push_back({contact.a, contact.b, i, 1, 0.0, 0.0, bounces, contact.hits});
+  }
+}
+
+void BounceQueue::list(std::span<const PointContact> contacts) {
+  for (std::size_t first = 0, count; first < contacts.size(); first += count) {
+    count = of_one_pair(contacts.subspan(first));
+    Entry entry{contacts[first].a,
+                contacts[first].b,
+                static_cast<std::uint32_t>(first),
+                static_cast<std::uint32_t>(count),
+                0.0,
+                0.0,
+                false,
+                false};
+    for (const PointContact& contact : contacts.subspan(first, count)) {
+      entry.reach_a = std::max(entry.reach_a, contact.first_a.norm() + contact.round_a);
+      entry.reach_b = std::max(entry.reach_b, contact.first_b.norm() + contact.round_b);
+      entry.bounces |= contact.restitution > 0.0, entry.hits |= contact.hits;
+    }
+    if (entry.bounces || entry.hits) entries_.push_back(entry);
+  }
+}
+
+void BounceQueue::start_step(const Contacts& contacts) {
+  entries_.clear(), joined_ = false;
+  list(contacts.disc_bounces);
+  discs_ = entries_.size();
+  list(contacts.point_bounces);
+  prepared_.assign(entries_.size(), 0);
+}
+
+/// By no more than the speed of the centres and what spins add; a little is left to rounding.
+bool BounceQueue::may_meet(const Entry& entry, std::span<const SolverBody> bodies, const BounceRule& rule) {
+  const SolverBody &a = bodies[entry.a], &b = bodies[entry.b];
+  const double least = (1.0 - 1e-9) * (entry.bounces ? rule.threshold : rule.hit_speed);
+  const double left = least - std::abs(a.spin) * entry.reach_a - std::abs(b.spin) * entry.reach_b;
+  return !(left > 0.0 && (b.velocity - a.velocity).squaredNorm() < left * left);
+}
+
+void BounceQueue::start(std::span<const SolverBody> bodies, const BounceRule& rule) {
+  substep_ = ++phase_;
+  struck_in_.resize(bodies.size());
+  struck_.clear();
+  waiting_.assign((entries_.size() + 63) / 64, 0);
+  for (std::uint32_t i = 0; i < entries_.size(); ++i)
+    if (may_meet(entries_[i], bodies, rule)) wait(i);
+}
+
+void BounceQueue::go_on() {
+  ++phase_;
+  std::ranges::fill(waiting_, 0);
+  for (const std::uint32_t body : struck_) wait_for(body);
+}
+
+void BounceQueue::wait_for(std::uint32_t body) {
+  for (std::uint32_t i = first_of_[body]; i < first_of_[body + 1]; ++i) wait(of_body_[i]);
+}
+
+/// Lists the entries of each body that moves.
+void BounceQueue::join(std::span<const SolverBody> bodies) {
+  first_of_.assign(bodies.size() + 1, 0);
+  const auto for_each_end = [&](auto f) {
+    for (std::uint32_t i = 0; i < entries_.size(); ++i)
+      for (const std::uint32_t body : {entries_[i].a, entries_[i].b})
+        if (moves(bodies[body])) f(body, i);
+  };
+  for_each_end([&](std::uint32_t body, std::uint32_t) { ++first_of_[body]; });
+  std::uint32_t end = 0;
+  for (std::uint32_t& first : first_of_) first = end += first;
+  of_body_.resize(end);
+  for_each_end([&](std::uint32_t body, std::uint32_t entry) { of_body_[--first_of_[body]] = entry; });
+  joined_ = true;
+}
+
+/// What doesn't move isn't struck.
+void BounceQueue::note_strike(std::uint32_t body, std::span<const SolverBody> bodies) {
+  if (!moves(bodies[body])) return;
+  if (struck_in_[body] < substep_) struck_.push_back(body);
+  struck_in_[body] = phase_;
+  wait_for(body);
+}
+
+bool BounceQueue::look_at(std::uint32_t i, Contacts& contacts, std::span<SolverBody> bodies,
+                          const BounceRule& rule) {
+  const Entry& entry = entries_[i];
+  const bool is_new = std::exchange(prepared_[i], phase_) != phase_;
+  if (i < discs_) {
+    const std::span<DiscContact> one = std::span(contacts.disc_bounces).subspan(entry.first, 1);
+    if (is_new) prepare(one, bodies, rule.period, rule.ahead);
+    return bounce(one[0], bodies, rule);
+  }
+  const std::span<PointContact> pair = std::span(contacts.point_bounces).subspan(entry.first, entry.count);
+  if (is_new) prepare(pair, bodies);
+  return bounce(pair, bodies, rule);
+}
+
+bool BounceQueue::sweep(Contacts& contacts, std::span<SolverBody> bodies, const BounceRule& rule) {
+  BounceRule in_course = rule;
+  in_course.hit_speed = rule.follow_speed;
+  for (std::size_t word = 0; word < waiting_.size(); ++word) {
+    std::uint64_t ahead = ~std::uint64_t{0};
+    while (const std::uint64_t left = waiting_[word] & ahead) {
+      const std::uint64_t bit = left & -left;
+      ahead = ~(bit | (bit - 1));
+      waiting_[word] &= ~bit;
+      const std::uint32_t i =
+          static_cast<std::uint32_t>(64 * word) + static_cast<std::uint32_t>(std::countr_zero(bit));
+      const auto [a, b] = std::pair(entries_[i].a, entries_[i].b);
+      if (!look_at(i, contacts, bodies, was_struck(a) || was_struck(b) ? in_course : rule)) continue;
+      if (!joined_) join(bodies);
+      note_strike(a, bodies), note_strike(b, bodies);
+    }
+  }
+  return std::ranges::any_of(waiting_, [](std::uint64_t word) { return word != 0; });
+}
+
+}  // namespace throng

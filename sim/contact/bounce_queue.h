@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sim/contact/bounce.h"
+#include "sim/contact/contacts.h"
+
+namespace throng {
+
+/// Which contacts of a step are to be looked at for bounces: at first those of two who are fast enough
+/// against each other, then those of who was struck since they were looked at. Costs what is looked at, and
+/// of the others a few additions and a bit.
+class BounceQueue {
+ public:
+  /// The contacts that a step lists among bounces. O(contacts).
+  void start_step(const Contacts& contacts);
+
+  /// Before the first sweep of a substep: waiting are all who may bounce or hit by the rule. O(contacts).
+  void start(std::span<const SolverBody> bodies, const BounceRule& rule);
+  /// Before further sweeps of it, after bodies have moved: waiting is who touches somebody that was struck.
+  void go_on();
+
+  /// Looks once at each contact that waits, discs' first, in their order, and at those further on of who is
+  /// struck meanwhile; the contacts of two bodies at their points are looked at together. Contacts are
+  /// prepared when they are first looked at since start() or go_on(). Returns whether any waits then.
+  bool sweep(Contacts& contacts, std::span<SolverBody> bodies, const BounceRule& rule);
+
+ private:
+  /// A contact of two discs, or all those of two bodies at points.
+  struct Entry {
+    std::uint32_t a, b;
+    std::uint32_t first, count;  // contacts
+    double reach_a, reach_b;     // m, how far from the bodies' centres: 0 where spins don't matter
+    bool bounces, hits;
+  };
+
+  static bool may_meet(const Entry& entry, std::span<const SolverBody> bodies, const BounceRule& rule);
+  bool look_at(std::uint32_t entry, Contacts& contacts, std::span<SolverBody> bodies, const BounceRule& rule);
+  void list(std::span<const DiscContact> contacts);
+  void list(std::span<const PointContact> contacts);
+  void note_strike(std::uint32_t body, std::span<const SolverBody> bodies);
+  void join(std::span<const SolverBody> bodies);
+  void wait_for(std::uint32_t body);
+  bool was_struck(std::uint32_t body) const { return struck_in_[body] == phase_; }
+  std::span<const std::uint32_t> entries_of(std::uint32_t body) const {
+    return std::span(of_body_).subspan(first_of_[body], first_of_[body + 1] - first_of_[body]);
+  }
+  void wait(std::uint32_t entry) { waiting_[entry / 64] |= std::uint64_t{1} << entry % 64; }
+
+  std::vector<Entry> entries_;
+  std::size_t discs_ = 0;                  // how many of them are of discs
+  std::vector<std::uint64_t> waiting_;     // a bit an entry
+  std::vector<std::uint64_t> prepared_;    // of each entry, in which phase
+  std::uint64_t phase_ = 0, substep_ = 0;  // counted from start() and go_on(); the substep's first phase
+  std::vector<std::uint64_t> struck_in_;   // of each body, the phase
+  std::vector<std::uint32_t> struck_;      // bodies, in this substep, each once
+  bool joined_ = false;                    // whether these are of this step:
+  std::vector<std::uint32_t> first_of_, of_body_;
+};
+
+}  // namespace throng
