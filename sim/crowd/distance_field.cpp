@@ -103,7 +103,7 @@ bool DistanceField::leads_from_anywhere() const {
 
 double DistanceField::distance(const Vec& p) const {
   Cell cell;
-  if (contains(goal_, p)) return 0.0;
+  if (goal_(p)) return 0.0;
   if (!locate(p, cell)) return kUnreached;
   if (!is_whole(cell.node)) {
     double distance = kUnreached;
@@ -151,7 +151,7 @@ Vec DistanceField::direction(const Vec& p) const {
   if (slope(p, down)) return unit(down);
   Cell cell;
   if (!locate(p, cell)) return {0.0, 0.0};
-  if (contains(goal_, p)) return {0.0, 0.0};
+  if (goal_(p)) return {0.0, 0.0};
   const Vec fall = fall_of_visible(p, cell);
   if (fall.squaredNorm() > kFaint * kFaint) return unit(fall);
   double distance = kUnreached;

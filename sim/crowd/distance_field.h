@@ -7,6 +7,7 @@
 
 #include "sim/crowd/barriers.h"
 #include "sim/crowd/floor_plan.h"
+#include "sim/crowd/inside.h"
 #include "sim/crowd/region.h"
 #include "sim/prefetch.h"
 
@@ -67,7 +68,7 @@ class DistanceField {
 
   const FloorPlan* plan_;
   const Barriers* barriers_;
-  Region goal_;
+  Inside goal_;
   double per_cell_;  ///< 1/m
   /// m, of the nodes; below zero, or -0, where the cell up and right of the node isn't whole: one place in
   /// memory says both.

@@ -52,11 +52,21 @@ HWY_INLINE double choose(const CrowdView& crowd, std::uint32_t own, const Others
   order_nearest(others, near, most, ranks);
   const Vec v = crowd.velocity(own);
   const std::size_t count = std::min(most, near.size);
+  const double *const dx = others.dx.data() + near.first, *const dy = others.dy.data() + near.first,
+                      *const width = others.width.data() + near.first,
+                      *const place = others.place.data() + near.first,
+                      *const velocity_x = crowd.velocity_x.data(),
+                      *const velocity_y = crowd.velocity_y.data();
+  double *const to_dx = chosen.dx.data() + chosen.size, *const to_dy = chosen.dy.data() + chosen.size,
+                *const to_width = chosen.width.data() + chosen.size,
+                *const slip_x = chosen.slip_x.data() + chosen.size,
+                *const slip_y = chosen.slip_y.data() + chosen.size;
+  const std::uint32_t* const order = ranks.order.data();
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t k = near.first + ranks.order[i], to = chosen.size + i;
-    const auto place = static_cast<std::uint32_t>(others.place[k]);
-    chosen.dx[to] = others.dx[k], chosen.dy[to] = others.dy[k], chosen.width[to] = others.width[k];
-    chosen.slip_x[to] = v.x() - crowd.velocity_x[place], chosen.slip_y[to] = v.y() - crowd.velocity_y[place];
+    const std::uint32_t k = order[i];
+    const auto its = static_cast<std::size_t>(static_cast<std::int64_t>(place[k]));
+    to_dx[i] = dx[k], to_dy[i] = dy[k], to_width[i] = width[k];
+    slip_x[i] = v.x() - velocity_x[its], slip_y[i] = v.y() - velocity_y[its];
   }
   chosen.size += count;
   return count == most ? ranks.square[ranks.order[most - 1]] : reach * reach;

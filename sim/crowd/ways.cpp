@@ -11,6 +11,8 @@ namespace throng {
 
 namespace {
 
+constexpr double kSurely = 1.0 + 1e-9;  // so much farther, squared, rounding makes nothing
+
 std::string text(double number) {
   char buffer[32];
   std::snprintf(buffer, sizeof buffer, "%.6g", number);
@@ -92,13 +94,14 @@ std::vector<Ways::Strip> Ways::strips(std::uint32_t goal, const GoalPhase& phase
     if (area.opens > phase.from || area.closes <= phase.from) continue;
     const double largest = largest_with_room(area.region, scene_.crowd.walkable, barriers_, widest);
     const double two = 0.5 * span(area.region);
-    if (std::min(largest, two) < widest) strips.push_back({area.region, largest, two});
+    if (std::min(largest, two) < widest) strips.push_back({area.region, bounds(area.region), largest, two});
   }
   return strips;
 }
 
 bool Ways::is_at_strip(std::uint32_t goal, double radius, const Vec& p, bool stood) const {
   return std::ranges::any_of(goals_[goal].now->strips, [&](const Strip& strip) {
+    if (strip.box.squaredExteriorDistance(p) > kSurely * 4.0 * radius * radius) return false;
     if (radius <= strip.largest && !(stood && radius > strip.two)) return false;
     const Vec nearest = nearest_on_border(strip.region, p);
     return (nearest - p).squaredNorm() <= 4.0 * radius * radius && !barriers_.block(p, nearest);

@@ -94,6 +94,7 @@ class Ways {
   /// An area that has no room for some who go there, or for one of them alone.
   struct Strip {
     Region region;
+    Eigen::AlignedBox2d box;
     double largest;  ///< m, radius of those who have room in it; to within a thousandth of the largest one
     double two;      ///< m, radius of those two of whom have room, middle by middle
   };
