@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include "sim/contact/solve.h"
 
@@ -29,8 +30,7 @@ void BounceQueue::list(std::span<const DiscContact> contacts) {
   for (std::uint32_t i = 0; i < contacts.size(); ++i) {
     const DiscContact& contact = contacts[i];
     const bool bounces = contact.restitution > 0.0;
-    if (bounces || contact.hits)
-      entries_.push_back({contact.a, contact.b, i, 1, 0.0, 0.0, bounces, contact.hits});
+    if (bounces || contact.hits) entries_.push_back({contact.a, contact.b, i, 1, 0.0, 0.0, bounces});
   }
 }
 
@@ -43,14 +43,14 @@ void BounceQueue::list(std::span<const PointContact> contacts) {
                 static_cast<std::uint32_t>(count),
                 0.0,
                 0.0,
-                false,
                 false};
+    bool hits = false;
     for (const PointContact& contact : contacts.subspan(first, count)) {
       entry.reach_a = std::max(entry.reach_a, contact.first_a.norm() + contact.round_a);
       entry.reach_b = std::max(entry.reach_b, contact.first_b.norm() + contact.round_b);
-      entry.bounces |= contact.restitution > 0.0, entry.hits |= contact.hits;
+      entry.bounces |= contact.restitution > 0.0, hits |= contact.hits;
     }
-    if (entry.bounces || entry.hits) entries_.push_back(entry);
+    if (entry.bounces || hits) entries_.push_back(entry);
   }
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -31,12 +30,12 @@ class BounceQueue {
   bool sweep(Contacts& contacts, std::span<SolverBody> bodies, const BounceRule& rule);
 
  private:
-  /// A contact of two discs, or all those of two bodies at points.
+  /// A contact of two discs, or those of two bodies at points that stand one after the other.
   struct Entry {
     std::uint32_t a, b;
     std::uint32_t first, count;  // contacts
     double reach_a, reach_b;     // m, how far from the bodies' centres: 0 where spins don't matter
-    bool bounces, hits;
+    bool bounces;
   };
 
   static bool may_meet(const Entry& entry, std::span<const SolverBody> bodies, const BounceRule& rule);
@@ -47,9 +46,6 @@ class BounceQueue {
   void join(std::span<const SolverBody> bodies);
   void wait_for(std::uint32_t body);
   bool was_struck(std::uint32_t body) const { return struck_in_[body] == phase_; }
-  std::span<const std::uint32_t> entries_of(std::uint32_t body) const {
-    return std::span(of_body_).subspan(first_of_[body], first_of_[body + 1] - first_of_[body]);
-  }
   void wait(std::uint32_t entry) { waiting_[entry / 64] |= std::uint64_t{1} << entry % 64; }
 
   std::vector<Entry> entries_;

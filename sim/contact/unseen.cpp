@@ -6,6 +6,7 @@
 
 #include "narrowphase/motion/first_contact.h"
 #include "sim/contact/contact_key.h"
+#include "sim/simulation_error.h"
 
 namespace throng {
 
@@ -16,10 +17,23 @@ using narrowphase::Verdict;
 
 namespace {
 
-/// What acts on the two from their contacts' list is seen.
-bool is_listed(const Contacts& contacts, std::uint64_t key) {
-  return std::ranges::binary_search(contacts.disc_key, key) ||
-         std::ranges::binary_search(contacts.point_key, key);
+constexpr double kSunk = 0.01;   // of the bounding radius: so much deeper is unseen
+constexpr double kTurned = 0.5;  // rad: what turned farther may have been anywhere within its bounding disc
+
+enum class Listed { no, at_one_point, all };
+
+/// How the contacts' list has the two. A disc's one point is all there is.
+Listed listed(const Contacts& contacts, std::uint64_t key) {
+  if (std::ranges::binary_search(contacts.disc_key, key)) return Listed::all;
+  const auto points = std::ranges::equal_range(contacts.point_key, key);
+  return points.empty() ? Listed::no : points.size() == 1 ? Listed::at_one_point : Listed::all;
+}
+
+/// m, below 0: how deep.
+double deepest(const narrowphase::Manifold& manifold) {
+  double least = 0.0;
+  for (int i = 0; i < manifold.count; ++i) least = std::min(least, manifold.points[i].separation);
+  return least;
 }
 
 }  // namespace
@@ -27,6 +41,7 @@ bool is_listed(const Contacts& contacts, std::uint64_t key) {
 bool Unseen::met(std::span<const Reached> strays, const State& state, std::span<const SolverBody> bodies,
                  const Contacts& contacts) {
   if (candidates_.repeats() || !candidates_.rows().are_all()) return true;
+  if (!std::ranges::all_of(strays, [](const Reached& s) { return s.way < kFarthestPlace; })) return true;
   const Step step{state, bodies, contacts};
   index(strays);
   bool any = std::ranges::any_of(strays, [&](const Reached& s) { return met_obstacle(step, s.collider); });
@@ -59,10 +74,28 @@ bool Unseen::met_another(const Step& step, std::uint32_t a, std::uint32_t b) {
   if (colliders.body[a] == colliders.body[b]) return false;
   const double reach = reach_[a] + reach_[b];
   if (!((candidates_.centre(b) - candidates_.centre(a)).squaredNorm() <= reach * reach)) return false;
-  if (is_listed(step.contacts, key_of({std::min(a, b), std::max(a, b)}, false))) return false;
-  const Convex& wide = widened(a, bend(step, a) + bend(step, b));
+  const Motion way_a = motion(step, a), way_b = motion(step, b);
   const Convex& other = shape(colliders, b, disc_);
-  return first_contact(wide, motion(step, a), other, motion(step, b), 1.0).verdict != Verdict::free;
+  switch (listed(step.contacts, key_of({std::min(a, b), std::max(a, b)}, false))) {
+    case Listed::all:
+      return false;
+    case Listed::at_one_point:
+      return sank(a, way_a, other, way_b);
+    case Listed::no:
+      break;
+  }
+  const Convex& wide = widened(a, bend(step, a) + bend(step, b));
+  return first_contact(wide, way_a, other, way_b, 1.0).verdict != Verdict::free;
+}
+
+/// Whether another point than the one that is listed got into the other shape, deeper than before.
+bool Unseen::sank(std::uint32_t collider, const Motion& way, const Convex& other, const Motion& other_way) {
+  const Convex& its = widened(collider, 0.0);
+  if (its.vertices.size() < 2 || other.vertices.size() < 2) return false;
+  const auto depth = [&](double time) {
+    return deepest(manifold(its, pose_at(way, time), other, pose_at(other_way, time), 0.0));
+  };
+  return depth(1.0) < depth(0.0) - kSunk * candidates_.colliders().radius[collider];
 }
 
 bool Unseen::met_obstacle(const Step& step, std::uint32_t collider) {
@@ -71,21 +104,43 @@ bool Unseen::met_obstacle(const Step& step, std::uint32_t collider) {
     if (met_side(step, collider, side)) return true;
   bool any = false;
   candidates_.for_each_obstacle_near(box(collider), [&](std::uint32_t row) {
-    if (any || is_listed(step.contacts, key_of({collider, row}, true))) return;
+    if (any) return;
     const Convex& part = obstacles.part[row - obstacles.side.size()];
-    const Convex& wide = widened(collider, bend(step, collider));
-    any = first_contact(wide, motion(step, collider), part, Motion{}, 1.0).verdict != Verdict::free;
+    any = met_part(step, collider, row, part);
   });
   return any;
 }
 
-/// A straight way beyond a straight border ends beyond it.
-bool Unseen::met_side(const Step& step, std::uint32_t collider, std::uint32_t side) {
-  if (is_listed(step.contacts, key_of({collider, side}, true))) return false;
+bool Unseen::met_part(const Step& step, std::uint32_t collider, std::uint32_t row, const Convex& part) {
+  const Listed its = listed(step.contacts, key_of({collider, row}, true));
+  if (its == Listed::all) return false;
   const Motion way = motion(step, collider);
+  if (its == Listed::at_one_point) return sank(collider, way, part, Motion{});
+  const Convex& wide = widened(collider, bend(step, collider));
+  return first_contact(wide, way, part, Motion{}, 1.0).verdict != Verdict::free;
+}
+
+/// A straight way beyond a straight border ends beyond it, but of what turns.
+bool Unseen::met_side(const Step& step, std::uint32_t collider, std::uint32_t side) {
+  const Listed its = listed(step.contacts, key_of({collider, side}, true));
+  if (its == Listed::all) return false;
   const Convex& part = shape(candidates_.colliders(), collider, disc_);
+  const Motion way = motion(step, collider);
   const narrowphase::HalfPlane& border = candidates_.obstacles().side[side];
-  return !(clearance(part, pose_at(way, 1.0), border) > bend(step, collider));
+  const auto free = [&](double time) { return clearance(part, pose_at(way, time), border); };
+  if (its == Listed::at_one_point)
+    return part.vertices.size() > 1 &&
+           free(1.0) < std::min(0.0, free(0.0)) - kSunk * candidates_.colliders().radius[collider];
+  const double at_end = std::abs(way.spin) > kTurned
+                            ? (pose_at(way, 1.0).position - border.point).dot(border.normal) - arm(collider)
+                            : free(1.0);
+  return !(at_end > bend(step, collider));
+}
+
+/// m, from the body's centre, which nothing of the collider is farther from.
+double Unseen::arm(std::uint32_t collider) const {
+  const Colliders& colliders = candidates_.colliders();
+  return colliders.radius[collider] + (colliders.centre.empty() ? 0.0 : colliders.centre[collider].norm());
 }
 
 /// Straight from where it was to where it is, in a time of 1.
@@ -99,8 +154,7 @@ Motion Unseen::motion(const Step& step, std::uint32_t collider) const {
 double Unseen::bend(const Step& step, std::uint32_t collider) const {
   const Colliders& colliders = candidates_.colliders();
   const std::uint32_t body = colliders.body[collider];
-  const double arm =
-      colliders.centre.empty() ? 0.0 : colliders.centre[collider].norm() + colliders.radius[collider];
+  const double arm = colliders.centre.empty() ? 0.0 : this->arm(collider);  // round discs turn in themselves
   const double change = (step.bodies[body].velocity - step.state.velocity[body]).norm() +
                         arm * std::abs(step.bodies[body].spin - step.state.spin[body]);
   return 0.25 * dt_ * change;

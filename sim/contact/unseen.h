@@ -21,9 +21,10 @@ class Unseen {
 
   /// `bodies`: where the step that began with `state` brought them, and how fast they are there. Each is
   /// taken to go straight there, or with one bend: the distance from that is a quarter of what the change of
-  /// its velocity makes of dt. True, without being asked, where the
-  /// domain repeats, and where somebody sleeps and wasn't placed. O(n + strays and whom
-  /// they came near).
+  /// its velocity makes of dt. Who was struck twice in the step may be missed on the way, not where it ends.
+  /// Of two who are listed at one point of two it is asked whether the other one got in. True, without being
+  /// asked, where the domain repeats, where somebody sleeps and wasn't placed, and where a stray got to no
+  /// place that a run bears. O(n + strays and whom they came near).
   bool met(std::span<const Reached> strays, const State& state, std::span<const SolverBody> bodies,
            const Contacts& contacts);
 
@@ -36,10 +37,14 @@ class Unseen {
 
   void index(std::span<const Reached> strays);
   bool met_another(const Step& step, std::uint32_t a, std::uint32_t b);
+  bool sank(std::uint32_t collider, const narrowphase::Motion& way, const narrowphase::Convex& other,
+            const narrowphase::Motion& other_way);
   bool met_obstacle(const Step& step, std::uint32_t collider);
+  bool met_part(const Step& step, std::uint32_t collider, std::uint32_t row, const narrowphase::Convex& part);
   bool met_side(const Step& step, std::uint32_t collider, std::uint32_t side);
   broadphase::Box box(std::uint32_t collider) const;
   narrowphase::Motion motion(const Step& step, std::uint32_t collider) const;
+  double arm(std::uint32_t collider) const;
   double bend(const Step& step, std::uint32_t collider) const;
   const narrowphase::Convex& widened(std::uint32_t collider, double by);
 

@@ -5,6 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+#include <limits>
+
 #include "tests/sim/trial.h"
 
 namespace throng {
@@ -62,6 +66,43 @@ TEST(Unseen, WallsAndBordersThrowItBack) {
     EXPECT_LT(run.state.position[1].x(), 0.12 + 1e-9) << wall;
     EXPECT_LT(run.state.velocity[1].x(), 0.1) << wall;
   }
+}
+
+/// A rod that lies on its near end is struck onto its far one, which was too far away to be listed.
+TEST(Unseen, TheFarEndOfWhatIsListedByItsNearOneIsStopped) {
+  const std::string rod =
+      "[shapes]\nball = { disc = { radius = 0.05 } }\n"
+      "rod = { polygon = [[-0.5, -0.01], [0.5, -0.01], [0.5, 0.01], [-0.5, 0.01]] }\n"
+      "slab = { polygon = [[-3, -1], [3, -1], [3, 0], [-3, 0]] }\n"
+      "[[bodies]]\nshape = \"rod\"\nat = [0, 0.09]\nangle = 0.14\n" +
+      ball(0.4, 0.225, 0, -40);
+  for (const char* floor : {"[domain]\nbox = [[-9, 0], [9, 9]]\n", "[[walls]]\nsegment = [[-3, 0], [3, 0]]\n",
+                            "[[bodies]]\nshape = \"slab\"\nat = [0, -0.5]\n"}) {
+    Trial run("gravity = [0, 0]\ntime = { dt = 0.01, substeps = 4 }\nsleep = false\n" + material(0.0, 0.5) +
+              rod + floor);
+    run.steps(1);
+    EXPECT_LT(run.state.angle[0], 0.1) << "is turned: " << floor;
+    const double end = run.state.position[0].y() + 0.5 * std::sin(run.state.angle[0]);
+    EXPECT_GT(end, 0.0) << floor;
+  }
+}
+
+/// Who is struck in the midst of a step isn't where one who had been on his way from its beginning would be.
+TEST(Unseen, WaysWithABendMeet) {
+  Trial run("gravity = [0, 0]\ntime = { dt = 0.01, substeps = 4 }\nsleep = false\n" + material(0.9, 0.5) +
+            "[shapes]\nball = { disc = { radius = 0.02 } }\n" + ball(-0.23, 0, 40, 0) + ball(0, 0, 0, 0) +
+            ball(0.09, -0.285, 0, 0) + ball(0.09, -0.327, 0, 40));
+  run.steps(1);
+  EXPECT_GT(run.work.candidates.finds(), 1u);
+}
+
+/// As after an impulse beyond all bounds.
+TEST(Unseen, WhoGotBeyondAllPlacesMayHaveMetAnybody) {
+  Trial run(struck_from_left(""));
+  run.steps(1);
+  for (const double way : {1e13, 1e308, std::numeric_limits<double>::infinity(), std::nan("")})
+    EXPECT_TRUE(
+        run.work.unseen.met(std::array{Reached{1, way}}, run.state, run.work.bodies, run.work.contacts));
 }
 
 /// In a heap that falls hardly a step is taken again, though somebody is struck in most of them.
