@@ -5,6 +5,9 @@
 
 #include <memory>
 #include <string>
+#include <vector>
+
+#include "sim/crowd/region.h"
 
 namespace throng::scenarios {
 
@@ -32,6 +35,18 @@ inline Geometry read(const Geos& geos, const std::string& wkt) {
   Geometry geometry = geos.keep(GEOSWKTReader_read_r(geos.handle, reader, wkt.c_str()));
   GEOSWKTReader_destroy_r(geos.handle, reader);
   return geometry;
+}
+
+/// Each once.
+inline std::vector<Vec> points_of(const Geos& geos, const GEOSGeometry* ring) {
+  const GEOSCoordSequence* sequence = GEOSGeom_getCoordSeq_r(geos.handle, ring);
+  unsigned size = 0;
+  GEOSCoordSeq_getSize_r(geos.handle, sequence, &size);
+  std::vector<Vec> points(size);
+  for (unsigned i = 0; i < size; ++i)
+    GEOSCoordSeq_getXY_r(geos.handle, sequence, i, &points[i].x(), &points[i].y());
+  if (!points.empty()) points.pop_back();  // that repeats the first
+  return points;
 }
 
 }  // namespace throng::scenarios

@@ -7,6 +7,8 @@
 #include "scenarios/limits.h"
 #include "scenarios/path.h"
 #include "scenarios/polygon_check.h"
+#include "scenarios/polygon_repair.h"
+#include "scenarios/region_sets.h"
 #include "sim/crowd/model.h"
 
 namespace throng::scenarios {
@@ -23,7 +25,14 @@ Region read_region(const toml::node& node, const Path& path, Report& report) {
   const std::string wkt = node.is_string() ? node.as_string()->get() : polygon_wkt(points(node));
   Wkt read = read_wkt(wkt, WktKind::polygons);
   if (!read.refusal.empty()) return fail(read.refusal);
-  if (const std::string fault = polygon_fault(wkt); !fault.empty()) return fail(fault);
+  if (const std::string fault = polygon_fault(wkt); !fault.empty()) {
+    Region repaired = repaired_polygon(wkt);
+    if (repaired.empty()) return fail(fault);
+    report.warning(node.source(), path.text(),
+                   fault + "; repaired: what is in its outer rings and in none of their holes, " +
+                       to_text(common_area(repaired, repaired)) + " m²");
+    return repaired;
+  }
   Region region;
   for (WktLine& line : read.lines) {
     if (const std::string fault = too_short(line.points, true); !fault.empty()) return fail(fault);

@@ -37,17 +37,6 @@ Geometry solid(const Geos& geos, const Region& region) {
   return made(geos, GEOSBuildArea_r(geos.handle, noded.get()));
 }
 
-std::vector<Vec> points_of(const Geos& geos, const GEOSGeometry* ring) {
-  const GEOSCoordSequence* sequence = GEOSGeom_getCoordSeq_r(geos.handle, ring);
-  unsigned size = 0;
-  GEOSCoordSeq_getSize_r(geos.handle, sequence, &size);
-  std::vector<Vec> points(size);
-  for (unsigned i = 0; i < size; ++i)
-    GEOSCoordSeq_getXY_r(geos.handle, sequence, i, &points[i].x(), &points[i].y());
-  if (!points.empty()) points.pop_back();  // that repeats the first
-  return points;
-}
-
 void add_rings(const Geos& geos, const GEOSGeometry* polygon, Region& region) {
   if (GEOSisEmpty_r(geos.handle, polygon)) return;
   region.rings.push_back(points_of(geos, GEOSGetExteriorRing_r(geos.handle, polygon)));

@@ -5,7 +5,8 @@
 
 #include "sim/crowd/region.h"
 
-/// Regions as sets of points. Expects rings that `polygon_fault` finds sound.
+/// Regions as sets of points. Expects rings that `polygon_fault` finds sound, or that touch
+/// themselves.
 namespace throng::scenarios {
 
 /// m², of what two regions have in common.

@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "scenarios/region_sets.h"
 #include "sim/crowd/model.h"
 #include "tests/scenarios/scenario_texts.h"
 
@@ -163,6 +164,45 @@ TEST(Crowd, IsRefusedWhereItsFloorIsNoPolygon) {
       "walkable: must begin with POLYGON or MULTIPOLYGON, and begins with \"POINT (0 0)\" (character");
   expect_fault("throng = 1\nareas.a = [[0, 0], [4, 4], [4, 0], [0, 4]]",
                "s.toml:2:11: error: areas.a: is no polygon: Self-inter");
+}
+
+/// m², and what was said of it.
+std::pair<double, std::string> floor_of(const std::string& wkt) {
+  const Loaded loaded =
+      load_text("throng = 1\nwalkable = '" + wkt + "'\n[areas]\nexit = [[9, 2], [10, 2], [10, 3], [9, 3]]\n" +
+                kGroup + "at = [1, 1]\n");
+  const Region& floor = loaded.scene.crowd.walkable;
+  return {floor.empty() ? 0.0 : scenarios::common_area(floor, floor),
+          to_string(loaded.diagnostics, "s.toml")};
+}
+
+TEST(Crowd, FloorsAreRepairedWhereWhatIsMeantIsPlain) {
+  const std::string shell = "POLYGON ((0 0, 10 0, 10 5, 0 5, 0 0), ";
+  const std::tuple<std::string, double, const char*> all[] = {
+      {shell + "(4 1, 6 1, 6 3, 4 3, 4 1), (5 2, 7 2, 7 4, 5 4, 5 2))", 43.0, "Self-intersection at [6, 2]"},
+      {shell + "(4 1, 5 1, 5 3, 4 3, 4 1), (5 1, 6 1, 6 3, 5 3, 5 1))", 46.0, "Self-intersection at [5, 3]"},
+      {shell + "(4 3, 6 3, 6 8, 4 8, 4 3))", 46.0, "Self-intersection at [4, 5]"},
+      {shell + "(4 1, 6 1, 6 3, 4 3, 4 1), (4.5 1.5, 5 1.5, 5 2, 4.5 1.5))", 46.0,
+       "Holes are nested at [4.5, 1.5]"},
+      {"MULTIPOLYGON (((0 0, 6 0, 6 5, 0 5, 0 0)), ((4 0, 10 0, 10 5, 4 5, 4 0)))", 50.0,
+       "Self-intersection at"},
+      {"POLYGON ((0 0, 10 0, 10 5, 5 5, 4 2, 6 2, 5 5, 0 5, 0 0))", 47.0,
+       "Ring Self-intersection at [5, 5]"}};
+  for (const auto& [wkt, area, fault] : all) {
+    const auto [found, said] = floor_of(wkt);
+    EXPECT_NEAR(found, area, 1e-12) << wkt;
+    EXPECT_EQ(said.find("s.toml:2:12: warning: walkable: is no polygon: " + std::string(fault)), 0u) << said;
+    EXPECT_NE(said.find("; repaired: what is in its outer rings and in none of their holes, " +
+                        std::to_string(static_cast<int>(area)) + " m²"),
+              std::string::npos)
+        << said;
+  }
+}
+
+TEST(Crowd, FloorsThatTouchThemselvesByTheRulesAreSound) {
+  for (const char* wkt : {"POLYGON ((0 0, 10 0, 10 5, 0 5, 0 0), (5 0, 6 2, 4 2, 5 0))",
+                          "POLYGON ((0 0, 0 0, 10 0, 10 5, 10 5, 0 5, 0 0), (4 3, 6 3, 6 4, 4 4, 4 3))"})
+    EXPECT_EQ(floor_of(wkt), std::pair(48.0, std::string())) << wkt;
 }
 
 TEST(Crowd, IsRefusedWhereItLacksSomething) {
