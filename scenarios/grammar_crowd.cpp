@@ -79,7 +79,8 @@ Type appear_table() {
                  {"times", list(number(0, 1e12, "s"), 1, "a list of times, one or more, ascending"),
                   "When agents appear, s; ascending."},
                  {"from", number(0, 1e12, "s"), "When the first of a rate appear, s.", "0.0"},
-                 {"together", integer(1, kMostBodies), "So many appear at once.", "1"}},
+                 {"together", integer(1, kMostBodies),
+                  "So many are due at once, and appear beside each other as far as there is room.", "1"}},
                 {"rate", "times"}});
 }
 

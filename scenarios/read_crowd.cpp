@@ -140,7 +140,7 @@ class AgentReader {
     }
     if (!entry_.random)
       fail(*node, "appear", "needs place.random: where there is room is found when they appear");
-    scene_.crowd.groups.back().entrance = Entrance{entry_.within, entry_.gap};
+    scene_.crowd.groups.back().entrance = Entrance{entry_.within, entry_.gap, appears.together};
     entry_.appears = std::move(appears);
   }
 

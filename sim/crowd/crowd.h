@@ -74,8 +74,9 @@ using Journey = std::vector<Leg>;
 
 /// Where agents appear in the course of time.
 struct Entrance {
-  Region within;     ///< that holds all of each
-  double gap = 0.0;  ///< m, from others and from walls
+  Region within;               ///< that holds all of each
+  double gap = 0.0;            ///< m, from others and from walls
+  std::uint32_t together = 1;  ///< so many are due at once, and appear beside each other where there is room
 };
 
 /// Agents of one kind, whose ids follow one another.

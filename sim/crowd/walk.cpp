@@ -288,16 +288,21 @@ bool Walk::is_due(const State& state, std::size_t group) const {
                             static_cast<double>(state.step) * scene_.time.dt;
 }
 
-/// The next of the group, where there is room.
-bool Walk::bring_in(State& state, std::size_t group) {
+/// The next of the group, where there is room: beside the company of those with whom he appears, if some of
+/// them have in this step.
+bool Walk::bring_in(State& state, std::size_t group, std::optional<Company>& company) {
   const Crowd& crowd = scene_.crowd;
   const AgentGroup& its = crowd.groups[group];
   const std::uint32_t agent = its.first + its.count - state.crowd.waiting[group];
   const double radius = scene_.bodies.radius[crowd.first + agent];
+  const std::uint32_t number = (agent - its.first) / its.entrance->together;
+  if (company && company->number != number) company.reset();
   const std::optional<Vec> place = free_place(
       scene_, seen_ ? *seen_ : barriers_, standing_, *entrances_[group], agent, state.step,
+      company ? std::optional(company->place) : std::nullopt,
       [&](const Vec& p) { return movers_.depth(p) == 0.0 && journeys_->ways().lead_on(its, radius, p); });
   if (!place) return false;
+  if (!company) company = Company{number, *place};
   add_agent(scene_, state, agent, *place);
   standing_.add(*place, radius);
   for (std::size_t k = 0; k < crowd.measures.size(); ++k)
@@ -316,7 +321,8 @@ void Walk::appear(State& state) {
         standing_.add(state.position[row], scene_.bodies.radius[state.id[row] - std::size_t{1}]);
       known = true;
     }
-    while (is_due(state, group) && bring_in(state, group)) continue;
+    std::optional<Company> company;
+    while (is_due(state, group) && bring_in(state, group, company)) continue;
   }
 }
 

@@ -72,7 +72,12 @@ class Walk {
   void rank(const State& state, std::size_t place);
   void make_unit(std::size_t begin, std::size_t end);
   bool is_due(const State& state, std::size_t group) const;
-  bool bring_in(State& state, std::size_t group);
+  /// Some who appear together: which of their group's, and where the first of them has appeared.
+  struct Company {
+    std::uint32_t number;
+    Vec place;
+  };
+  bool bring_in(State& state, std::size_t group, std::optional<Company>& company);
   struct Hindered {
     bool corrected, squeezed;
   };

@@ -55,6 +55,30 @@ TEST(Entrance, BringsGroupsInAtTheirTimes) {
   EXPECT_EQ(run.state.id, (std::vector<std::uint32_t>{1, 2, 3, 4, 5, 6, 7, 8, 9}));
 }
 
+/// m, how far apart the two of the first that are farthest from each other.
+double spread(const State& state, std::size_t first, std::size_t count) {
+  double most = 0.0;
+  for (std::size_t a = first; a < first + count; ++a)
+    for (std::size_t b = first; b < a; ++b)
+      most = std::max(most, (state.position[a] - state.position[b]).norm());
+  return most;
+}
+
+TEST(Entrance, WhoAppearTogetherStandBesideEachOther) {
+  for (int seed = 1; seed <= 20; ++seed) {
+    Trial run("seed = " + std::to_string(seed) +
+              "\ntime = { dt = 0.02, until = 9 }\nwalkable = 'POLYGON ((0 0, 40 0, 40 40, 0 40, 0 0))'\n"
+              "[areas]\nstart = [[0, 0], [38, 0], [38, 40], [0, 40]]\nexit = [[39, 0], [40, 0], [40, 40], "
+              "[39, 40]]\n"
+              "[[agents]]\nmodel = 'collision_free_speed'\ngoal = 'exit'\nplace.random.within = 'start'\n"
+              "appear = { times = [0, 0], together = 4 }\n");
+    run.steps(1);
+    ASSERT_EQ(run.state.id.size(), 8u);
+    EXPECT_LT(spread(run.state, 0, 4), 2.0) << seed;
+    EXPECT_LT(spread(run.state, 4, 4), 2.0) << seed;
+  }
+}
+
 TEST(Entrance, BringsNobodyInWhereNoWayLeads) {
   Trial run(entrance_hall(
       "goal = 'low'\ncount = 20\nappear = { rate = 10 }\n[[walls]]\nsegment = [[0, 3.2], [20, 3.2]]\n"));
@@ -91,7 +115,7 @@ TEST(Entrance, PlacesAgentsWhollyWithinAndApart) {
   const Sampler entrance(scene.crowd.groups[0].entrance->within, 0.2);
   Standing others;
   std::uint32_t agent = 0;
-  for (std::optional<Vec> p; agent < 400 && (p = free_place(scene, barriers, others, entrance, agent, 0,
+  for (std::optional<Vec> p; agent < 400 && (p = free_place(scene, barriers, others, entrance, agent, 0, {},
                                                             [](const Vec&) { return true; }));
        ++agent) {
     EXPECT_TRUE(p->x() >= 0.3 && p->x() <= 1.8 && p->y() >= 2.2 && p->y() <= 3.8) << p->transpose();
