@@ -88,6 +88,21 @@ class Crowd(Program):
         with throng_read.open(self.path("a.h5")) as recording:
             self.assertEqual(recording.time[35], 35 * 0.02)
 
+    def test_summary_counts_who_arrives_and_lists_who_is_stuck(self):
+        """One stands behind one who doesn't want to walk; the block of a third way lets the others arrive."""
+        lane = "".join(f"[[walls]]\nsegment = [[0, {y}], [7, {y}]]\n" for y in (0.75, 1.25))
+        agents = AGENT.format(3, 1).replace("constant_velocity", "collision_free_speed") + \
+            AGENT.format(4, 1).replace("speed = 1.0", "speed = 0") + AGENT.format(8, 1)
+        (self.folder / "stuck.toml").write_text(CROWD + agents + lane)
+        done = subprocess.run([PROGRAM, "run", "stuck.toml", "--progress", "none", "--until", "30"],
+                              cwd=self.folder, capture_output=True, text=True)
+        summary = json.loads(done.stdout)
+        self.assertEqual((summary["arrived"], summary["inside"], summary["waiting"], summary["wall_corrections"]), (1, 2, 0, 0))
+        self.assertAlmostEqual(summary["last_arrival"], 1.0, delta=0.05)
+        stuck = summary["stuck_agents"]
+        self.assertEqual([one["id"] for one in stuck], [1])
+        np.testing.assert_allclose(stuck[0]["position"], [3.6, 1.0], atol=0.3)
+
     def test_pictures_show_who_is_there(self):
         self.record()
         for at in ("0", "6"):

@@ -236,8 +236,19 @@ TEST(Crowd, IsRefusedWhereItHasNoRoom) {
 }
 
 TEST(Crowd, IsRefusedWhereAStepIsTooLongForItsModel) {
-  expect_fault(kFloor + "[time]\ndt = 0.05\n" + kGroup + "at = [1, 1]\n",
-               "agents[0].model: needs time.dt to be at most 0.0");
+  const auto said = [](const char* model, double dt) {
+    return faults(load_text(kFloor + "[time]\ndt = " + std::to_string(dt) +
+                            "\n[[agents]]\ngoal = 'exit'\nat = [1, 1]\nmodel = '" + model + "'\n"));
+  };
+  const std::string why = "agents[0].model: needs time.dt to be at most ";
+  for (const char* model : {"social_force", "orca", "collision_free_speed"}) {
+    const std::string refusal = said(model, 0.9);
+    const std::size_t at = refusal.find(why);
+    ASSERT_NE(at, std::string::npos) << model << ": " << refusal;
+    const double most = std::stod(refusal.substr(at + why.size()));
+    EXPECT_EQ(said(model, 0.999 * most).find(why), std::string::npos) << model << " with " << most;
+    EXPECT_NE(said(model, 1.001 * most).find(why), std::string::npos) << model << " with " << most;
+  }
 }
 
 TEST(Crowd, IsRefusedWhereDistributionsMakeNoSense) {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <random>
@@ -12,6 +14,7 @@
 #include "sim/crowd/model.h"
 #include "sim/crowd/orca.h"
 #include "sim/random.h"
+#include "tests/sim/crowd/polite.cpp"  // as users add one
 
 namespace throng {
 namespace {
@@ -32,11 +35,13 @@ struct Group {
         desired_speed(position.size(), 1.0),
         barriers(walls, 1.0) {}
 
-  Vec ask(const std::string& name, std::uint32_t row = 0) {
+  Vec ask(const std::string& name, std::uint32_t row = 0) { return ask(kind(name), row); }
+
+  Vec ask(const ModelKind& kind, std::uint32_t row = 0) {
     std::vector<double> values;
-    for (const ModelParameter& p : kind(name).parameters)
+    for (const ModelParameter& p : kind.parameters)
       values.push_back(set.contains(p.key) ? set.at(p.key) : p.preset);
-    const auto model = kind(name).make(values);
+    const auto model = kind.make(values);
     const Largest largest{*std::max_element(radius.begin(), radius.end()),
                           *std::max_element(desired_speed.begin(), desired_speed.end())};
     cells.sort(position, model->reach(largest));
@@ -364,6 +369,22 @@ TEST(Models, SayWhichStepsTheyBear) {
   EXPECT_NEAR(longest("collision_free_speed"), 0.0732, 1e-4);  // as pedestriandynamics.org has it
   EXPECT_LT(longest("social_force"), 0.0365);
   EXPECT_TRUE(std::isinf(longest("constant_velocity")));
+}
+
+/// README.md shows this model as all that it takes to add one.
+TEST(OwnModel, WalksAsReadmeShowsIt) {
+  std::ifstream readme(THRONG_SOURCE_DIR "/README.md"),
+      model(THRONG_SOURCE_DIR "/tests/sim/crowd/polite.cpp");
+  const std::string shown(std::istreambuf_iterator<char>(readme), {}),
+      built(std::istreambuf_iterator<char>(model), {});
+  EXPECT_GT(built.size(), 500u);
+  EXPECT_NE(shown.find("```cpp\n" + built + "```\n"), std::string::npos);
+
+  Group group({{0, 0}, {0.9, 0}, {5, 0}});
+  EXPECT_EQ(group.ask(polite(), 0), Vec(0, 0)) << "0.4 m behind the next one";
+  EXPECT_EQ(group.ask(polite(), 1), Vec(1, 0)) << "nobody is near ahead";
+  group.set["room"] = 0.3;
+  EXPECT_EQ(group.ask(polite(), 0), Vec(1, 0));
 }
 
 }  // namespace

@@ -62,6 +62,7 @@ TEST(Walk, RemovesWhoArrivesAndKeepsTheNamesOfTheOthers) {
 }
 
 TEST(Walk, NobodyPassesAWall) {
+  std::int64_t corrections = 0;
   for (const char* model : kModels) {
     SCOPED_TRACE(model);
     Trial run(rooms(model));
@@ -78,7 +79,9 @@ TEST(Walk, NobodyPassesAWall) {
       }
     }
     EXPECT_GT(run.state.crowd.arrived, 20);
+    corrections += run.state.crowd.wall_corrections;
   }
+  EXPECT_GT(corrections, 0) << "else no wall was in anybody's way";
 }
 
 TEST(Walk, EveryoneGetsThroughARoomWithAPillarAndADoor) {
@@ -181,6 +184,7 @@ TEST(Walk, ListsWhoIsStuckBehindOneWhoWantsToStand) {
   const std::vector<StuckAgent> stuck = stuck_agents(run.scene, run.state);
   ASSERT_EQ(stuck.size(), 1u) << "2 wants nothing, 3 walks";
   EXPECT_EQ(stuck[0].id, 1u);
+  EXPECT_EQ(stuck[0].position, run.state.position[0]);
 }
 
 // It happened: who is stuck goes aside for a second and comes back, which was taken for getting on: of thirty
