@@ -25,8 +25,8 @@ enum class Listed { no, at_one_point, all };
 /// How the contacts' list has the two. A disc's one point is all there is.
 Listed listed(const Contacts& contacts, std::uint64_t key) {
   if (std::ranges::binary_search(contacts.disc_key, key)) return Listed::all;
-  const auto points = std::ranges::equal_range(contacts.point_key, key);
-  return points.empty() ? Listed::no : points.size() == 1 ? Listed::at_one_point : Listed::all;
+  const auto [first, end] = std::equal_range(contacts.point_key.begin(), contacts.point_key.end(), key);
+  return first == end ? Listed::no : end - first == 1 ? Listed::at_one_point : Listed::all;
 }
 
 /// m, below 0: how deep.
