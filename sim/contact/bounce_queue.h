@@ -26,7 +26,8 @@ class BounceQueue {
 
   /// Looks once at each contact that waits, discs' first, in their order, and at those further on of who is
   /// struck meanwhile; the contacts of two bodies at their points are looked at together. Contacts are
-  /// prepared when they are first looked at since start() or go_on(). Returns whether any waits then.
+  /// prepared when they are first looked at since start() or go_on(), by the velocities of that moment, which
+  /// a strike before may have changed. Returns whether any waits then.
   bool sweep(Contacts& contacts, std::span<SolverBody> bodies, const BounceRule& rule);
 
  private:

@@ -49,14 +49,14 @@ class Candidates {
 
   /// Who got farther from where find() found it than find() looked, in a step that brought `bodies` to where
   /// they are. `farthest` (m): how far from there each was on its way, where that is known; or empty. Valid
-  /// until the next call.
+  /// until the next call. Where there are such, farthest_way() is unbounded from then on.
   std::span<const Reached> strays(std::span<const SolverBody> bodies, std::span<const double> farthest = {});
 
   /// Whether one of those that `reached` tells of got farther than find() looked. If so, the next find()
   /// looks far enough, round `all` bodies if asked for, and the step must be taken again.
   bool widen(std::span<const Reached> reached, bool all);
 
-  /// Whether the domain does.
+  /// Whether the domain repeats.
   bool repeats() const { return plan_.periodic; }
 
   /// Calls f(row) for every obstacle but the box's sides that touches the box, ascending.
