@@ -51,7 +51,7 @@ struct CrowdState {
   std::vector<Vec> spot;                 ///< m, where it waits
   std::vector<std::uint32_t> waiting;    ///< as Crowd::groups: the last so many haven't appeared yet
   std::int64_t arrived = 0;              ///< agents that got to their goals and left
-  std::int64_t last_arrival = 0;         ///< step in which the last of them did
+  std::vector<std::int64_t> arrivals;    ///< steps in which they did, ascending; of frames unused
   std::int64_t wall_corrections = 0;     ///< agent-steps in which a barrier was in the way
   std::int64_t squeezed = 0;             ///< agent-steps in which a body got into one whom others held
   std::vector<Measured> measured;        ///< as Crowd::measures

@@ -65,11 +65,17 @@ Json crowd_summary(const Scene& scene, const State& state) {
   for (const StuckAgent& agent : stuck_agents(scene, state))
     stuck.push_back({{"id", agent.id}, {"position", {agent.position.x(), agent.position.y()}}});
   const CrowdState& crowd = state.crowd;
-  const double last = rounded(static_cast<double>(crowd.last_arrival) * scene.time.dt);
+  const auto time = [&](double share) {
+    const std::vector<std::int64_t>& steps = crowd.arrivals;
+    if (steps.empty()) return Json(nullptr);
+    const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(steps.size())));
+    return Json(rounded(static_cast<double>(steps[rank - 1]) * scene.time.dt));
+  };
   Json result = {{"arrived", crowd.arrived},
                  {"inside", crowd.stand.size()},
                  {"waiting", waiting(crowd)},
-                 {"last_arrival", crowd.arrived > 0 ? Json(last) : Json(nullptr)},
+                 {"last_arrival", time(1.0)},
+                 {"arrival_quantiles", {time(0.05), time(0.25), time(0.5), time(0.75), time(0.95)}},
                  {"wall_corrections", crowd.wall_corrections},
                  {"stuck_agents", stuck}};
   if (scene.crowd.first > 0) result["squeezed"] = crowd.squeezed;

@@ -277,7 +277,7 @@ void Walk::leave(State& state, Workers& workers) {
   if (count == 0) return;
   remove_agents(state, scene_.crowd.first, leaves_, !rows_follow_);
   state.crowd.arrived += count;
-  state.crowd.last_arrival = state.step;
+  state.crowd.arrivals.insert(state.crowd.arrivals.end(), static_cast<std::size_t>(count), state.step);
 }
 
 /// Whether the next of the group is due.

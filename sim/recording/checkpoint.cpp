@@ -31,7 +31,7 @@ namespace {
 using Bytes = std::span<const std::byte>;
 
 constexpr std::array<char, 8> kMagic{'t', 'h', 'r', 'o', 'n', 'g', 'C', 'K'};
-constexpr std::uint64_t kLayout = 13;  // grows with every change of State
+constexpr std::uint64_t kLayout = 14;  // grows with every change of State
 
 struct Header {
   std::array<char, 8> magic = kMagic;
@@ -43,7 +43,8 @@ struct Header {
   std::uint64_t groups = 0, measures = 0, on_line = 0, sensors = 0;
   std::uint64_t sleepers = 0;  // rows of SleepState: as many as there are bodies, or none
   std::uint64_t sleeping_disc_contacts = 0, sleeping_point_contacts = 0;
-  std::int64_t arrived = 0, last_arrival = 0, wall_corrections = 0, squeezed = 0;
+  std::uint64_t arrivals = 0;
+  std::int64_t wall_corrections = 0, squeezed = 0;
   std::int64_t pair_collisions = 0, wall_collisions = 0, pushed = 0;
   std::uint64_t virial = 0, equilibrium = 0;  // bits of Collisions
   std::uint64_t frames = 0, frames_hash = 0;
@@ -75,6 +76,7 @@ std::vector<Bytes> content(const std::string& scenario, const State& state, cons
   for_each_array(state, add);
   for_each_agent_array(state.crowd, add);
   add(state.crowd.waiting), add(state.crowd.measured), add(state.crowd.on_line);
+  add(state.crowd.arrivals);
   add(state.sensed);
   add(state.sleep.squared_speed), add(state.sleep.calm), add(state.sleep.island);
   for_each_column(contacts, add);
@@ -133,8 +135,7 @@ Header header_for(const CheckpointOrigin& origin, const State& state) {
   header.sleepers = state.sleep.island.size();
   header.sleeping_disc_contacts = state.sleep.disc_contacts.size();
   header.sleeping_point_contacts = state.sleep.point_contacts.size();
-  header.arrived = state.crowd.arrived;
-  header.last_arrival = state.crowd.last_arrival;
+  header.arrivals = state.crowd.arrivals.size();
   header.wall_corrections = state.crowd.wall_corrections;
   header.squeezed = state.crowd.squeezed;
   header.pair_collisions = state.collisions.pairs;
@@ -192,6 +193,7 @@ void expect_size(const std::string& path, const Header& header, std::uint64_t si
                                   header.groups,
                                   header.measures,
                                   header.on_line,
+                                  header.arrivals,
                                   header.sensors,
                                   header.disc_contacts,
                                   header.point_contacts,
@@ -203,7 +205,8 @@ void expect_size(const std::string& path, const Header& header, std::uint64_t si
   if (!bounded || !crowd ||
       size != sizeof header + header.scenario_bytes + body * header.bodies + agent * header.agents +
                   sizeof(std::uint32_t) * header.groups + sizeof(Measured) * header.measures +
-                  sizeof(OnLine) * header.on_line + sizeof(SensedSum) * header.sensors +
+                  sizeof(OnLine) * header.on_line + sizeof(std::int64_t) * header.arrivals +
+                  sizeof(SensedSum) * header.sensors +
                   contact * (header.disc_contacts + header.point_contacts) + sleeper * header.sleepers +
                   sleeping * (header.sleeping_disc_contacts + header.sleeping_point_contacts))
     refuse_damaged(path, "its size is not what its header says");
@@ -232,10 +235,12 @@ Checkpoint read_content(int fd, const std::string& path, const Header& header) {
     read_array(array);
   });
   state.crowd.waiting.resize(header.groups), state.crowd.measured.resize(header.measures);
+  state.crowd.arrivals.resize(header.arrivals);
   state.crowd.on_line.resize(header.on_line), state.sensed.resize(header.sensors);
   read_array(state.crowd.waiting), read_array(state.crowd.measured), read_array(state.crowd.on_line);
+  read_array(state.crowd.arrivals);
   read_array(state.sensed);
-  state.crowd.arrived = header.arrived, state.crowd.last_arrival = header.last_arrival;
+  state.crowd.arrived = std::ssize(state.crowd.arrivals);
   state.crowd.wall_corrections = header.wall_corrections;
   state.crowd.squeezed = header.squeezed;
   state.collisions = {header.pair_collisions, header.wall_collisions, header.pushed,

@@ -69,6 +69,11 @@ bool is_possible(const Collisions& all) {
          std::isfinite(all.equilibrium);
 }
 
+/// One after the other, none before the first step.
+bool are_arrivals(const std::vector<std::int64_t>& steps, std::int64_t now) {
+  return std::ranges::is_sorted(steps) && (steps.empty() || (steps.front() > 0 && steps.back() <= now));
+}
+
 bool is_possible(const CrowdState& crowd, std::int64_t step) {
   const auto past = [step](std::int64_t s) { return s >= 0 && s <= step; };
   return std::all_of(crowd.stand.begin(), crowd.stand.end(), is_near) &&
@@ -76,8 +81,8 @@ bool is_possible(const CrowdState& crowd, std::int64_t step) {
          std::all_of(crowd.stand_step.begin(), crowd.stand_step.end(), past) &&
          std::all_of(crowd.halt.begin(), crowd.halt.end(), is_near) &&
          std::all_of(crowd.halt_step.begin(), crowd.halt_step.end(), past) &&
-         std::all_of(crowd.since.begin(), crowd.since.end(), past) && past(crowd.last_arrival) &&
-         is_count(crowd.arrived) && is_count(crowd.wall_corrections) && is_count(crowd.squeezed) &&
+         std::all_of(crowd.since.begin(), crowd.since.end(), past) && are_arrivals(crowd.arrivals, step) &&
+         is_count(crowd.wall_corrections) && is_count(crowd.squeezed) &&
          std::all_of(crowd.measured.begin(), crowd.measured.end(),
                      [&](const Measured& measured) { return is_possible(measured, step); }) &&
          is_possible(crowd.on_line);

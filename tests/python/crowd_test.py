@@ -103,6 +103,12 @@ class Crowd(Program):
         self.assertEqual([one["id"] for one in stuck], [1])
         np.testing.assert_allclose(stuck[0]["position"], [3.6, 1.0], atol=0.3)
 
+    def test_summary_says_by_when_how_many_had_arrived(self):
+        for until, quantiles in (("0.5", [None] * 5), ("2", [1.0] * 5), ("8", [1.0, 1.0, 3.0, 7.0, 7.0])):
+            done = subprocess.run([PROGRAM, "run", "three.toml", "--progress", "none", "--until", until],
+                                  cwd=self.folder, capture_output=True, text=True)
+            np.testing.assert_allclose(np.array(json.loads(done.stdout)["arrival_quantiles"], dtype=float), np.array(quantiles, dtype=float), atol=0.03)
+
     def test_pictures_show_who_is_there(self):
         self.record()
         for at in ("0", "6"):

@@ -256,6 +256,7 @@ TEST_F(Resume, RefusesACheckpointOfBodiesThatArrived) {
   const std::string part = made("a.h5", "0.4");
   alter_checkpoint(part, [](Checkpoint& c) {
     c.state.crowd.arrived = 1'000'000;
+    c.state.crowd.arrivals.assign(1'000'000, 1);
     c.state.id[0] = 1'000'000;
   });
   const Result result = resume(part + " --until 1");

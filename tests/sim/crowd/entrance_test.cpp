@@ -184,7 +184,8 @@ TEST(Journey, GoesFromGoalToGoalAndLeavesAtTheLast) {
   }
   EXPECT_TRUE(was_in_the_middle);
   EXPECT_EQ(run.state.crowd.arrived, 1);
-  EXPECT_NEAR(run.state.crowd.last_arrival * 0.02, 18.5, 2.5) << "8.5 m up to the middle, 9.5 m down from it";
+  EXPECT_NEAR(run.state.crowd.arrivals.back() * 0.02, 18.5, 2.5)
+      << "8.5 m up to the middle, 9.5 m down from it";
 }
 
 TEST(Journey, LeadsToTheNearestOfSeveralAreas) {

@@ -45,7 +45,8 @@ TEST(Walk, TakesFortySecondsForFortyMetresAtOneMetreASecond) {  // IMO MSC.1/Cir
     run.steps(2200);
     EXPECT_EQ(run.state.id.size(), 0u);
     EXPECT_EQ(run.state.crowd.arrived, 1);
-    EXPECT_NEAR(run.state.crowd.last_arrival * 0.02, 39.5, std::string(model) == "social_force" ? 0.6 : 0.05);
+    EXPECT_NEAR(run.state.crowd.arrivals.back() * 0.02, 39.5,
+                std::string(model) == "social_force" ? 0.6 : 0.05);
     EXPECT_EQ(run.state.crowd.wall_corrections, 0);
   }
 }
@@ -142,7 +143,8 @@ TEST(Walk, ACheckpointKeepsAllOfACrowd) {
   EXPECT_EQ(read.crowd.stand, run.state.crowd.stand);
   EXPECT_EQ(read.crowd.stand_step, run.state.crowd.stand_step);
   EXPECT_EQ(read.crowd.arrived, run.state.crowd.arrived);
-  EXPECT_EQ(read.crowd.last_arrival, run.state.crowd.last_arrival);
+  EXPECT_EQ(std::ssize(run.state.crowd.arrivals), run.state.crowd.arrived);
+  EXPECT_EQ(read.crowd.arrivals, run.state.crowd.arrivals);
   EXPECT_EQ(read.crowd.wall_corrections, run.state.crowd.wall_corrections);
   EXPECT_EQ(read.crowd.measured, run.state.crowd.measured);
   EXPECT_FALSE(run.state.crowd.on_line.empty());

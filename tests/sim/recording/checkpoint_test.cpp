@@ -213,7 +213,7 @@ TEST(Checkpoint, RefusesCrowdsThatNoRunHas) {
     return is_refused(state);
   };
   EXPECT_FALSE(refused([](CrowdState&) {}));
-  EXPECT_FALSE(refused([](CrowdState& c) { c.arrived = 3, c.last_arrival = 5, c.wall_corrections = 9; }));
+  EXPECT_FALSE(refused([](CrowdState& c) { c.arrivals = {1, 5, 5}, c.wall_corrections = 9; }));
   EXPECT_TRUE(refused([](CrowdState& c) { c.stand[6].x() = nan; }));
   EXPECT_TRUE(refused([](CrowdState& c) { c.stand[6].y() = -1e12; }));
   EXPECT_TRUE(refused([](CrowdState& c) { c.stand_step[6] = 6; }));
@@ -222,9 +222,9 @@ TEST(Checkpoint, RefusesCrowdsThatNoRunHas) {
   EXPECT_TRUE(refused([](CrowdState& c) { c.halt_step[6] = 6; }));
   EXPECT_TRUE(refused([](CrowdState& c) { c.since[1] = 6; }));
   EXPECT_TRUE(refused([](CrowdState& c) { c.spot[6].y() = infinity; }));
-  EXPECT_TRUE(refused([](CrowdState& c) { c.arrived = -1; }));
-  EXPECT_TRUE(refused([](CrowdState& c) { c.last_arrival = 6; }));
-  EXPECT_TRUE(refused([](CrowdState& c) { c.last_arrival = -1; }));
+  EXPECT_TRUE(refused([](CrowdState& c) { c.arrivals = {6}; }));
+  EXPECT_TRUE(refused([](CrowdState& c) { c.arrivals = {0}; }));
+  EXPECT_TRUE(refused([](CrowdState& c) { c.arrivals = {5, 4}; }));
   EXPECT_TRUE(refused([](CrowdState& c) { c.wall_corrections = -1; }));
   EXPECT_TRUE(refused([](CrowdState& c) { c.wall_corrections = std::numeric_limits<std::int64_t>::max(); }));
   const auto measured = [&](Measured m) { return refused([=](CrowdState& c) { c.measured = {m}; }); };
