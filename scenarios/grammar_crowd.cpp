@@ -116,6 +116,7 @@ Table agent_table() {
            {"goal", goal(),
             "Where they walk to, by the shortest way, and leave: an area, or a table as below, or a list of "
             "such, one after the other."}),
+       {"name", text(64), "What sensors.of and record.of call them; entries may share one."},
        {"at", point(), "Where the agent stands, m."},
        {"place", table({{required({"random", random, "Anywhere that is free, uniformly at random."})}}),
         "How to place more than one agent."},

@@ -27,6 +27,8 @@ Type recorded_bodies_table() {
          "Of these materials."},
         {"kind", some(choice({"dynamic", "static", "kinematic", "agent"}), "a list of kinds, one or more"),
          "Of these kinds."},
+        {"group", some(text(64), "a list of names of [[agents]], one or more"),
+         "Agents of the entries of these names."},
         {"ids", list(integer(1, kMostBodies), 1, "a list of ids, one or more"), "These alone."}}});
 }
 

@@ -80,6 +80,7 @@ class AgentReader {
     const std::string name = text(table_, "model", "");
     const auto kinds = walking_models();
     AgentGroup group;
+    group.name = text(table_, "name", "");
     group.index = index;
     for (std::uint32_t row = 0; row < kinds.size(); ++row) {
       const toml::node* node = table_.get(kinds[row].name);

@@ -68,6 +68,14 @@ bool fits(const toml::table& of, const char* key, Same same) {
   return same(*node);
 }
 
+/// Whether the body of this row is an agent of one of these groups.
+bool is_of_group(const toml::table& of, const Crowd& crowd, std::size_t row) {
+  return fits(of, "group", [&](const toml::node& name) {
+    return crowd.size() > 0 && row >= crowd.first &&
+           crowd.groups[crowd.group[row - crowd.first]].name == name.as_string()->get();
+  });
+}
+
 bool is_chosen(const toml::table& of, const Scene& scene, std::size_t row) {
   constexpr const char* kinds[] = {"dynamic", "static", "kinematic", "agent"};
   const Bodies& bodies = scene.bodies;
@@ -76,7 +84,25 @@ bool is_chosen(const toml::table& of, const Scene& scene, std::size_t row) {
   };
   return fits(of, "shape", is(scene.shapes[bodies.shape[row]].name)) &&
          fits(of, "material", is(scene.materials[bodies.material[row]].name)) &&
-         fits(of, "kind", is(kinds[static_cast<int>(bodies.kind[row])]));
+         fits(of, "kind", is(kinds[static_cast<int>(bodies.kind[row])])) && is_of_group(of, scene.crowd, row);
+}
+
+/// Reports names that no entry of agents has.
+void expect_groups(const toml::table& of, const std::string& path, const Crowd& crowd, Report& report) {
+  std::vector<std::string> known;
+  for (const AgentGroup& group : crowd.groups)
+    if (!group.name.empty()) known.push_back(group.name);
+  const auto expect = [&](const toml::node& node) {
+    const std::string& name = node.as_string()->get();
+    if (std::ranges::find(known, name) != known.end()) return;
+    report.error(node, path + ".group",
+                 "no [[agents]] are called " + in_quotes(name) +
+                     (known.empty() ? ": none have a name" : nearest_or_all(name, known)));
+  };
+  const toml::node* node = of.get("group");
+  if (!node) return;
+  if (!node->is_array()) return expect(*node);
+  for (const toml::node& one : *node->as_array()) expect(one);
 }
 
 /// Ids in the order of the rows; all rows without any.
@@ -146,6 +172,7 @@ std::vector<std::uint32_t> fitting_ids(const toml::table& of, const std::string&
                                        Report& report) {
   std::vector<std::uint32_t> ids;
   const int before = report.errors();
+  expect_groups(of, path, scene.crowd, report);
   for (std::uint32_t id : candidates(of, path, scene, report))
     if (is_chosen(of, scene, id - 1)) ids.push_back(id);
   if (ids.empty() && report.errors() == before) report.error(of, path, "fits no body");

@@ -81,6 +81,7 @@ struct Entrance {
 
 /// Agents of one kind, whose ids follow one another.
 struct AgentGroup {
+  std::string name;                    ///< that others choose it by; several may share one, or have none
   std::uint32_t model = 0;             ///< row of walking_models()
   std::vector<double> parameters;      ///< of the model
   std::uint32_t first = 0, count = 0;  ///< rows of the crowd

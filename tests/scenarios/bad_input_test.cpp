@@ -116,6 +116,8 @@ const FaultyScenario kFaultyScenarios[] = {
     {"record = { also = [{ fields = ['spin'] }] }", "s.toml:2:20: error: record.also[0].every: is missing"},
     {BALL "at = [0, 0]\n[record]\nof.ids = [1, 2]", "record.of.ids: there is no body 2; ids go from 1 to 1"},
     {BALL "at = [0, 0]\n[record]\nof = { kind = 'static' }", "record.of: fits no body"},
+    {BALL "at = [0, 0]\n[record]\nof = { group = 'guests' }",
+     "record.of.group: no [[agents]] are called \"guests\": none have a name"},
     {BALL "at = [0, 0]\n[record]\nof = { shape = ['b', 'c'] }",
      "record.of.shape[1]: there is no \"c\" in [shapes], did you mean \"b\"?"},
     {BALL "place = { file = 'a.csv' }",
