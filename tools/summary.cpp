@@ -65,17 +65,17 @@ Json crowd_summary(const Scene& scene, const State& state) {
   for (const StuckAgent& agent : stuck_agents(scene, state))
     stuck.push_back({{"id", agent.id}, {"position", {agent.position.x(), agent.position.y()}}});
   const CrowdState& crowd = state.crowd;
-  const auto time = [&](double share) {
+  const auto time = [&](std::size_t percent) {
     const std::vector<std::int64_t>& steps = crowd.arrivals;
     if (steps.empty()) return Json(nullptr);
-    const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(steps.size())));
+    const std::size_t rank = (percent * steps.size() + 99) / 100;  // of the first by when so many had
     return Json(rounded(static_cast<double>(steps[rank - 1]) * scene.time.dt));
   };
   Json result = {{"arrived", crowd.arrived},
                  {"inside", crowd.stand.size()},
                  {"waiting", waiting(crowd)},
-                 {"last_arrival", time(1.0)},
-                 {"arrival_quantiles", {time(0.05), time(0.25), time(0.5), time(0.75), time(0.95)}},
+                 {"last_arrival", time(100)},
+                 {"arrival_quantiles", {time(5), time(25), time(50), time(75), time(95)}},
                  {"wall_corrections", crowd.wall_corrections},
                  {"stuck_agents", stuck}};
   if (scene.crowd.first > 0) result["squeezed"] = crowd.squeezed;

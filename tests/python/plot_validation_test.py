@@ -19,7 +19,8 @@ def row(case, engine, verdict, value, **more):
 WIDTHS = {"width": [0.8, 1.0, 1.2], "flow": [1.6, 1.9, 2.3], "seyfried_2009": [1.61, 1.93, 2.25]}
 ROWS = [row("Seyfried 2009: flow through", "social_force", "pass", 0.02, series=WIDTHS),
         row("Seyfried 2009: flow through", "orca", "fail", 0.9, by_nature="keeps no distance", series=WIDTHS),
-        row("IMO 4", "social_force", "fail", 1.7), row("IMO 4", "orca", "fail", None)]
+        row("IMO 4", "social_force", "fail", 1.7), row("IMO 4", "orca", "fail", None),
+        row("RiMEA 14", "orca", "documented", 0.5)]
 
 
 @unittest.skipUnless(importlib.util.find_spec("matplotlib"), "matplotlib is not installed")
@@ -40,8 +41,8 @@ class PlotValidation(unittest.TestCase):
 
     def test_fields_have_the_colours_of_their_verdicts(self):
         _, svg = self.draw(ROWS)
-        fields = [svg.count(colour) / 2 for colour in ("#4c9f70", "#d1603d", "#e0b45c")]  # inside and edge
-        self.assertEqual(fields, [2, 3, 2])  # one each is the legend's
+        fields = [svg.count(colour) / 2 for colour in ("#4c9f70", "#d1603d", "#e0b45c", "#9aa5b1")]  # inside and edge
+        self.assertEqual(fields, [2, 3, 2, 2])  # one each is the legend's
 
 
 if __name__ == "__main__":

@@ -27,7 +27,7 @@ struct ValidationCase {
   const char* name;  ///< its numbers in the catalogues, and a word or two
   const char* what;  ///< is measured
   const char* unit;
-  double low, high;  ///< of the value, up to its doubt; both are allowed
+  double low, high;  ///< of the value, up to its doubt; both are allowed; none: it is only documented
   Finding (*measure)(const Trials& trials);
   bool quick = false;  ///< done in less than a second
 };

@@ -76,8 +76,7 @@ std::span<const ValidationCase> choice_cases() {
   static const ValidationCase all[] = {
       {"RiMEA 11: choice of exits", "share by the nearer of two exits: most, but not all", "", 0.5, 0.99,
        near_exit},
-      {"RiMEA 14: choice of routes", "share by the shorter of two routes, documented", "", 0.0, 1.0,
-       short_route},
+      {"RiMEA 14: choice of routes", "share by the shorter of two routes", "", -kNever, kNever, short_route},
       {"NIST 4.1: an exit that closes",
        "of 40 who don't leave by the other exit when theirs closes after 1 s", "persons", 0.0, 0.0,
        exit_that_closes, true},

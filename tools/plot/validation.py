@@ -90,8 +90,8 @@ def exit_of_room(rows, folder):
 
 
 def verdicts(rows, folder):
-    """A field a case and model: passed, failed, failed by nature."""
-    colours = {"pass": "#4c9f70", "fail": "#d1603d", "nature": "#e0b45c"}
+    """A field a case and model: passed, failed, failed by nature, asked for as a number alone."""
+    colours = {"pass": "#4c9f70", "fail": "#d1603d", "nature": "#e0b45c", "documented": "#9aa5b1"}
     cases = list(dict.fromkeys(row["case"] for row in rows))
     models = list(dict.fromkeys(row["engine"] for row in rows))
     figure, axes = plt.subplots(figsize=(1.5 * len(models) + 4, 0.32 * len(cases) + 1.5))
@@ -107,7 +107,7 @@ def verdicts(rows, folder):
     axes.set_xticks([x + 0.48 for x in range(len(models))], [m.replace(" ", "\n") for m in models], fontsize=7)
     axes.set_yticks([y + 0.46 for y in range(len(cases))], cases, fontsize=7)
     axes.legend([plt.Rectangle((0, 0), 1, 1, color=c) for c in colours.values()],
-                ["passes", "fails", "fails by its nature"], loc="upper left", bbox_to_anchor=(1, 1), fontsize=7)
+                ["passes", "fails", "fails by its nature", "documented"], loc="upper left", bbox_to_anchor=(1, 1), fontsize=7)
     save(figure, folder, "verdicts")
 
 
