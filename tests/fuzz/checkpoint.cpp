@@ -105,6 +105,7 @@ const std::array<Scene, 4>& scenes() {
           "{ least_crowded = ['a', 'b'] }]\nplace.random.within = 'a'\n"
           "[[agents]]\ncount = 2\nmodel = 'social_force'\ngoal = 'a'\n"
           "place.random.within = 'b'\nappear.rate = 1\n"
+          "[[agents]]\nmodel = 'constant_velocity'\ngoal = 'b'\nat = [44.5, 0]\n"
           "[[measure]]\nname = 'x'\nline = [[0, -50], [0, 50]]\n"
           "[[sensors]]\nname = 'y'\nradius = 30\nfov_degrees = 120\nsight = 'bodies'\n",
           "crowd.toml")
@@ -137,7 +138,7 @@ Simulation& run_of(const Scene& scene) {
   return *runs[static_cast<std::size_t>(&scene - scenes().data())];
 }
 
-constexpr int kSteps = 40;  // by then some have arrived, sleep or wait
+constexpr int kSteps = 400;  // by then an agent has arrived, and bodies sleep
 
 /// What a run of the scene leaves at its start, or after so many steps, as far as it goes: the bodies of the
 /// first lie in one another.
@@ -162,12 +163,16 @@ const std::vector<Bytes>& checkpoints() {
     std::vector<Bytes> made;
     for (const int steps : {0, kSteps})
       for (const Scene& scene : scenes()) made.push_back(checkpoint_of(scene, steps));
+    bool arrived = false, asleep = false;
     for (Bytes& bytes : made) {
       const Bytes written = bytes;
       mend(bytes);
       expect(bytes == written, "the hashes of a checkpoint are where this looks for them");
-      expect_sound(recording::read_checkpoint(memory_file(bytes)).state);
+      const State state = recording::read_checkpoint(memory_file(bytes)).state;
+      expect_sound(state);
+      arrived |= !state.crowd.arrivals.empty(), asleep |= throng::asleep(state.sleep) > 0;
     }
+    expect(arrived && asleep, "there is something of everything");
     return made;
   }();
   return all;
