@@ -46,7 +46,7 @@ struct Direction {
 inline Direction direction(const Vec& v, const Vec& fallback) {
   constexpr double kSquaresKeepTheirDigits = 0x1p-960;
   const double squared = dot(v, v);
-  if (squared > kSquaresKeepTheirDigits) [[likely]] {
+  if (!(squared <= kSquaresKeepTheirDigits)) [[likely]] {  // nor with NaN, which would go on for ever
     const double length = std::sqrt(squared);
     return {length, {v.x() / length, v.y() / length}};
   }

@@ -157,7 +157,8 @@ void LookAhead::turn_aside(const StepStart& start, const Touch& touch, const Mee
   const double mass = effective_mass(a, b, 0.0, 0.0);
   const Vec impulse = (1.0 + restitution) * mass * (of_b - of_a).dot(meeting.normal) * meeting.normal;
   const auto turn = [&](std::uint32_t row, const Vec& velocity) {
-    if (start.bodies[row].inverse_mass > 0.0 && meeting.turns_aside < turned_[row].when)
+    const bool can_go_on = std::isfinite(4.0 * velocity.squaredNorm());  // else the step fails at its end
+    if (start.bodies[row].inverse_mass > 0.0 && meeting.turns_aside < turned_[row].when && can_go_on)
       turned_[row] = {meeting.turns_aside, velocity};
   };
   turn(touch.a, of_a + a.inverse_mass * impulse);
