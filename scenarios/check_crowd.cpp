@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include "scenarios/read_crowd.h"
@@ -49,7 +50,10 @@ void warn_of_coarse_steps(const AgentEntry& entry, const AgentGroup& group, cons
   if (group.count == 0) return;
   const auto all = desired_speeds(group, scene);
   const double mean = std::accumulate(all.begin(), all.end(), 0.0) / static_cast<double>(all.size());
-  const double longest = walking_models()[group.model].make(group.parameters)->converged_step(mean);
+  double longest = std::numeric_limits<double>::infinity();
+  for (std::uint32_t agent = 0; agent < (group.own ? group.count : 1); ++agent)
+    longest = std::min(longest,
+                       walking_models()[group.model].make(group.parameters_of(agent))->converged_step(mean));
   if (!(scene.time.dt > longest)) return;
   report.warning(entry.node->as_table()->get("model")->source(), entry.path + ".model",
                  "what a crowd of these does depends on time.dt above " + three_digits(longest) +

@@ -43,8 +43,9 @@ Field model_parameters(const ModelKind& kind) {
   Table parameters;
   if (!kind.presets.empty()) parameters.fields.push_back(presets_of(kind));
   for (const ModelParameter& p : kind.parameters)
-    parameters.fields.push_back({p.key, p.is_whole ? integer(p.low, p.high) : number(p.low, p.high, p.unit),
-                                 p.doc, to_text(p.preset)});
+    parameters.fields.push_back(
+        {p.key, p.is_whole ? integer(p.low, p.high) : distribution(number(p.low, p.high, p.unit), "number"),
+         p.doc, to_text(p.preset)});
   return {kind.name, table(std::move(parameters)), kind.doc};
 }
 

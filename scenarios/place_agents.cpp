@@ -24,6 +24,13 @@ std::uint32_t disc_shape(Scene& scene) {
   return static_cast<std::uint32_t>(scene.shapes.size() - 1);
 }
 
+void add_own_parameters(const AgentEntry& entry, std::uint32_t id, std::uint64_t seed, AgentGroup& group) {
+  for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
+    Random random(seed, i, id, Purpose::parameter);
+    group.parameters.push_back(draw(entry.parameters[i], random));
+  }
+}
+
 void add_agent(const AgentEntry& entry, std::uint32_t group, std::uint32_t i, std::uint32_t shape,
                Scene& scene) {
   Bodies& bodies = scene.bodies;
@@ -43,6 +50,7 @@ void add_agent(const AgentEntry& entry, std::uint32_t group, std::uint32_t i, st
   crowd.due.push_back(entry.appears ? entry.appears->due(i) : 0.0);
   Random premovement(scene.seed, 0, id, Purpose::premovement);
   crowd.start.push_back(crowd.due.back() + draw(entry.premovement, premovement));
+  if (crowd.groups[group].own) add_own_parameters(entry, id, scene.seed, crowd.groups[group]);
   for (const Stay& stay : entry.stays) {
     Random random(scene.seed, stay.leg, id, Purpose::stay);
     crowd.groups[group].journey[stay.leg].times.push_back(draw(stay.time, random));
@@ -158,11 +166,13 @@ class AgentPlacer {
 
 void check_step(const AgentEntry& entry, const AgentGroup& group, std::uint32_t first, const Scene& scene,
                 Report& report) {
-  const auto model = walking_models()[group.model].make(group.parameters);
   double longest = std::numeric_limits<double>::infinity();
-  for (std::uint32_t row = first; row < first + entry.count; ++row)
-    longest = std::min(longest, model->longest_step(scene.bodies.radius[row],
-                                                    scene.crowd.desired_speed[row - scene.crowd.first]));
+  std::unique_ptr<WalkingModel> model;
+  for (std::uint32_t agent = 0; agent < entry.count; ++agent) {
+    if (!model || group.own) model = walking_models()[group.model].make(group.parameters_of(agent));
+    longest = std::min(longest, model->longest_step(scene.bodies.radius[first + agent],
+                                                    scene.crowd.desired_speed[group.first + agent]));
+  }
   if (scene.time.dt <= longest) return;
   report.error(
       *entry.node->as_table()->get("model"), entry.path + ".model",

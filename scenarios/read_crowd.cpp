@@ -68,10 +68,15 @@ class AgentReader {
 
  private:
   Distribution distribution(const char* key, double preset, double least, double most) {
-    const toml::node* node = table_.get(key);
+    return distribution(table_, path_, key, preset, least, most);
+  }
+
+  Distribution distribution(const toml::table& table, const Path& path, const char* key, double preset,
+                            double least, double most) {
+    const toml::node* node = table.get(key);
     if (!node) return {Distribution::Kind::fixed, preset, 0.0, least, most};
     const int errors = report_.errors();
-    const Distribution result = read_distribution(*node, least, most, Path(path_, key).text(), report_);
+    const Distribution result = read_distribution(*node, least, most, Path(path, key).text(), report_);
     if (report_.errors() > errors) report_.mark_bad(table_);
     return result;
   }
@@ -86,35 +91,40 @@ class AgentReader {
       const toml::node* node = table_.get(kinds[row].name);
       if (name == kinds[row].name) {
         group.model = row;
-        group.parameters = parameters_of(kinds[row], node ? *node->as_table() : toml::table());
+        read_parameters(kinds[row], node ? *node->as_table() : toml::table(), group);
       } else if (node) {
         fail(*node, kinds[row].name,
              "belongs to another model than " + in_quotes(name) + ", which this group has");
       }
     }
-    warn_of_top_speed(kinds[group.model], group.parameters);
+    warn_of_top_speed(kinds[group.model]);
     scene_.crowd.groups.push_back(std::move(group));
   }
 
   /// Models may have a speed that nobody goes beyond, whatever he desires.
-  void warn_of_top_speed(const ModelKind& kind, const std::vector<double>& values) {
+  void warn_of_top_speed(const ModelKind& kind) {
     const auto top = std::ranges::find(kind.parameters, std::string_view("top_speed"), &ModelParameter::key);
     if (top == kind.parameters.end() || !table_.contains("desired_speed")) return;
-    const double most = values[static_cast<std::size_t>(top - kind.parameters.begin())];
+    const double most =
+        usual_most(entry_.parameters[static_cast<std::size_t>(top - kind.parameters.begin())]);
     if (const double wanted = usual_most(entry_.desired_speed); wanted > most)
       report_.warning(table_.get("desired_speed")->source(), path_.text() + ".desired_speed",
                       "is " + to_text(wanted) + " m/s for some, and nobody goes beyond " + kind.name +
                           ".top_speed, which is " + to_text(most));
   }
 
-  static std::vector<double> parameters_of(const ModelKind& kind, const toml::table& table) {
+  /// Where each agent has its own they are drawn when it is placed.
+  void read_parameters(const ModelKind& kind, const toml::table& table, AgentGroup& group) {
     const auto preset = std::ranges::find(kind.presets, text(table, "preset", ""), &ModelPreset::name);
-    std::vector<double> values;
+    const Path path(path_, kind.name);
     for (std::size_t i = 0; i < kind.parameters.size(); ++i) {
-      const ModelParameter& own = kind.parameters[i];
-      values.push_back(number(table, own.key, preset == kind.presets.end() ? own.preset : preset->values[i]));
+      const ModelParameter& its = kind.parameters[i];
+      const double usual = preset == kind.presets.end() ? its.preset : preset->values[i];
+      entry_.parameters.push_back(distribution(table, path, its.key, usual, its.low, its.high));
+      group.own = group.own || entry_.parameters.back().kind != Distribution::Kind::fixed;
     }
-    return values;
+    if (!group.own)
+      for (const Distribution& fixed : entry_.parameters) group.parameters.push_back(fixed.a);
   }
 
   void read_appearance() {

@@ -30,6 +30,7 @@ struct Stay {
 struct AgentEntry {
   std::uint32_t count = 0;
   Distribution radius, desired_speed, premovement;  ///< m, m/s, s
+  std::vector<Distribution> parameters;             ///< of the model
   std::vector<Stay> stays;
   std::optional<Appearance> appears;
   bool random = false;

@@ -21,7 +21,8 @@ enum class Purpose : std::uint8_t {
   premovement,
   stay,
   spot,
-  hesitation
+  hesitation,
+  parameter
 };
 
 /// The block cipher Philox4x32-10 of Salmon et al., "Parallel random numbers: as easy as 1, 2, 3" (SC 2011).

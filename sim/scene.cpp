@@ -20,7 +20,8 @@ double agent_mass(const Crowd& crowd, std::size_t agent) {
   const AgentGroup& group = crowd.groups[crowd.group[agent]];
   const std::span<const ModelParameter> known = walking_models()[group.model].parameters;
   for (std::size_t i = 0; i < known.size(); ++i)
-    if (std::string_view(known[i].key) == "mass") return group.parameters[i];
+    if (std::string_view(known[i].key) == "mass")
+      return group.parameters_of(static_cast<std::uint32_t>(agent - group.first))[i];
   return kAgentMass;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -84,10 +85,17 @@ struct AgentGroup {
   std::string name;                    ///< that others choose it by; several may share one, or have none
   std::uint32_t model = 0;             ///< row of walking_models()
   std::vector<double> parameters;      ///< of the model
+  bool own = false;                    ///< `parameters` are each agent's, one agent's behind the other's
   std::uint32_t first = 0, count = 0;  ///< rows of the crowd
   Journey journey;
   std::optional<Entrance> entrance;  ///< where they appear when due; none: all stand there at the start
   std::uint32_t index = 0;           ///< in the file, for messages
+
+  /// Of one of them, counted from 0.
+  std::span<const double> parameters_of(std::uint32_t agent) const {
+    const std::size_t each = own ? parameters.size() / count : parameters.size();
+    return std::span(parameters).subspan(own ? agent * each : 0, each);
+  }
 };
 
 /// A row per agent, in the order of their ids.

@@ -57,23 +57,37 @@ Walk::Walk(const Scene& scene)
       largest_(largest(scene)),
       measuring_(scene.crowd) {
   if (scene.crowd.size() == 0) return;
-  std::map<std::pair<std::uint32_t, std::vector<double>>, std::uint32_t> known;
-  for (const AgentGroup& group : scene.crowd.groups) {
-    const auto [at, is_new] =
-        known.try_emplace({group.model, group.parameters}, static_cast<std::uint32_t>(models_.size()));
-    model_.push_back(at->second);
-    if (!is_new) continue;
-    models_.push_back(walking_models()[group.model].make(group.parameters));
-    cores_.push_back(models_.back()->core());
-    stand_at_will_.push_back(models_.back()->stands_at_will());
-    reach_ = std::max(reach_, models_.back()->reach(largest_));
-  }
+  make_models();
   for (std::size_t i = 0; i < scene.crowd.groups.size(); ++i)
     if (const AgentGroup& group = scene.crowd.groups[i]; group.entrance && group.count > 0)
       entrances_[i] = std::make_unique<Sampler>(group.entrance->within, least_radius(scene, group));
   journeys_.emplace(scene, barriers_);
   if (!movers_.empty()) seen_ = barriers_;
   rows_follow_ = rows_follow(scene.crowd);
+}
+
+void Walk::add_model(const AgentGroup& group, std::uint32_t agent) {
+  models_.push_back(walking_models()[group.model].make(group.parameters_of(agent)));
+  cores_.push_back(models_.back()->core());
+  stand_at_will_.push_back(models_.back()->stands_at_will());
+  reach_ = std::max(reach_, models_.back()->reach(largest_));
+}
+
+void Walk::make_models() {
+  std::map<std::pair<std::uint32_t, std::vector<double>>, std::uint32_t> known;
+  for (const AgentGroup& group : scene_.crowd.groups) {
+    const auto next = static_cast<std::uint32_t>(models_.size());
+    const auto [at, is_new] = known.try_emplace({group.model, group.parameters}, next);
+    model_.push_back(at->second);
+    if (is_new && !group.own) add_model(group, 0);
+  }
+  shared_ = models_.size();
+  for (std::size_t i = 0; i < scene_.crowd.groups.size(); ++i) {
+    const AgentGroup& group = scene_.crowd.groups[i];
+    if (!group.own) continue;
+    model_[i] = static_cast<std::uint32_t>(models_.size());
+    for (std::uint32_t agent = 0; agent < group.count; ++agent) add_model(group, agent);
+  }
 }
 
 void Walk::Ranks::resize(std::size_t n) {
@@ -102,8 +116,14 @@ const Walk::Known& Walk::known(const State& state, std::size_t row) {
   Known& its = known_[row - scene_.crowd.first];
   if (its.id == state.id[row]) return its;
   const std::size_t agent = this->agent(state, row);
-  its = {scene_.bodies.radius[scene_.crowd.first + agent], scene_.crowd.desired_speed[agent],
-         scene_.crowd.start[agent], state.id[row], scene_.crowd.group[agent]};
+  const std::uint32_t group = scene_.crowd.group[agent];
+  const AgentGroup& all = scene_.crowd.groups[group];
+  its = {scene_.bodies.radius[scene_.crowd.first + agent],
+         scene_.crowd.desired_speed[agent],
+         scene_.crowd.start[agent],
+         state.id[row],
+         group,
+         model_[group] + (all.own ? static_cast<std::uint32_t>(agent) - all.first : 0)};
   return its;
 }
 
@@ -122,7 +142,7 @@ void Walk::prefetch(const State& state, std::size_t place) const {
 void Walk::rank(const State& state, std::size_t place) {
   const std::size_t row = this->row(place);
   const Known& its = known(state, row);
-  const std::uint32_t model = model_[its.group];
+  const std::uint32_t model = its.model;
   const Vec &p = state.position[row], &v = state.velocity[row];
   const std::size_t i = cells_.row()[place];
   auto [towards, distance, square] = journeys_->heading(state, i, its.group);
@@ -181,13 +201,18 @@ void Walk::steer(const State& state, Workers& workers) {
                        ranks_.id,        ranks_.clear,     largest_,          seen_ ? *seen_ : barriers_};
   workers.for_ranges(n, [&](std::size_t begin, std::size_t end) {
     std::size_t last = begin;
-    for (std::size_t model = 0; model < models_.size(); ++model) {
+    for (std::size_t model = 0; model < shared_; ++model) {
       const std::size_t first = last;
       for (std::size_t place = begin; place < end && last < end; ++place) {
         places_[last] = static_cast<std::uint32_t>(place);
         last += ranks_.model[place] == model;  // no branch, which nobody could foretell
       }
       models_[model]->steer(view, std::span(places_).subspan(first, last - first), velocity_);
+    }
+    for (std::size_t place = begin; last < end; ++place) {
+      if (ranks_.model[place] < shared_) continue;
+      places_[last] = static_cast<std::uint32_t>(place);
+      models_[ranks_.model[place]]->steer(view, std::span(places_).subspan(last++, 1), velocity_);
     }
   });
 }

@@ -62,9 +62,11 @@ class Walk {
   /// What the scene says of an agent.
   struct Known {
     double radius, desired_speed, start;  ///< m, m/s, s
-    std::uint32_t id = 0, group;          ///< row of Crowd::groups
+    std::uint32_t id = 0, group, model;   ///< rows of Crowd::groups, of models_
   };
 
+  void make_models();
+  void add_model(const AgentGroup& group, std::uint32_t agent);
   void sort(const State& state);
   void let_rows_follow(State& state, Workers& workers);
   const Known& known(const State& state, std::size_t row);
@@ -94,10 +96,11 @@ class Walk {
   Movers movers_;
   std::optional<Barriers> seen_;                       // with the bodies that move, where there are such
   std::optional<Journeys> journeys_;                   // where there are agents
-  std::vector<std::unique_ptr<WalkingModel>> models_;  // each once, with its parameters
+  std::vector<std::unique_ptr<WalkingModel>> models_;  // each once, with its parameters; then agents' own
+  std::size_t shared_ = 0;                             // of models_, those before agents' own
   std::vector<double> cores_;                          // likewise: WalkingModel::core
   std::vector<std::uint8_t> stand_at_will_;            // likewise: WalkingModel::stands_at_will
-  std::vector<std::uint32_t> model_;                   // row of models_, as Crowd::groups
+  std::vector<std::uint32_t> model_;                   // row of models_, of the first one of Crowd::groups
   std::vector<std::unique_ptr<Sampler>> entrances_;    // as Crowd::groups, where agents appear
   Largest largest_;
   double reach_ = 0.0;        // m

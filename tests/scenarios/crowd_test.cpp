@@ -98,6 +98,41 @@ TEST(Crowd, StartsFromAPresetOfItsModel) {
                "agents[0].social_force.preset");
 }
 
+TEST(Crowd, DrawsParametersOfModelsForEachAgent) {
+  const Loaded loaded =
+      load_text(kFloor + kGroup + kRandom +
+                "count = 20\nsocial_force = { preset = 'calibrated', mass = { normal = [75, 10], within = "
+                "[60, 90] }, range = { uniform = [0.05, 0.1] } }\n" +
+                kGroup + "at = [1, 1]\n");
+  ASSERT_EQ(loaded.errors(), 0) << faults(loaded);
+  const AgentGroup& group = loaded.scene.crowd.groups.at(0);
+  ASSERT_TRUE(group.own);
+  std::set<double> masses, ranges;
+  for (std::uint32_t agent = 0; agent < 20; ++agent) {
+    const auto own = group.parameters_of(agent);
+    ASSERT_EQ(own.size(), 7u);
+    EXPECT_TRUE(own[0] >= 60.0 && own[0] <= 90.0 && own[3] >= 0.05 && own[3] <= 0.1);
+    EXPECT_EQ(own[1], 1.0) << "s, of the preset";
+    EXPECT_EQ(mass(loaded.scene, agent), own[0]) << "in the scene";
+    masses.insert(own[0]), ranges.insert(own[3]);
+  }
+  EXPECT_EQ(masses.size(), 20u);
+  EXPECT_EQ(ranges.size(), 20u);
+  EXPECT_FALSE(loaded.scene.crowd.groups.at(1).own);
+  EXPECT_EQ(loaded.scene.crowd.groups.at(1).parameters_of(0)[0], 80.0);
+}
+
+TEST(Crowd, RefusesParametersWhoseDrawsAModelDoesntBear) {
+  const auto group = [](const std::string& parameters) {
+    return kFloor + kGroup + kRandom + "count = 20\nsocial_force = { " + parameters + " }\n";
+  };
+  expect_fault(group("mass = { uniform = [0.5, 90] }"), "agents[0].social_force.mass.uniform");
+  expect_fault(group("mass = { normal = [75, 10], within = [90, 60] }"), "agents[0].social_force.mass");
+  expect_fault("time.dt = 0.02\n" + group("mass = { uniform = [10, 80] }"), "needs time.dt to be at most");
+  const std::string whole = kFloor + "[[agents]]\ncount = 20\ngoal = 'exit'\nmodel = 'orca'\n" + kRandom;
+  expect_fault(whole + "orca = { neighbours = { uniform = [5, 10] } }\n", "agents[0].orca.neighbours");
+}
+
 TEST(Crowd, WalksOnTheDomainsBoxWhereNoFloorIsGiven) {
   const Loaded loaded =
       load_text("throng = 1\ndomain.box = [[0, 0], [9, 9]]\nareas.exit = [[8, 0], [9, 0], [9, 9]]\n" +

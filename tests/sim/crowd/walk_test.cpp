@@ -62,6 +62,40 @@ TEST(Walk, RemovesWhoArrivesAndKeepsTheNamesOfTheOthers) {
   EXPECT_EQ(run.state.crowd.stand.size(), 2u);
 }
 
+/// With a group for each agent, that has the agent's parameters.
+Scene parted(Scene scene) {
+  Crowd& crowd = scene.crowd;
+  std::vector<AgentGroup> groups;
+  for (const AgentGroup& group : crowd.groups)
+    for (std::uint32_t agent = 0; agent < group.count; ++agent) {
+      const auto parameters = group.parameters_of(agent);
+      groups.push_back(group);
+      groups.back().own = false, groups.back().first = group.first + agent, groups.back().count = 1;
+      groups.back().parameters.assign(parameters.begin(), parameters.end());
+      crowd.group[group.first + agent] = static_cast<std::uint32_t>(groups.size() - 1);
+    }
+  crowd.groups = std::move(groups);
+  return scene;
+}
+
+TEST(Walk, GivesEachAgentTheParametersThatWereDrawnForIt) {
+  for (const auto& [model, parameters] :
+       {std::pair("social_force", "{ reaction_time = { uniform = [0.3, 0.8] } }"),
+        std::pair("collision_free_speed", "{ time_gap = { normal = [1, 0.3], within = [0.5, 1.5] } }"),
+        std::pair("orca", "{ horizon = { lognormal = [3, 1], within = [1, 6] } }")}) {
+    SCOPED_TRACE(model);
+    const std::string all = rooms(model), more = std::string(model) + " = " + parameters + "\n";
+    const std::string others =
+        "[[agents]]\ngoal = 'exit'\ncount = 10\nplace = { random = { within = 'start' } }\nmodel = '" +
+        std::string(model) + "'\n";
+    Trial own(all + more + others), threaded(own.scene, 2), each(parted(own.scene)), alike(all + others);
+    for (Trial* run : {&own, &threaded, &each, &alike}) run->steps(300);
+    EXPECT_EQ(own.state.position, each.state.position);
+    EXPECT_EQ(own.state.position, threaded.state.position);
+    EXPECT_NE(own.state.position, alike.state.position);
+  }
+}
+
 TEST(Walk, NobodyPassesAWall) {
   std::int64_t corrections = 0;
   for (const char* model : kModels) {
