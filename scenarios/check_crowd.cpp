@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <limits>
-#include <numeric>
 
 #include "scenarios/read_crowd.h"
-#include "sim/crowd/model.h"
 
 namespace throng::scenarios {
 
@@ -45,23 +42,6 @@ void warn_of_standers(const AgentEntry& entry, const AgentGroup& group, const Sc
                  "is 0: they stand, and never get to their goal");
 }
 
-void warn_of_coarse_steps(const AgentEntry& entry, const AgentGroup& group, const Scene& scene,
-                          Report& report) {
-  if (group.count == 0) return;
-  const auto all = desired_speeds(group, scene);
-  const double mean = std::accumulate(all.begin(), all.end(), 0.0) / static_cast<double>(all.size());
-  double longest = std::numeric_limits<double>::infinity();
-  for (std::uint32_t agent = 0; agent < (group.own ? group.count : 1); ++agent)
-    longest = std::min(longest,
-                       walking_models()[group.model].make(group.parameters_of(agent))->converged_step(mean));
-  if (!(scene.time.dt > longest)) return;
-  report.warning(entry.node->as_table()->get("model")->source(), entry.path + ".model",
-                 "what a crowd of these does depends on time.dt above " + three_digits(longest) +
-                     " s, and it is " + to_text(scene.time.dt) +
-                     " s: friction ends in one step how those who press slip past each other, and the longer "
-                     "the step the more get through a door");
-}
-
 /// Ways lead round static bodies alone.
 void warn_of_still_bodies(std::span<const Entry> bodies, Report& report) {
   for (const Entry& entry : bodies)
@@ -83,7 +63,6 @@ void check_crowd(const toml::table& root, std::span<const Entry> bodies, std::sp
   for (std::size_t i = 0; i < agents.size(); ++i) {
     warn_of_late_agents(agents[i], scene, report);
     warn_of_standers(agents[i], scene.crowd.groups[i], scene, report);
-    warn_of_coarse_steps(agents[i], scene.crowd.groups[i], scene, report);
   }
 }
 

@@ -66,6 +66,8 @@ Distribution read_distribution(const toml::node& node, double least, double most
   result.low = std::max(least, result.a - spread), result.high = std::min(most, result.a + spread);
   if (result.kind == Distribution::Kind::uniform) {
     result.low = result.a, result.high = result.b;
+    if (table.contains("within"))
+      report.error(node, path, "must have no `within` beside `uniform`, whose bounds are its own");
   } else if (const toml::node* within = table.get("within")) {
     const Vec bounds = point(*within);
     result.low = bounds.x(), result.high = bounds.y();
@@ -93,6 +95,12 @@ double usual_most(const Distribution& distribution) {
   return kind == Distribution::Kind::fixed     ? a
          : kind == Distribution::Kind::uniform ? b
                                                : std::min(a + b, high);
+}
+
+double usual_least(const Distribution& distribution) {
+  const auto [kind, a, b, low, high] = distribution;
+  const bool is_spread = kind == Distribution::Kind::normal || kind == Distribution::Kind::lognormal;
+  return is_spread ? std::max(a - b, low) : a;
 }
 
 double draw(const Distribution& distribution, Random& random) {

@@ -22,6 +22,9 @@ Distribution read_distribution(const toml::node& node, double least, double most
 /// What some of it come to: the highest, or one standard deviation above the mean.
 double usual_most(const Distribution& distribution);
 
+/// Likewise: the lowest, or one standard deviation below the mean.
+double usual_least(const Distribution& distribution);
+
 /// A number of it. What a thousand draws don't bring within the cut-offs is moved to the nearer one.
 double draw(const Distribution& distribution, Random& random);
 

@@ -11,9 +11,11 @@ using namespace types;
 
 namespace {
 
-Type distribution(const Type& bound, const std::string& what) {
+/// Of what is between `low` and `high`; a standard deviation may be nearer to 0.
+Type distribution(double low, double high, const std::string& unit, const std::string& what) {
+  const Type bound = number(low, high, unit);
   const Type bounds = tuple({bound, bound}, "two bounds [low, high]");
-  const Type moments = tuple({bound, bound}, "a pair [mean, standard deviation]");
+  const Type moments = tuple({bound, number(0, high, unit)}, "a pair [mean, standard deviation]");
   return either(
       {bound, table({{{"uniform", bounds, "Each agent's own " + what + " between these."},
                       {"normal", moments,
@@ -44,14 +46,13 @@ Field model_parameters(const ModelKind& kind) {
   if (!kind.presets.empty()) parameters.fields.push_back(presets_of(kind));
   for (const ModelParameter& p : kind.parameters)
     parameters.fields.push_back(
-        {p.key, p.is_whole ? integer(p.low, p.high) : distribution(number(p.low, p.high, p.unit), "number"),
-         p.doc, to_text(p.preset)});
+        {p.key, p.is_whole ? integer(p.low, p.high) : distribution(p.low, p.high, p.unit, "number"), p.doc,
+         to_text(p.preset)});
   return {kind.name, table(std::move(parameters)), kind.doc};
 }
 
 Table leg_table() {
   const auto some_of = [](const char* table, const char* called) { return list(name_in(table), 1, called); };
-  const Type time = number(0, 1e9, "s");
   return {{{"nearest", some_of("areas", "a list of names of areas, one or more"),
             "To the nearest of these areas, by the way there."},
            {"weights", named(number(0, 1e6)),
@@ -61,9 +62,9 @@ Table leg_table() {
             "To that of these areas which is expected to be got through first, by the way and those who go "
             "there too and are nearer: as many a second as the number says, without one 1.3."},
            {"wait", name_in("areas"), "To a free place in this area, and stands there."},
-           {"for", distribution(time, "time, s,"),
+           {"for", distribution(0, 1e9, "s", "time, s,"),
             "How long, s, from when it gets into the area; without this and `until`: for ever."},
-           {"until", distribution(time, "time, s,"), "Until when, s."},
+           {"until", distribution(0, 1e9, "s", "time, s,"), "Until when, s."},
            {"queue", either({name_in("queues"), some_of("queues", "a list of names of queues, one or more")}),
             "Lines up, of several queues in the least crowded, and goes on when it was served."}},
           {"nearest", "weights", "least_crowded", "wait", "queue"}};
@@ -105,10 +106,12 @@ Type queue_table() {
 }
 
 Table agent_table() {
-  const Type random =
-      table({{required({"within", either({name_in("areas"), box()}),
-                        "Name of an area, or box, m, that holds all of every agent."}),
-              {"gap", number(0, kFarthest, "m"), "Least distance to any other agent and wall, m.", "0.0"}}});
+  const Type random = table(
+      {{required({"within", either({name_in("areas"), box()}),
+                  "Name of an area, or box, m, that holds all of every agent."}),
+        {"gap", number(0, kFarthest, "m"),
+         "Least distance to walls, and to agents that have their places before: those of entries above, m.",
+         "0.0"}}});
   std::vector<std::string> names;
   for (const ModelKind& kind : walking_models()) names.push_back(kind.name);
   Table result{
@@ -122,12 +125,12 @@ Table agent_table() {
        {"place", table({{required({"random", random, "Anywhere that is free, uniformly at random."})}}),
         "How to place more than one agent."},
        {"count", integer(0, kMostBodies), "How many agents; with appear.times as many as these make.", "1"},
-       {"radius", distribution(length(), "radius, m,"), "Radius, m.", "0.2"},
-       {"desired_speed", distribution(number(0, kFastest, "m/s"), "speed, m/s,"),
+       {"radius", distribution(kShortest, kFarthest, "m", "radius, m,"), "Radius, m.", "0.2"},
+       {"desired_speed", distribution(0, kFastest, "m/s", "speed, m/s,"),
         "Speed when nothing is in the way, m/s.", "1.34"},
-       {"premovement", distribution(number(0, 1e9, "s"), "time, s,"),
+       {"premovement", distribution(0, 1e9, "s", "time, s,"),
         "How long they stand before they set out, s, from the start or from when they are due; "
-        "social_force's may be pushed meanwhile.",
+        "social_force's may be pushed meanwhile, orca's step aside.",
         "0.0"},
        {"appear", appear_table(),
         "When they appear, at places of `place`, as soon as there is room; absent: all at the start."}},

@@ -12,6 +12,7 @@
 #include "scenarios/source.h"
 #include "sim/engine_box2d.h"
 #include "sim/engine_event_driven.h"
+#include "sim/uses_substeps.h"
 
 namespace throng {
 
@@ -30,10 +31,14 @@ void warn_of_idle_borders(const toml::table& root, const Scene& scene, Report& r
                    "hold nobody: contact.model is \"none\", and they are only drawn");
 }
 
-void warn_of_substeps(const toml::table& root, Report& report) {
-  if (const toml::node* substeps = root["time"]["substeps"].node())
-    report.warning(substeps->source(), "time.substeps",
-                   "has no meaning: engine event_driven has no time step");
+/// What has no meaning in this scene, whatever it says.
+void warn_of_substeps(const toml::table& root, const Scene& scene, Report& report) {
+  const toml::node* substeps = root["time"]["substeps"].node();
+  if (!substeps || uses_substeps(scene)) return;
+  report.warning(substeps->source(), "time.substeps",
+                 scene.engine == Engine::event_driven
+                     ? "has no meaning: engine event_driven has no time step"
+                     : "has no meaning: agents, and what moves beside them, take the whole step at once");
 }
 
 /// Only discs, and those of which composites are, have a radius to roll on.
@@ -53,7 +58,7 @@ void check_engine(const toml::table& root, const Scene& scene, Report& report) {
   if (scene.engine == Engine::event_driven) refusal = event_driven_refusal(scene);
   if (!refusal.empty())
     report.error(*root.get("engine"), "engine", engine_name(scene.engine) + (": " + refusal));
-  if (scene.engine == Engine::event_driven) warn_of_substeps(root, report);
+  warn_of_substeps(root, scene, report);
 }
 
 void read_scene(const toml::table& root, Scene& scene, Report& report) {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "scenarios/body_grid.h"
 #include "scenarios/read_crowd.h"
 #include "scenarios/region_sets.h"
 #include "sim/crowd/model.h"
+#include "sim/crowd/sampler.h"
 #include "sim/crowd/walk.h"
 
 namespace throng::scenarios {
@@ -14,6 +16,8 @@ namespace {
 
 constexpr int kAgentTries = 20'000;                             // for one agent
 constexpr std::int64_t kTries = 1'000'000, kTriesEach = 1'000;  // for all of them: an end within seconds
+
+constexpr double kSparse = 0.125;  // of its box, that a region fills: less is drawn from by cells
 
 constexpr double kTouch = 1e-9;  // of two radii: who is in another by less touches him
 
@@ -129,16 +133,30 @@ class AgentPlacer {
                         three_digits(overlapped.depth) + " m one that stands at " + to_text(overlapped.at));
   }
 
+  static Vec anywhere(const Eigen::AlignedBox2d& box, Random& random) {
+    const double x = random.uniform(box.min().x(), box.max().x());
+    return {x, random.uniform(box.min().y(), box.max().y())};
+  }
+
+  /// Of an entry whose region fills little of its box; null for others.
+  const Sampler* sampler_of(const AgentEntry& entry) {
+    if (sampled_ == &entry) return sampler_ ? &*sampler_ : nullptr;
+    sampled_ = &entry, sampler_.reset();
+    if (common_area(entry.within, entry.within) < kSparse * bounds(entry.within).volume())
+      sampler_.emplace(entry.within, 0.0);
+    return sampler_ ? &*sampler_ : nullptr;
+  }
+
   void place_at_random(const AgentEntry& entry, std::uint32_t row) {
     const double radius = scene_.bodies.radius[row];
     const Eigen::AlignedBox2d box = bounds(entry.within);
     Random random(scene_.seed, 0, row + 1, Purpose::place);
+    const Sampler* sparse = sampler_of(entry);
     for (int i = 0; i < kAgentTries && tries_left_ > 0; ++i, --tries_left_) {
-      const double x = random.uniform(box.min().x(), box.max().x());
-      const double y = random.uniform(box.min().y(), box.max().y());
-      if (!is_free({x, y}, radius, entry)) continue;
-      scene_.bodies.position[row] = {x, y};
-      if (!entry.appears) agents_.add(row, {x, y}, radius);
+      const Vec p = sparse ? sparse->draw(random) : anywhere(box, random);
+      if (!is_free(p, radius, entry)) continue;
+      scene_.bodies.position[row] = p;
+      if (!entry.appears) agents_.add(row, p, radius);
       return;
     }
     report_.mark_bad(*entry.node);
@@ -162,6 +180,8 @@ class AgentPlacer {
   Movers movers_;
   BodyGrid agents_;
   std::int64_t tries_left_;
+  const AgentEntry* sampled_ = nullptr;  // whom `sampler_` is of
+  std::optional<Sampler> sampler_;
 };
 
 void check_step(const AgentEntry& entry, const AgentGroup& group, std::uint32_t first, const Scene& scene,

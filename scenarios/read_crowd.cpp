@@ -104,13 +104,15 @@ class AgentReader {
   /// Models may have a speed that nobody goes beyond, whatever he desires.
   void warn_of_top_speed(const ModelKind& kind) {
     const auto top = std::ranges::find(kind.parameters, std::string_view("top_speed"), &ModelParameter::key);
-    if (top == kind.parameters.end() || !table_.contains("desired_speed")) return;
-    const double most =
-        usual_most(entry_.parameters[static_cast<std::size_t>(top - kind.parameters.begin())]);
-    if (const double wanted = usual_most(entry_.desired_speed); wanted > most)
-      report_.warning(table_.get("desired_speed")->source(), path_.text() + ".desired_speed",
+    if (top == kind.parameters.end()) return;
+    const auto& speed = entry_.parameters[static_cast<std::size_t>(top - kind.parameters.begin())];
+    const toml::node* node = table_.get("desired_speed");
+    const double wanted = usual_most(entry_.desired_speed), most = usual_least(speed);
+    if (wanted > most)
+      report_.warning((node ? *node : table_).source(), path_.text() + ".desired_speed",
                       "is " + to_text(wanted) + " m/s for some, and nobody goes beyond " + kind.name +
-                          ".top_speed, which is " + to_text(most));
+                          ".top_speed, which is " + to_text(most) +
+                          (speed.kind == Distribution::Kind::fixed ? "" : " for some"));
   }
 
   /// Where each agent has its own they are drawn when it is placed.
@@ -191,8 +193,11 @@ class AgentReader {
 void check_ground(const toml::table& root, const toml::node& agents, const Scene& scene, Report& report) {
   if (scene.domain.kind == DomainKind::periodic)
     report.error(*root["domain"].node(), "domain", "not supported yet: agents in a periodic domain");
-  if (scene.gravity != Vec(0.0, 0.0) && !root.contains("bodies"))
-    report.warning(root["gravity"].node()->source(), "gravity", "has no meaning: agents aren't drawn by it");
+  for (const auto& [key, why] :
+       {std::pair("gravity", "agents aren't drawn by it, nor is what moves beside them"),
+        std::pair("contact", "models say what happens where agents touch")})
+    if (const toml::node* node = root.get(key); node && (node->is_table() || scene.gravity != Vec(0.0, 0.0)))
+      report.warning(node->source(), key, std::string("has no meaning: ") + why);
   const toml::node* walkable = root.get("walkable");  // where it has faults they were reported
   if (scene.crowd.walkable.empty() && !(walkable && report.bad(*walkable)))
     report.error(agents, "agents", "need a floor to walk on: walkable, or domain.box");

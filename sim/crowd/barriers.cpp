@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <set>
+#include <utility>
 
 #include "narrowphase/crossing.h"
 
@@ -11,6 +14,11 @@ namespace throng {
 namespace {
 
 using Segment = Barriers::Segment;
+using Coordinates = std::pair<double, double>;  // m
+
+Coordinates coordinates(const Vec& p) {
+  return {p.x(), p.y()};
+}
 
 constexpr double kSquareRounding = 1e-9;  // of a squared distance
 
@@ -18,6 +26,8 @@ constexpr double kSquareRounding = 1e-9;  // of a squared distance
 
 Barriers::Barriers(std::span<const BarrierLine> lines, double reach) {
   for (const BarrierLine& line : lines) add(line);
+  drop_repeated();
+  join();
   still_ = segments_.size();
   std::vector<broadphase::Extent> extents;
   Eigen::AlignedBox2d bounds;
@@ -31,17 +41,44 @@ Barriers::Barriers(std::span<const BarrierLine> lines, double reach) {
 
 void Barriers::add(const BarrierLine& line) {
   const std::size_t points = line.points.size(), count = line.closed ? points : points - 1;
-  const auto first = static_cast<std::uint32_t>(segments_.size());
-  const auto last = static_cast<std::uint32_t>(first + count - 1);
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto row = static_cast<std::uint32_t>(first + i);
+  const auto first = static_cast<std::uint32_t>(2 * segments_.size());
+  const auto last = static_cast<std::uint32_t>(first + 2 * count - 1);
+  for (std::uint32_t end = first; end < last; end += 2) {
+    const std::size_t i = (end - first) / 2;
     segments_.push_back({line.points[i], line.points[(i + 1) % points],
-                         row > first   ? row - 1
+                         end > first   ? end - 1
                          : line.closed ? last
-                                       : kNone,
-                         row < last    ? row + 1
-                         : line.closed ? first
-                                       : kNone});
+                                       : end,
+                         end + 1 < last ? end + 2
+                         : line.closed  ? first
+                                        : end + 1});
+  }
+}
+
+/// Keeps of each the first, whichever way round.
+void Barriers::drop_repeated() {
+  const auto ends = [](const Segment& s) {
+    const auto a = coordinates(s.a), b = coordinates(s.b);
+    return a < b ? std::pair(a, b) : std::pair(b, a);
+  };
+  std::set<std::pair<Coordinates, Coordinates>> known;
+  std::erase_if(segments_, [&](const Segment& segment) { return !known.insert(ends(segment)).second; });
+}
+
+/// Makes rings of all ends that are at one place, whatever line they are of.
+void Barriers::join() {
+  std::vector<std::uint32_t> ends(2 * segments_.size());
+  std::iota(ends.begin(), ends.end(), 0);
+  const auto place = [&](std::uint32_t end) { return coordinates(segments_[end / 2].end(end)); };
+  std::ranges::stable_sort(ends, {}, place);
+  for (std::size_t i = 0; i < ends.size();) {
+    std::size_t after = i + 1;
+    while (after < ends.size() && place(ends[after]) == place(ends[i])) ++after;
+    for (std::size_t k = i; k < after; ++k) {
+      Segment& segment = segments_[ends[k] / 2];
+      (ends[k] % 2 == 0 ? segment.at_a : segment.at_b) = ends[k + 1 < after ? k + 1 : i];
+    }
+    i = after;
   }
 }
 

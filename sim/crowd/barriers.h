@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "broadphase/box_index.h"
@@ -23,13 +24,15 @@ struct BarrierLine {
 class Barriers {
  public:
   struct Segment {
-    Vec a, b;              ///< m
-    std::uint32_t before;  ///< row of the segment that ends at `a`, or kNone
-    std::uint32_t after;   ///< row of the segment that begins at `b`, or kNone
-  };
-  static constexpr std::uint32_t kNone = 0xFFFFFFFF;
+    Vec a, b;            ///< m
+    std::uint32_t at_a;  ///< which end is the next one at `a`; its own where none is
+    std::uint32_t at_b;  ///< likewise
 
-  /// `reach` (m): how far will mostly be looked; it decides speed, never answers. O(n log n).
+    const Vec& end(std::uint32_t which) const { return which % 2 == 0 ? a : b; }
+  };
+
+  /// `reach` (m): how far will mostly be looked; it decides speed, never answers. Segments that are the same
+  /// count once. O(n log n).
   Barriers(std::span<const BarrierLine> lines, double reach);
 
   /// Those that stand still.
@@ -41,8 +44,8 @@ class Barriers {
 
   /// Calls f(point) for each place at most `reach` from `p` at which the distance to the barriers has a local
   /// minimum: of a corner that sticks out its tip, once; of a corner to stand in a place on each side; of a
-  /// curve in many pieces its nearest place alone. In the order of the segments. O(segments near). Allocates
-  /// nothing.
+  /// curve in many pieces its nearest place alone, be they of one line or of several that meet. In the order
+  /// of the segments. O(segments near). Allocates nothing.
   template <class F>
   void for_each_nearest(const Vec& p, double reach, F&& f) const;
 
@@ -80,8 +83,15 @@ class Barriers {
   double distance(const Vec& p, double most) const;
 
  private:
-  /// Whether the nearest point of the segment is a local minimum over its line too.
-  bool is_minimum(const Segment& segment, const Vec& nearest, const Vec& p) const;
+  /// Of its ends: 2 row + 0 for `a` and + 1 for `b`. Those at one place make a ring.
+  std::uint32_t next(std::uint32_t end) const {
+    const Segment& segment = segments_[end / 2];
+    return end % 2 == 0 ? segment.at_a : segment.at_b;
+  }
+
+  /// Whether the nearest point of the segment is a local minimum over all that meet there, and for this one
+  /// of them to tell: the first that begins there, else the first.
+  bool is_minimum(std::uint32_t row, const Vec& nearest, const Vec& p) const;
 
   struct Moving {
     std::size_t first, end;  ///< of the segments
@@ -89,6 +99,8 @@ class Barriers {
   };
 
   void add(const BarrierLine& line);
+  void drop_repeated();
+  void join();
 
   std::vector<Segment> segments_;  // those that move behind those that stand still
   std::size_t still_ = 0;
@@ -97,11 +109,16 @@ class Barriers {
   Clearance clearance_;
 };
 
-inline bool Barriers::is_minimum(const Segment& segment, const Vec& nearest, const Vec& p) const {
-  if (nearest == segment.b && segment.after != kNone) return false;  // left to the next, which begins there
-  if (nearest != segment.a || segment.before == kNone) return true;
-  const Segment& before = segments_[segment.before];
-  return (p - before.b).dot(before.b - before.a) >= 0.0;
+inline bool Barriers::is_minimum(std::uint32_t row, const Vec& nearest, const Vec& p) const {
+  const Segment& segment = segments_[row];
+  if (nearest != segment.a && nearest != segment.b) return true;
+  const std::uint32_t own = 2 * row + (nearest == segment.a ? 0 : 1);
+  const auto rank = [](std::uint32_t end) { return std::pair(end % 2, end / 2); };
+  for (std::uint32_t end = next(own); end != own; end = next(end)) {
+    const Vec along = nearest - segments_[end / 2].end(end + 1);
+    if (rank(end) < rank(own) || !((p - nearest).dot(along) >= 0.0)) return false;
+  }
+  return true;
 }
 
 template <class F>
@@ -109,7 +126,8 @@ void Barriers::for_each_nearest(const Vec& p, double reach, F&& f) const {
   const Vec far(reach, reach);
   for_each_near({Vec(p - far), Vec(p + far)}, [&](const Segment& segment) {
     const Vec nearest = nearest_on_segment(segment.a, segment.b, p);
-    if ((nearest - p).squaredNorm() <= reach * reach && is_minimum(segment, nearest, p)) f(nearest);
+    const auto row = static_cast<std::uint32_t>(&segment - segments_.data());
+    if ((nearest - p).squaredNorm() <= reach * reach && is_minimum(row, nearest, p)) f(nearest);
   });
 }
 

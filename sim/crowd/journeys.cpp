@@ -58,7 +58,7 @@ std::uint32_t Journeys::drawn(const State& state, Row row) const {
   }
   if (!(weights.back() > 0.0)) weights = its.weights;
   const auto again = static_cast<std::uint64_t>(ways_.change() ? state.step : 0);
-  Random random(scene_.seed, again << 32 | state.crowd.stage[row], state.id[scene_.crowd.first + row],
+  Random random(scene_.seed, again << 16 | state.crowd.stage[row], state.id[scene_.crowd.first + row],
                 Purpose::journey);
   const double drawn = random.uniform() * weights.back();
   return static_cast<std::uint32_t>(std::upper_bound(weights.begin(), weights.end() - 1, drawn) -

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <span>
 
@@ -58,12 +57,6 @@ class WalkingModel {
   /// The longest step (s) that the model bears for an agent of that radius (m) and desired speed (m/s).
   virtual double longest_step(double radius, double desired_speed) const = 0;
 
-  /// The step (s) up to which what a crowd of that desired speed (m/s) does hardly depends on it; infinite
-  /// where none is known.
-  virtual double converged_step(double /*desired_speed*/) const {
-    return std::numeric_limits<double>::infinity();
-  }
-
   /// Whether who wants nowhere stands still, whoever is near; else others push him, and who is to stay at a
   /// place must go on wanting to it.
   virtual bool stands_at_will() const { return true; }
@@ -72,7 +65,7 @@ class WalkingModel {
   virtual double core() const { return 1.0; }
 };
 
-/// A number that scenario files may set for a group of agents.
+/// A number that scenario files may set for a group of agents, or have drawn for each.
 struct ModelParameter {
   const char* key;
   double preset, low, high;

@@ -32,6 +32,10 @@ double least_radius(const Scene& scene, const AgentGroup& group) {
   return *std::min_element(first, first + group.count);
 }
 
+/// So many models, each with its parameters, gather their agents from all; those of further ones are asked
+/// alone.
+constexpr std::size_t kTogetherModels = 32;
+
 constexpr int kSqueezes = 4;     // of bodies against barriers, before the agent gives in
 constexpr double kSettle = 0.5;  // s: who wants to stand somewhere comes to a stop within about so long
 
@@ -75,19 +79,20 @@ void Walk::add_model(const AgentGroup& group, std::uint32_t agent) {
 
 void Walk::make_models() {
   std::map<std::pair<std::uint32_t, std::vector<double>>, std::uint32_t> known;
-  for (const AgentGroup& group : scene_.crowd.groups) {
-    const auto next = static_cast<std::uint32_t>(models_.size());
-    const auto [at, is_new] = known.try_emplace({group.model, group.parameters}, next);
-    model_.push_back(at->second);
-    if (is_new && !group.own) add_model(group, 0);
-  }
-  shared_ = models_.size();
-  for (std::size_t i = 0; i < scene_.crowd.groups.size(); ++i) {
-    const AgentGroup& group = scene_.crowd.groups[i];
-    if (!group.own) continue;
-    model_[i] = static_cast<std::uint32_t>(models_.size());
-    for (std::uint32_t agent = 0; agent < group.count; ++agent) add_model(group, agent);
-  }
+  model_.resize(scene_.crowd.groups.size());
+  for (const bool own : {false, true})
+    for (std::size_t i = 0; i < model_.size(); ++i) {
+      const AgentGroup& group = scene_.crowd.groups[i];
+      if (group.own != own) continue;
+      model_[i] = static_cast<std::uint32_t>(models_.size());
+      if (!own) {
+        const auto [at, is_new] = known.try_emplace({group.model, group.parameters}, model_[i]);
+        model_[i] = at->second;
+        if (!is_new) continue;
+      }
+      for (std::uint32_t agent = 0; agent < (own ? group.count : 1); ++agent) add_model(group, agent);
+      if (!own) shared_ = std::min(models_.size(), kTogetherModels);
+    }
 }
 
 void Walk::Ranks::resize(std::size_t n) {

@@ -97,7 +97,7 @@ class Walk {
   std::optional<Barriers> seen_;                       // with the bodies that move, where there are such
   std::optional<Journeys> journeys_;                   // where there are agents
   std::vector<std::unique_ptr<WalkingModel>> models_;  // each once, with its parameters; then agents' own
-  std::size_t shared_ = 0;                             // of models_, those before agents' own
+  std::size_t shared_ = 0;                             // of models_, those whose agents are asked together
   std::vector<double> cores_;                          // likewise: WalkingModel::core
   std::vector<std::uint8_t> stand_at_will_;            // likewise: WalkingModel::stands_at_will
   std::vector<std::uint32_t> model_;                   // row of models_, of the first one of Crowd::groups

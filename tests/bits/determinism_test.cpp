@@ -47,8 +47,8 @@ constexpr Golden kGallery[] = {
     {"hopper", 100, 0x1d9022626db65ebe},       {"gears", 100, 0xc39e38f148f4adb5},
     {"billiard", 1500, 0x7713ed3c72c4176a},    {"cradle", 2000, 0x7db3d1ee537b00be},
     {"mixed", 200, 0xdb8937692441c9d4},        {"corridor", 1200, 0xdd6a7b723dc082a9},
-    {"bottleneck", 1200, 0x2e0ae480114f4cbe},  {"circle_swap", 300, 0x3098722b25df02fc},
-    {"counterflow", 1200, 0xa0441be365d7d12e}, {"evacuation", 1500, 0x2cc71b77847dc07f},
+    {"bottleneck", 1200, 0xe17793fdbf77bb3f},  {"circle_swap", 300, 0x3098722b25df02fc},
+    {"counterflow", 1200, 0xabe4155417f61517}, {"evacuation", 1500, 0x2cc71b77847dc07f},
     {"station", 200, 0xa9dbe0a7c3cb9d2a},      {"stadium", 6, 0xd8122e71098e5668},
     {"crossing", 500, 0xc71a083234d00b8c},     {"drum", 100, 0x8eb7324841b1bc4e},
 };

@@ -71,20 +71,5 @@ TEST(CheckCrowd, WarnsOfBodiesThatNeverMoveAndAreNotStatic) {
   EXPECT_EQ(said_of(group() + post + "'static'\n"), "");
 }
 
-// It happened: through a door 1 m wide 1.73 a second got at 0.04 s, 1.16 at 0.02, 0.79 at 0.01 and at 0.005.
-TEST(CheckCrowd, WarnsOfStepsAtWhichFrictionOfACrowdIsNotConverged) {
-  const std::string calibrated = "at = [2, 2]\nsocial_force.preset = 'calibrated'\n";
-  expect_warning(
-      group(calibrated, "social_force"),
-      "agents[0].model: what a crowd of these does depends on time.dt above 0.0121 s, and it is 0.02 s:",
-      "0.02");
-  expect_warning(group(calibrated + "desired_speed = 2.68\n", "social_force"), "agents[0].model: what",
-                 "0.01");
-  EXPECT_EQ(said_of(group(calibrated, "social_force"), "0.01"), "");
-  EXPECT_EQ(said_of(group("at = [2, 2]\n", "social_force"), "0.02"), "") << "nor with the paper's numbers";
-  EXPECT_EQ(said_of(group("at = [2, 2]\nsocial_force.preset = 'bottleneck'\n", "social_force"), "0.025"), "");
-  EXPECT_EQ(said_of(group("at = [2, 2]\nsocial_force.friction = 0\n", "social_force"), "0.02"), "");
-}
-
 }  // namespace
 }  // namespace throng

@@ -112,7 +112,7 @@ TEST(Crowd, DrawsParametersOfModelsForEachAgent) {
     const auto own = group.parameters_of(agent);
     ASSERT_EQ(own.size(), 7u);
     EXPECT_TRUE(own[0] >= 60.0 && own[0] <= 90.0 && own[3] >= 0.05 && own[3] <= 0.1);
-    EXPECT_EQ(own[1], 1.0) << "s, of the preset";
+    EXPECT_EQ(own[1], 1.31) << "s, of the preset";
     EXPECT_EQ(mass(loaded.scene, agent), own[0]) << "in the scene";
     masses.insert(own[0]), ranges.insert(own[3]);
   }
@@ -129,6 +129,9 @@ TEST(Crowd, RefusesParametersWhoseDrawsAModelDoesntBear) {
   expect_fault(group("mass = { uniform = [0.5, 90] }"), "agents[0].social_force.mass.uniform");
   expect_fault(group("mass = { normal = [75, 10], within = [90, 60] }"), "agents[0].social_force.mass");
   expect_fault("time.dt = 0.02\n" + group("mass = { uniform = [10, 80] }"), "needs time.dt to be at most");
+  expect_fault(group("mass = { uniform = [60, 90], within = [70, 80] }"), "no `within` beside `uniform`");
+  const Loaded narrow = load_text(kFloor + kGroup + kRandom + "social_force.mass = { normal = [75, 0.5] }\n");
+  EXPECT_EQ(narrow.errors(), 0) << "a deviation less than the least mass: " << faults(narrow);
   const std::string whole = kFloor + "[[agents]]\ncount = 20\ngoal = 'exit'\nmodel = 'orca'\n" + kRandom;
   expect_fault(whole + "orca = { neighbours = { uniform = [5, 10] } }\n", "agents[0].orca.neighbours");
 }
@@ -140,6 +143,18 @@ TEST(Crowd, WalksOnTheDomainsBoxWhereNoFloorIsGiven) {
   ASSERT_EQ(loaded.errors(), 0) << faults(loaded);
   EXPECT_TRUE(contains(loaded.scene.crowd.walkable, {4, 4}));
   EXPECT_TRUE(loaded.scene.walls.empty());
+}
+
+TEST(Crowd, FindsRoomInAnAreaThatFillsLittleOfItsBox) {
+  const Loaded loaded = load_text(
+      "throng = 1\nwalkable = 'POLYGON ((0 0, 1200 0, 1200 1200, 0 1200, 0 0))'\n[areas]\n"
+      "start = 'MULTIPOLYGON (((0 0, 20 0, 20 20, 0 20, 0 0)), ((1180 1180, 1200 1180, 1200 1200, 1180 1200, "
+      "1180 1180)))'\nexit = [[600, 600], [610, 600], [610, 610]]\n" +
+      kGroup + kRandom + "count = 2000\n");
+  ASSERT_EQ(loaded.errors(), 0) << faults(loaded);
+  double left = 0.0;
+  for (const Vec& p : loaded.scene.bodies.position) left += p.x() < 20.0 ? 1.0 : 0.0;
+  EXPECT_NEAR(left / 2000.0, 0.5, 0.04) << "of two squares, half in each";
 }
 
 TEST(Crowd, DrawsSpeedsOfEachKind) {
@@ -341,6 +356,17 @@ TEST(Crowd, IsWarnedOfWhatWontBeAsItSays) {
             std::string::npos)
       << "the deepest";
   EXPECT_NE(said(orca, "gravity = [0, -9.81]\n").find("warning: gravity: has no meaning"), std::string::npos);
+  EXPECT_EQ(said(orca, "gravity = [0, 0]\n"), "");
+  EXPECT_NE(said(orca, "contact.model = 'spring'\ncontact.stiffness = 1e5\n")
+                .find("warning: contact: has no meaning"),
+            std::string::npos);
+  EXPECT_NE(said(orca, "time.substeps = 4\n").find("warning: time.substeps: has no meaning"),
+            std::string::npos);
+  EXPECT_NE(said(orca + "orca = { top_speed = 1 }\n").find("is 1.34 m/s for some, and nobody goes beyond"),
+            std::string::npos);
+  EXPECT_NE(said(orca + "desired_speed = 1.9\norca = { top_speed = { uniform = [0.5, 2] } }\n")
+                .find("orca.top_speed, which is 0.5 for some"),
+            std::string::npos);
   EXPECT_NE(
       said(orca + "orca = { neighbours = 2.5 }\n").find("agents[0].orca.neighbours: must be an integer"),
       std::string::npos);

@@ -42,7 +42,7 @@ class Geodesic {
   /// A barrier that is only touched blocks nothing, and one may walk along it.
   bool sees(const Vec& p, const Vec& q) const {
     using narrowphase::orientation;
-    for (const auto& [a, b, before, after] : barriers_.segments())
+    for (const auto& [a, b, at_a, at_b] : barriers_.segments())
       if (orientation(p, q, a) * orientation(p, q, b) < 0 && orientation(a, b, p) * orientation(a, b, q) < 0)
         return false;
     const Vec middle = 0.5 * (p + q);

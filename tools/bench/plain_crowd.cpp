@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tools/bench/plain_crowd.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -63,8 +65,9 @@ PlainCrowd::PlainCrowd(const Scene& scene)
 
 PlainCrowd::~PlainCrowd() = default;
 
-const std::vector<double>& PlainCrowd::parameters(std::uint32_t agent) const {
-  return scene_.crowd.groups[scene_.crowd.group[agent]].parameters;
+std::span<const double> PlainCrowd::parameters(std::uint32_t agent) const {
+  const AgentGroup& group = scene_.crowd.groups[scene_.crowd.group[agent]];
+  return group.parameters_of(agent - group.first);
 }
 
 Vec PlainCrowd::towards(std::uint32_t agent) const {
@@ -91,7 +94,7 @@ void PlainCrowd::step() {
 }
 
 Vec PlainCrowd::free_speed(std::uint32_t agent) const {
-  const std::vector<double>& v = parameters(agent);
+  const std::span<const double> v = parameters(agent);
   const double time_gap = v[0], strength = v[1], range = v[2], wall_strength = v[3], wall_range = v[4];
   const std::vector<double>& radius = scene_.bodies.radius;
   Vec heading = towards(agent);
@@ -116,32 +119,35 @@ Vec PlainCrowd::free_speed(std::uint32_t agent) const {
 }
 
 Vec PlainCrowd::social_force(std::uint32_t agent) const {
-  const std::vector<double>& v = parameters(agent);
+  const std::span<const double> v = parameters(agent);
   const double mass = v[0], reaction = v[1], strength = v[2], range = v[3], stiffness = v[4], friction = v[5];
   const std::vector<double>& radius = scene_.bodies.radius;
   const Vec& own = velocity_[agent];
-  Vec force = mass / reaction * (scene_.crowd.desired_speed[agent] * towards(agent) - own);
-  const auto act = [&](double depth, const Vec& away, const Vec& slip, double most) {
+  Vec force = mass / reaction * (scene_.crowd.desired_speed[agent] * towards(agent) - own), rub(0.0, 0.0);
+  Eigen::Matrix2d damping = Eigen::Matrix2d::Zero();
+  const auto act = [&](double depth, const Vec& away, const Vec& slip, double share) {
     force += strength * std::exp(depth / range) * away;
     if (depth <= 0.0) return;
     const Vec along(-away.y(), away.x());
-    force += stiffness * depth * away + std::min(friction * depth, mass * most) * slip.dot(along) * along;
+    force += stiffness * depth * away;
+    rub += friction * depth * slip.dot(along) * along;
+    damping += share * friction * depth * along * along.transpose();
   };
   near_->for_each(agent, v[6], position_.size(), barriers_,
                   [&](std::uint32_t other, const Vec& to, double distance) {
                     const double depth = radius[agent] + radius[other] - distance;
-                    if (depth >= -16.0 * range)
-                      act(depth, -to / distance, velocity_[other] - own, 0.5 / scene_.time.dt);
+                    if (depth >= -16.0 * range) act(depth, -to / distance, velocity_[other] - own, 2.0);
                   });
   barriers_.for_each_nearest(position_[agent], radius[agent] + 16.0 * range, [&](const Vec& q) {
     const Vec out = position_[agent] - q;
-    act(radius[agent] - out.norm(), out.normalized(), -own, 1.0 / scene_.time.dt);
+    act(radius[agent] - out.norm(), out.normalized(), -own, 1.0);
   });
-  return own + scene_.time.dt / mass * force;
+  const double rate = scene_.time.dt / mass;
+  return own + (Eigen::Matrix2d::Identity() + rate * damping).inverse() * (rate * (force + rub));
 }
 
 Vec PlainCrowd::orca(std::uint32_t agent) const {
-  const std::vector<double>& v = parameters(agent);
+  const std::span<const double> v = parameters(agent);
   const std::vector<double>& radius = scene_.bodies.radius;
   std::vector<HalfPlane> planes, room;
   for (const Barriers::Segment& wall : barriers_.segments()) {

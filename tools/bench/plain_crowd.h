@@ -35,7 +35,7 @@ class PlainCrowd {
   Vec social_force(std::uint32_t agent) const;
   Vec orca(std::uint32_t agent) const;
   Vec towards(std::uint32_t agent) const;
-  const std::vector<double>& parameters(std::uint32_t agent) const;
+  std::span<const double> parameters(std::uint32_t agent) const;
 
   const Scene& scene_;
   std::string model_;

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <numbers>
 #include <numeric>
 #include <random>
 
@@ -111,13 +112,14 @@ TEST(SocialForce, PressesApartAndRubsWhereTwoTouch) {
   group.velocity = {Vec(0, 0), Vec(2, 0)};
   const double push = 2000.0 * std::exp(0.001 / 0.08) + 1.2e5 * 0.001, rub = 2.4e5 * 0.001 * 2.0;
   EXPECT_NEAR(group.ask("social_force").y(), -0.01 * push / 80.0, 1e-13);
-  EXPECT_NEAR(group.ask("social_force").x(), 0.01 * rub / 80.0, 1e-13);
+  const double ends = 2.0 * 0.01 * 2.4e5 * 0.001 / 80.0;  // of a slip, in a step, by both
+  EXPECT_NEAR(group.ask("social_force").x(), 0.01 * rub / 80.0 / (1.0 + ends), 1e-13);
 }
 
 TEST(SocialForce, AWallSlowsDownWhoRubsAlongIt) {
   Group group({{5, 0.24}}, {{{{0, 0}, {10, 0}}, false}});  // 1 cm deep
   group.velocity[0] = Vec(1, 0);                           // as fast as desired: nothing else acts along x
-  EXPECT_NEAR(group.ask("social_force").x(), 1.0 - 0.01 * 2.4e5 * 0.01 / 80.0, 1e-13);
+  EXPECT_NEAR(group.ask("social_force").x(), 1.0 / (1.0 + 0.01 * 2.4e5 * 0.01 / 80.0), 1e-13);
   EXPECT_NEAR(group.ask("social_force").y(), 0.01 * (2000.0 * std::exp(0.01 / 0.08) + 1.2e5 * 0.01) / 80.0,
               1e-13);
 }
@@ -128,6 +130,34 @@ TEST(SocialForce, FrictionNeverTurnsASlipRound) {
   EXPECT_GE(group.ask("social_force").x(), 0.0);
 }
 
+TEST(SocialForce, FrictionOfManyEndsASlipAndNeverTurnsItRound) {
+  const double apart = 0.47;  // m: 3 cm deep
+  std::vector<Vec> around{{0, 0}};
+  for (int i = 0; i < 6; ++i)
+    around.push_back(apart * Vec(std::cos(i * std::numbers::pi / 3), std::sin(i * std::numbers::pi / 3)));
+  Group group(around);
+  group.desired_speed.assign(7, 0.0);
+  group.set["reaction_time"] = 1e3;
+  group.velocity.assign(7, Vec(0, 0));
+  group.velocity[0] = Vec(1, 0);                   // all push alike: nothing but friction acts along x
+  const double each = 0.01 * 2.4e5 * 0.03 / 80.0;  // of a slip, in a step; sin^2 of six directions is 3
+  EXPECT_NEAR(group.ask("social_force").x(), 1.0 - 3.0 * each / (1.0 + 2.0 * 3.0 * each), 1e-4);
+  Group between({{5, 0.2}}, {{{{0, 0}, {10, 0}}, false}, {{{0, 0.4}, {10, 0.4}}, false}});  // two walls, 5 cm
+  between.velocity[0] = Vec(1, 0);
+  EXPECT_NEAR(between.ask("social_force").x(), 1.0 / (1.0 + 2.0 * 0.01 * 2.4e5 * 0.05 / 80.0), 1e-12);
+}
+
+TEST(SocialForce, WhoIsDrivenAlongAWallSlidesAsFastAsFrictionAllowsWhateverTheStep) {
+  for (const double dt : {0.02, 0.01, 0.001}) {
+    Group group({{5, 0.2}}, {{{{0, 0}, {10, 0}}, false}, {{{0, 0.4}, {10, 0.4}}, false}});
+    group.dt = dt;
+    group.velocity[0] = Vec(0, 0);
+    for (double t = 0.0; t < 1.0; t += dt) group.velocity[0] = group.ask("social_force");
+    const double drive = 80.0 / 0.5, rub = 2.0 * 2.4e5 * 0.05;
+    EXPECT_NEAR(group.velocity[0].x(), drive / (drive + rub), 1e-6) << dt;
+  }
+}
+
 TEST(SocialForce, AWallInManyPiecesPushesLikeOne) {
   BarrierLine pieces{{}, false};
   for (int i = 0; i <= 40; ++i) pieces.points.push_back({0.25 * i, 0.0});
@@ -135,6 +165,29 @@ TEST(SocialForce, AWallInManyPiecesPushesLikeOne) {
   EXPECT_NEAR((one.ask("social_force") - many.ask("social_force")).norm(), 0.0, 1e-14);
   Group at_joint({{5.0, 0.3}}, {pieces});
   EXPECT_NEAR((one.ask("social_force") - at_joint.ask("social_force")).norm(), 0.0, 1e-14);
+}
+
+TEST(SocialForce, AWallInPiecesOfTheirOwnPushesLikeOne) {
+  std::vector<BarrierLine> pieces;
+  for (int i = 0; i < 40; ++i) {
+    pieces.push_back({{{0.25 * i, 0.0}, {0.25 * (i + 1), 0.0}}, false});
+    if (i % 3 == 0) std::swap(pieces.back().points[0], pieces.back().points[1]);
+    if (i % 5 == 0) pieces.push_back(pieces.back());
+  }
+  for (int i = 0; i < 30; ++i) {
+    const Vec at(4.0 + 0.05 * i, 0.3);
+    Group one({at}, {{{{0, 0}, {10, 0}}, false}}), many({at}, pieces);
+    EXPECT_NEAR((one.ask("social_force") - many.ask("social_force")).norm(), 0.0, 1e-14) << at.x();
+  }
+}
+
+TEST(SocialForce, ACornerOfSeveralWallsPushesOnce) {
+  Group corner({{0.2, 0.2}}, {{{{-5, 0}, {0, 0}, {0, -5}}, false}});
+  Group walls({{0.2, 0.2}}, {{{{-5, 0}, {0, 0}}, false}, {{{0, -5}, {0, 0}}, false}});
+  Group three({{0.2, 0.2}},
+              {{{{-5, 0}, {0, 0}}, false}, {{{0, -5}, {0, 0}}, false}, {{{-3, -3}, {0, 0}}, false}});
+  EXPECT_EQ(corner.ask("social_force"), walls.ask("social_force"));
+  EXPECT_EQ(corner.ask("social_force"), three.ask("social_force"));
 }
 
 TEST(SocialForce, TwoInOnePlacePart) {

@@ -96,6 +96,39 @@ TEST(Walk, GivesEachAgentTheParametersThatWereDrawnForIt) {
   }
 }
 
+TEST(Walk, GivesNobodyWhatWasDrawnForAnother) {
+  const std::string at = "[[agents]]\ngoal = 'exit'\nmodel = ";
+  const std::string one = at + "'social_force'\nat = [1, 1]\n";
+  const std::string others =
+      at + "'collision_free_speed'\nat = [3, 1]\n" + at + "'social_force'\nat = [3, 5]\n";
+  Trial drawn(rooms("orca") + one + "social_force.mass = { uniform = [80, 80] }\n" + others);
+  Trial fixed(rooms("orca") + one + others);
+  drawn.steps(100), fixed.steps(100);
+  EXPECT_EQ(drawn.state.position, fixed.state.position);
+}
+
+TEST(Walk, AsksAgentsOfManyModelsAsThoseWithTheirOwn) {
+  std::string scene = rooms("orca");
+  for (int i = 0; i < 40; ++i)
+    scene +=
+        "[[agents]]\ngoal = 'exit'\nplace.random.within = 'start'\nmodel = 'social_force'\nradius = 0.1\n"
+        "social_force.mass = " +
+        std::to_string(80 + i) + "\n";
+  Trial many(scene);
+  EXPECT_EQ(mass(many.scene, 99), 119.0) << "kg, of the last one";
+  Scene own = many.scene;
+  auto& groups = own.crowd.groups;
+  groups[1].own = true, groups[1].count = 40;
+  for (std::size_t i = 2; i < 41; ++i)
+    groups[1].parameters.insert(groups[1].parameters.end(), groups[i].parameters.begin(),
+                                groups[i].parameters.end());
+  groups.resize(2);
+  for (std::uint32_t& group : own.crowd.group) group = std::min(group, 1u);
+  Trial merged(own);
+  many.steps(50), merged.steps(50);
+  EXPECT_EQ(many.state.position, merged.state.position);
+}
+
 TEST(Walk, NobodyPassesAWall) {
   std::int64_t corrections = 0;
   for (const char* model : kModels) {
