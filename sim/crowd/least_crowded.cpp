@@ -25,7 +25,7 @@ LeastCrowded::LeastCrowded(const Scene& scene, const Ways& ways)
 
 void LeastCrowded::count(const State& state) {
   const Crowd& crowd = scene_.crowd;
-  for (std::vector<double>& ways : going_) ways.clear();
+  for (Tally& ways : going_) ways.clear();
   for (std::size_t i = 0; i < state.crowd.stage.size(); ++i) {
     if (state.crowd.option[i] == kUndecided) continue;
     const std::size_t agent = agent_of(scene_, state, crowd.first + i);
@@ -33,11 +33,11 @@ void LeastCrowded::count(const State& state) {
     const std::uint32_t goal = crowd.goal(leg, state.crowd.option[i]);
     if (!is_counted_[goal]) continue;
     const bool there = state.crowd.place[i] > 0 && leg.kind != Leg::Kind::pass;
-    going_[goal].push_back(there ? 0.0
-                                 : ways_.to(goal, scene_.bodies.radius[crowd.first + agent])
-                                       .distance(state.position[crowd.first + i]));
+    going_[goal].push(there ? 0.0
+                            : ways_.to(goal, scene_.bodies.radius[crowd.first + agent])
+                                  .distance(state.position[crowd.first + i]));
   }
-  for (std::vector<double>& ways : going_) std::ranges::sort(ways);
+  for (Tally& ways : going_) ways.settle();
 }
 
 std::uint32_t LeastCrowded::choose(const Leg& leg, std::size_t agent, const Vec& place) {
@@ -51,12 +51,10 @@ std::uint32_t LeastCrowded::choose(const Leg& leg, std::size_t agent, const Vec&
     if (any && !is_open(option)) continue;
     const std::uint32_t goal = scene_.crowd.goal(leg, option);
     const double way = ways_.to(goal, scene_.bodies.radius[scene_.crowd.first + agent]).distance(place);
-    const auto nearer = std::ranges::lower_bound(going_[goal], way) - going_[goal].begin();
-    const double time = way / speed + static_cast<double>(nearer) / leg.capacity[option];
+    const double time = way / speed + static_cast<double>(going_[goal].less_than(way)) / leg.capacity[option];
     if (time < least) least = time, its_way = way, best = option;
   }
-  std::vector<double>& going = going_[scene_.crowd.goal(leg, best)];
-  going.insert(std::ranges::upper_bound(going, its_way), its_way);
+  going_[scene_.crowd.goal(leg, best)].add(its_way);
   return best;
 }
 

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "sim/crowd/tally.h"
 #include "sim/crowd/ways.h"
 #include "sim/state.h"
 
@@ -21,14 +22,14 @@ class LeastCrowded {
   void count(const State& state);
 
   /// The option that the agent takes from there, of the open ones, of all where none is; of equally good ones
-  /// the first. From then on it goes there. O(log agents) and less than that for whom it moves in memory.
+  /// the first. From then on it goes there. O(sqrt agents) at the most.
   std::uint32_t choose(const Leg& leg, std::size_t agent, const Vec& place);
 
  private:
   const Scene& scene_;
   const Ways& ways_;
-  std::vector<bool> is_counted_;            // as Crowd::goals: some agent may choose it so
-  std::vector<std::vector<double>> going_;  // as Crowd::goals: m, ways of all who go there, ascending
+  std::vector<bool> is_counted_;  // as Crowd::goals: some agent may choose it so
+  std::vector<Tally> going_;      // as Crowd::goals: m, ways of all who go there
 };
 
 }  // namespace throng

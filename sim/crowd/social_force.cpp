@@ -119,7 +119,7 @@ constexpr ModelParameter kParameters[] = {
 /// passage as through a door of the same width, to 5 %, so that no set keeps both IMO 4, which allows 1.33 /s
 /// through 1 m, and the bottlenecks of Seyfried (2009), who measured 1.9.
 constexpr double kCalibrated[] = {80.0, 1.31, 2500.0, 0.063, 4.6e4, 1.1e6, 2.5};
-constexpr double kBottleneck[] = {80.0, 1.25, 63.0, 0.218, 9.2e3, 2.2e4, 2.5};
+constexpr double kBottleneck[] = {80.0, 1.25, 63.0, 0.218, 9.2e3, 1.4e4, 2.5};
 constexpr ModelPreset kPresets[] = {
     {"calibrated", "for people in rooms and at exits as in guidelines, by throng bench validation",
      kCalibrated},

@@ -78,10 +78,10 @@ std::span<const ValidationCase> choice_cases() {
        near_exit},
       {"RiMEA 14: choice of routes", "share by the shorter of two routes", "", -kNever, kNever, short_route},
       {"NIST 4.1: an exit that closes",
-       "of 40 who don't leave by the other exit when theirs closes after 1 s", "persons", 0.0, 0.0,
+       "of 40 who don't leave by the other exit when theirs closes after 1 s", "persons", -kNever, 0.0,
        exit_that_closes, true},
       {"NIST 2.9: groups", "from the first to the last of five friends, one of whom walks at 0.5 m/s", "s",
-       0.0, 10.0, company, true},
+       -kNever, 10.0, company, true},
   };
   return all;
 }

@@ -214,17 +214,17 @@ Finding longer_bottleneck(const Trials& trials) {
 
 std::span<const ValidationCase> exit_cases() {
   static const ValidationCase all[] = {
-      {"IMO 4, NIST 5.2: exit of a room", "flow through 1 m over the whole period", "1/s", 0.0, 1.33,
+      {"IMO 4, NIST 5.2: exit of a room", "flow through 1 m over the whole period", "1/s", -kNever, 1.33,
        flow_through_exit, true},
-      {"Seyfried 2009: flow through bottlenecks", "worst difference of widths from 0.8 to 1.2 m", "1/s", 0.0,
-       0.5, off_seyfried},
+      {"Seyfried 2009: flow through bottlenecks", "worst difference of widths from 0.8 to 1.2 m", "1/s",
+       -kNever, 0.5, off_seyfried},
       {"Seyfried 2009, RiMEA 12d: flow over width", "R^2 of a rising line, from 0.8 to 1.2 m", "", 0.9, 1.0,
        linear_in_width},
       {"IMO 9, RiMEA 9: half the exits", "time to leave the hall, over that by all four exits", "", 1.6, 2.4,
        half_the_exits},
       {"RiMEA 12a: goal behind an exit", "how much later the last arrives 10 m behind it than at it", "s",
        0.0, kNever, farther_goal},
-      {"RiMEA 12b: length of a bottleneck", "flow through 5 m over that through 0.2 m", "", 0.0, 1.0,
+      {"RiMEA 12b: length of a bottleneck", "flow through 5 m over that through 0.2 m", "", -kNever, 1.0,
        longer_bottleneck},
       {"faster is slower", "time to leave at 5 m/s over that at 1.5 m/s", "", 1.0, kNever, hurry},
   };

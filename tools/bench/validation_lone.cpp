@@ -114,10 +114,10 @@ std::span<const ValidationCase> lone_cases() {
   static const ValidationCase all[] = {
       {"IMO 1, NIST 2.1: corridor", "time for 40 m at 1 m/s", "s", 38.1, 42.1, corridor_at_one, true},
       {"RiMEA 1: corridor", "time for 40 m at 1.33 m/s", "s", 26.0, 34.0, corridor_at_walking_pace, true},
-      {"IMO 5, RiMEA 5: response times", "worst difference between response time and setting out", "s", 0.0,
-       0.5, worst_response, true},
-      {"IMO 6, RiMEA 6: corner", "farthest off the floor", "m", 0.0, 1e-3, outside_at_corner, true},
-      {"NIST 2.3: corner", "last arrival", "s", 0.0, 60.0, last_round_corner, true},
+      {"IMO 5, RiMEA 5: response times", "worst difference between response time and setting out", "s",
+       -kNever, 0.5, worst_response, true},
+      {"IMO 6, RiMEA 6: corner", "farthest off the floor", "m", -kNever, 1e-3, outside_at_corner, true},
+      {"NIST 2.3: corner", "last arrival", "s", -kNever, 60.0, last_round_corner, true},
       {"IMO 7: speeds of men of 30 to 50", "mean of 50 speeds", "m/s", 1.295 - 0.08, 1.295 + 0.08, mean_speed,
        true},
       {"RiMEA 7: speeds by age", "least share that walked at a speed of its age", "", 0.96, 1.0,
@@ -125,7 +125,7 @@ std::span<const ValidationCase> lone_cases() {
       {"NIST 2.4: speeds", "mean of 100 speeds drawn from a normal distribution", "m/s", 1.14, 1.26,
        normal_speeds, true},
       {"IMO 10, RiMEA 10, NIST 3.1: cabins", "who left by another exit than his own, or not at all",
-       "persons", 0.0, 0.0, gone_astray, true},
+       "persons", -kNever, 0.0, gone_astray, true},
       {"NIST 2.10: one who is slow", "delay of 24 others by one of 0.8 m/s and radius 0.4 m", "s", 0.1,
        kNever, delay_by_one_who_is_slow, true},
   };

@@ -175,17 +175,17 @@ std::span<const ValidationCase> stream_cases() {
       {"IMO 8, NIST 2.8: counterflow", "least delay of the last of 100 by 10, 50, 100 against them", "s",
        0.02, kNever, delay_by_counterflow},
       {"Weidmann, RiMEA 4: fundamental diagram", "worst difference of speed, at 0.5 to 3 people a m^2", "m/s",
-       0.0, 0.3, off_weidmann},
+       -kNever, 0.3, off_weidmann},
       {"lane formation", "order of two streams, from 1/n where mixed to 1 where apart", "", 0.8, 1.0,
        lane_order},
-      {"RiMEA 12c: two doors", "density before the second, over that before the first", "", 0.0, 0.7,
+      {"RiMEA 12c: two doors", "density before the second, over that before the first", "", -kNever, 0.7,
        second_door},
-      {"NIST 5.1: congestion", "density in the corridor, over that before the room's exit", "", 0.0, 0.99,
+      {"NIST 5.1: congestion", "density in the corridor, over that before the room's exit", "", -kNever, 0.99,
        corridor_behind},
       {"RiMEA 15: large crowd round a corner", "delay by the corner, over that by the way along its outside",
-       "", 0.0, 1.0, round_corner},
+       "", -kNever, 1.0, round_corner},
       {"RiMEA 16: single file in a ring", "worst that speeds are outside the band of 10 to 90 % of people's",
-       "m/s", 0.0, 0.0, outside_of_band},
+       "m/s", -kNever, 0.0, outside_of_band},
   };
   return all;
 }
