@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Which bodies of a frame touch, and how deep they are in one another.
 import { eachMeeting } from "./grid.js";
-import { isFree } from "../reader/scene.js";
+import { AGENT, isFree } from "../reader/scene.js";
 import { separation } from "./separation.js";
 
 /**
@@ -39,6 +39,30 @@ function wallSegments(walls) {
 }
 
 /**
+ * Of the segments of a crowd's walls: those that meet at an end, by its coordinates, in the order in which the program lets one of
+ * them tell of it. @param {Float64Array[]} segments @returns {Map<string, { rank: number, far: number[], row: number }[]>}
+ */
+function meetings(segments) {
+  /** @type {Map<string, { rank: number, far: number[], row: number }[]>} */
+  const ends = new Map();
+  segments.forEach(([ax, ay, bx, by], row) => {
+    const here = { rank: row, far: [bx, by], row }, there = { rank: segments.length + row, far: [ax, ay], row };
+    ends.set(`${ax},${ay}`, [...(ends.get(`${ax},${ay}`) ?? []), here]);
+    ends.set(`${bx},${by}`, [...(ends.get(`${bx},${by}`) ?? []), there]);
+  });
+  return ends;
+}
+
+/** Each once, whichever way round. @param {Float64Array[]} segments */
+function once(segments) {
+  const known = new Set();
+  return segments.filter(([ax, ay, bx, by]) => {
+    const key = ax < bx || (ax === bx && ay < by) ? `${ax},${ay},${bx},${by}` : `${bx},${by},${ax},${ay}`;
+    return !known.has(key) && known.add(key);
+  });
+}
+
+/**
  * Whether a frame says which of its bodies touch: all are discs, or it says how they are turned, not only an earlier one.
  * @param {import("../reader/recording.js").Description} description @param {number} frame
  */
@@ -53,7 +77,9 @@ export class ContactFinder {
   constructor(scene) {
     this.scene = scene;
     this.parts = colliders(scene);
-    this.walls = wallSegments(scene.walls);
+    const walls = wallSegments(scene.walls), crowd = scene.bodies.kind.includes(AGENT);
+    this.walls = crowd ? once(walls) : walls;
+    this.ends = crowd ? meetings(this.walls) : undefined;
     this.world = this.parts.points.map(points => new Float64Array(points.length));
     this.here = new Int32Array(this.world.length);  // the parts of the bodies that are there: `present` of them
     this.present = 0;
@@ -71,7 +97,7 @@ export class ContactFinder {
     this.found = { pairs: /** @type {number[]} */ ([]), depths: /** @type {number[]} */ ([]), deepest: new Float32Array(this.scene.bodies.count), overlapping: 0, largest: 0, sum: 0 };
     const meet = (/** @type {number} */ i, /** @type {number} */ j) => {
       const a = here[i], b = here[j];
-      if (j >= parts) this.#wall(a, this.walls[j - parts]);
+      if (j >= parts) this.#wall(a, j - parts);
       else if (body[a] !== body[b] && (isFree(kind[body[a]]) || isFree(kind[body[b]]))) this.#pair(a, b);
     };
     eachMeeting(this.boxes.subarray(0, 4 * (parts + this.walls.length)), parts, meet);
@@ -126,11 +152,24 @@ export class ContactFinder {
     this.#count(body[a], body[b], gap);
   }
 
-  /** @param {number} a @param {Float64Array} wall */
+  /** @param {number} a @param {number} wall */
   #wall(a, wall) {
     const row = this.parts.body[a];
     if (!isFree(this.scene.bodies.kind[row])) return;
-    this.#count(row, -1, separation(this.world[a], this.parts.radius[a], wall, 0));
+    if (this.ends && !this.#isNearest(this.world[a], wall)) return;
+    this.#count(row, -1, separation(this.world[a], this.parts.radius[a], this.walls[wall], 0));
+  }
+
+  /**
+   * Whether the wall's place that is nearest to an agent's is a local minimum over all that meet there, and for this one to tell: a
+   * tip that sticks out counts once, a straight wall in pieces too. @param {Float64Array} place @param {number} wall
+   */
+  #isNearest([x, y], wall) {
+    const [ax, ay, bx, by] = this.walls[wall], along = (x - ax) * (bx - ax) + (y - ay) * (by - ay), length = (bx - ax) ** 2 + (by - ay) ** 2;
+    if (along > 0 && along < length) return true;
+    const [px, py] = along > 0 ? [bx, by] : [ax, ay], met = this.ends?.get(`${px},${py}`) ?? [];
+    const own = met.find(one => one.row === wall);
+    return met.every(one => one === own || ((x - px) * (px - one.far[0]) + (y - py) * (py - one.far[1]) >= 0 && one.rank > (own?.rank ?? 0)));
   }
 
   /** How far a part is from the four sides of the box. @param {number} a */
