@@ -24,19 +24,14 @@ double largest_radius(const Scene& scene, std::uint32_t queue) {
   return largest;
 }
 
-/// What keeps agents of that radius (m) from standing there in line; "" where nothing does. Who is less than
-/// a place's width from his place stands there.
-std::string fault(const QueueLine& line, const Queue& queue, double radius, const Inside& is_floor,
-                  const Barriers& barriers) {
+/// What keeps agents from standing there in line; "" where nothing does. Who is less than a place's width
+/// from his place stands there, be it near a wall.
+std::string fault(const QueueLine& line, const Inside& is_floor, const Barriers& barriers) {
   for (std::uint32_t number = 1; number <= line.places(); ++number) {
     const Vec p = line.place(number);
     const std::string which = "its place " + std::to_string(number) + " at " + to_text(p) + " ";
     if (!is_floor(p)) return which + "is not on the walkable area";
-    const double clear = barriers.distance(p, std::max(1.0, radius));
-    if (!(clear > 0.0)) return which + "is on a wall";
-    if (clear + queue.spacing < radius)
-      return which + "is " + to_text(clear) + " m from a wall: agents of radius " + to_text(radius) +
-             " m get no nearer to it than `spacing`, " + to_text(queue.spacing) + " m";
+    if (!(barriers.distance(p, 1.0) > 0.0)) return which + "is on a wall";
     if (number > 1 && barriers.block(line.place(number - 1), p))
       return which + "is behind a wall, seen from the one before it";
   }
@@ -52,9 +47,17 @@ void check_queues(const toml::table& root, const Scene& scene, Report& report) {
   const Path root_path, path(root_path, "queues");
   for (std::uint32_t row = 0; row < scene.crowd.queues.size(); ++row) {
     const Queue& queue = scene.crowd.queues[row];
-    const std::string why = fault(QueueLine(queue), queue, largest_radius(scene, row), is_floor, barriers);
+    const double radius = largest_radius(scene, row);
+    const std::string why = fault(QueueLine(queue), is_floor, barriers);
+    const toml::node &line = *root["queues"][queue.name]["line"].node(),
+                     *spacing = root["queues"][queue.name]["spacing"].node();
     if (!why.empty())
-      report.error(*root["queues"][queue.name]["line"].node(), Path(path, queue.name).text() + ".line", why);
+      report.error(line, Path(path, queue.name).text() + ".line", why);
+    else if (queue.spacing < 2.0 * radius)
+      report.error(spacing ? *spacing : line, Path(path, queue.name).text() + ".spacing",
+                   "must be at least " + to_text(2.0 * radius) +
+                       " m, as wide as one who lines up there, and is " + to_text(queue.spacing) +
+                       " m: nobody would stand at his place");
   }
 }
 

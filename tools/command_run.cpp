@@ -115,8 +115,10 @@ void add_run(CLI::App& app, int& exit_code, const std::string& command_line) {
   options->command_line = command_line;
   CLI::App* command = app.add_subcommand("run", "Runs a scenario; prints a summary as JSON, records with -o");
   command->add_option("SCENE", options->scene, "scenario file")->required();
-  command->add_option("-o,--output", options->output,
-                      "recording to write (HDF5); without it nothing is recorded");
+  command
+      ->add_option("-o,--output", options->output,
+                   "recording to write (HDF5); without it nothing is recorded")
+      ->check([](const std::string& name) { return name.empty() ? "needs a name" : std::string(); });
   add_scenario_options(*command, options->overrides);
   add_drive_options(*command, options->drive);
   command->add_flag("--dry-run", options->dry_run,

@@ -405,6 +405,7 @@ class Measures(Program):
             # Nobody walks yet, and who stands looks all around: 2 and 3 are 4.1 m apart, 1 and 3 2.8 m.
             self.assertEqual([list(start[k]) for k in (1, 2, 3)], [[3], [3], [1, 2]])
             self.assertEqual(list(later.who), [2, 3])
+            self.assertEqual((list(later), len(later), 2 in later, 1 in later), ([2, 3], 2, True, False))
             self.assertEqual([list(later[k]) for k in (2, 3)], [[3], []])
             self.assertEqual(list(recording.sensed_frames("eyes")), list(range(0, 301, 50)))
             for said, ask in {

@@ -585,9 +585,9 @@ TEST(Crowd, IsRefusedWhereItsJourneyMakesNoSense) {
     return kFloor + "[queues]\ngate = { service = 1, line = [[7, 4.875], [6, 4.875]], spacing = " + spacing +
            " }\n" + kGroup.substr(0, kGroup.find("goal")) + kRandom + "goal = [{ queue = 'gate' }, 'exit']\n";
   };
-  expect_fault(narrow("0.05"),
-               "its place 1 at [7, 4.875] is 0.125 m from a wall: agents of radius 0.2 m get no nearer");
-  EXPECT_EQ(load_text(narrow("0.15")).errors(), 0);
+  expect_fault(narrow("0.39"),
+               "queues.gate.spacing: must be at least 0.4 m, as wide as one who lines up there");
+  EXPECT_EQ(load_text(narrow("0.4")).errors(), 0);
   expect_fault(
       queue("[[7, 4], [6, 4]]") + "[queues.long]\nservice = 1\nspacing = 0.01\nline = [[0, 1], [1e6, 1]]\n",
       "queues.long.line: has places for 1e+08 agents, must have at most 1e+06");

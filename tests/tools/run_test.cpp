@@ -159,6 +159,13 @@ TEST_F(RunCommand, SaysThatSubstepsMeanNothingToAnEngineOfTheCommandLine) {
   EXPECT_THAT(throng(run + " --set time.substeps=2").err, HasSubstr("time.substeps: has no meaning"));
 }
 
+TEST_F(RunCommand, WantsANameForItsRecording) {  // as of a shell's variable that isn't set
+  const Result result = throng("run " + write("a.toml", kTwoDiscs) + " -o ''");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("--output: needs a name"));
+  EXPECT_EQ(result.out, "");
+}
+
 TEST_F(RunCommand, SaysThatTheLastStateIsNotRecorded) {
   const std::string scene = write("a.toml", kTwoDiscs), to = " --force -o " + path("a.h5");
   const std::string run = "run " + scene + to;

@@ -117,10 +117,20 @@ class Sensed:
             raise ValueError("its rows don't fit each other")
 
     def __getitem__(self, id):
-        row = np.searchsorted(self.who, id)
-        if row == len(self.who) or self.who[row] != id:
+        if id not in self:
             raise NotRecorded(f"{self._where}: body {id} was not there or doesn't have it; .who lists those who looked")
+        row = np.searchsorted(self.who, id)
         return self.whom[int(self.begin[row]):int(self.begin[row + 1])]
+
+    def __contains__(self, id):
+        row = np.searchsorted(self.who, id)
+        return bool(row < len(self.who) and self.who[row] == id)
+
+    def __iter__(self):
+        return iter(self.who)
+
+    def __len__(self):
+        return len(self.who)
 
     def __repr__(self):
         return f"<sensed by {len(self.who)}: {len(self.whom)} ids; who, count, whom, [id]>"
