@@ -29,6 +29,27 @@ void warn_of_late_agents(const AgentEntry& entry, const Scene& scene, Report& re
                      ": nobody of this group ever appears");
 }
 
+/// Who set out after the end, though they are there before it.
+void warn_of_late_starters(const AgentEntry& entry, const AgentGroup& group, const Scene& scene,
+                           Report& report) {
+  const toml::node* node = entry.node->as_table()->get("premovement");
+  if (!node || group.count == 0 || (entry.appears && entry.appears->due(0) > scene.time.until)) return;
+  const auto start = std::span(scene.crowd.start).subspan(group.first, group.count);
+  const double first = *std::ranges::min_element(start);
+  if (first < scene.time.until) return;
+  report.warning(
+      node->source(), entry.path + ".premovement",
+      "the first sets out at " + after_the_end(first, scene) + ": nobody of this group ever walks");
+}
+
+/// A goal that is closed all the time.
+void warn_of_late_openings(const toml::table& root, const Scene& scene, Report& report) {
+  for (const Area& area : scene.crowd.areas)
+    if (area.opens > 0.0 && area.opens >= scene.time.until)
+      report.warning(root["open"][area.name]["from"].node()->source(), "open." + area.name + ".from",
+                     "is " + after_the_end(area.opens, scene) + ": it never opens");
+}
+
 /// m/s, of which there is one an agent of a group.
 std::span<const double> desired_speeds(const AgentGroup& group, const Scene& scene) {
   return std::span(scene.crowd.desired_speed).subspan(group.first, group.count);
@@ -59,9 +80,11 @@ void check_crowd(const toml::table& root, std::span<const Entry> bodies, std::sp
                  const Scene& scene, Report& report) {
   if (agents.empty() || report.errors() > 0) return;
   warn_of_late_measures(root, scene, report);
+  warn_of_late_openings(root, scene, report);
   warn_of_still_bodies(bodies, report);
   for (std::size_t i = 0; i < agents.size(); ++i) {
     warn_of_late_agents(agents[i], scene, report);
+    warn_of_late_starters(agents[i], scene.crowd.groups[i], scene, report);
     warn_of_standers(agents[i], scene.crowd.groups[i], scene, report);
   }
 }

@@ -61,8 +61,8 @@ void add_bodies_to_floor(std::span<const Entry> entries, Scene& scene, Report& r
 /// Reports queues in which nobody could stand. Expects all walls in the scene.
 void check_queues(const toml::table& root, const Scene& scene, Report& report);
 
-/// Warns of what won't happen as the file says it: measures and agents after the end, agents who never set
-/// out, bodies that never move and yet are no walls. Expects all in the scene.
+/// Warns of what won't happen as the file says it: measures, agents and openings after the end, agents who
+/// never set out, bodies that never move and yet are no walls. Expects all in the scene.
 void check_crowd(const toml::table& root, std::span<const Entry> bodies, std::span<const AgentEntry> agents,
                  const Scene& scene, Report& report);
 

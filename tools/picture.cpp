@@ -66,6 +66,13 @@ void draw_title(cairo_t* cairo, const Page& page, const Scene& scene, const Fram
         Align::right);
 }
 
+/// Beside the bar's name there is room for no more.
+std::string short_number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, value < 0.001 ? "%.0e" : "%.3g", value);
+  return text;
+}
+
 void draw_colour_bar(cairo_t* cairo, const Page& page, const SpeedScale& scale) {
   const double width = std::min(18 * page.unit, 0.4 * page.width), height = 0.8 * page.unit;
   const double x = page.width - page.border - width, y = page.height - 2.9 * page.unit - height / 2;
@@ -82,7 +89,7 @@ void draw_colour_bar(cairo_t* cairo, const Page& page, const SpeedScale& scale) 
   const double baseline = y + height + 1.3 * page.unit;
   write(cairo, "0", x, baseline);
   write(cairo, "speed (m/s)", x + width / 2, baseline, Align::centre);
-  write(cairo, (scale.beyond ? "≥ " : "") + number(scale.top), x + width, baseline, Align::right);
+  write(cairo, (scale.beyond ? "≥ " : "") + short_number(scale.top), x + width, baseline, Align::right);
 }
 
 std::string why_no_velocity(const Record& record) {

@@ -52,6 +52,23 @@ TEST(CheckCrowd, WarnsOfThoseWhoAreDueAfterTheEnd) {
   EXPECT_EQ(said_of(group(random + "appear.times = [99, 200]\n")), "");
 }
 
+TEST(CheckCrowd, WarnsOfThoseWhoSetOutAfterTheEnd) {
+  expect_warning(
+      group("at = [2, 2]\npremovement = 100\n"),
+      "agents[0].premovement: the first sets out at 100 s, and the run ends at 100 s (time.until): "
+      "nobody of this group ever walks");
+  EXPECT_EQ(said_of(group("at = [2, 2]\npremovement = 99\n")), "");
+  EXPECT_EQ(
+      said_of(group("place.random.within = 'start'\ncount = 50\npremovement = { uniform = [0, 500] }\n")),
+      "");
+}
+
+TEST(CheckCrowd, WarnsOfGoalsThatOpenAfterTheEnd) {
+  expect_warning(group() + "[open]\nexit.from = 500\n",
+                 "open.exit.from: is 500 s, and the run ends at 100 s (time.until): it never opens");
+  EXPECT_EQ(said_of(group() + "[open]\nexit.from = 50\n"), "");
+}
+
 TEST(CheckCrowd, WarnsOfThoseWhoNeverSetOut) {
   expect_warning(group("at = [2, 2]\ndesired_speed = 0\n"),
                  "agents[0].desired_speed: is 0: they stand, and never get to their goal");
