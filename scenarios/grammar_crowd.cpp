@@ -110,7 +110,7 @@ Table agent_table() {
       {{required({"within", either({name_in("areas"), box()}),
                   "Name of an area, or box, m, that holds all of every agent."}),
         {"gap", number(0, kFarthest, "m"),
-         "Least distance to walls, and to agents that have their places before: those of entries above, m.",
+         "Least distance to walls, and to agents placed before: those with `at`, and of entries above, m.",
          "0.0"}}});
   std::vector<std::string> names;
   for (const ModelKind& kind : walking_models()) names.push_back(kind.name);

@@ -22,11 +22,11 @@ namespace {
 
 /// Where bodies pass through all, nothing keeps them in.
 void warn_of_idle_borders(const toml::table& root, const Scene& scene, Report& report) {
-  if (scene.contact != ContactModel::none || scene.crowd.size() > 0) return;
+  if (scene.contact != ContactModel::none || !scene.crowd.groups.empty()) return;
   if (scene.domain.kind == DomainKind::box)
     report.warning(root["domain"]["box"].node()->source(), "domain.box",
                    "holds nobody: contact.model is \"none\", and the box is only drawn");
-  if (!scene.walls.empty() && !root.contains("sensors"))  // which may heed them
+  if (root["walls"][0].node() && !root.contains("sensors"))  // which may heed them
     report.warning(root["walls"][0].node()->source(), "walls",
                    "hold nobody: contact.model is \"none\", and they are only drawn");
 }

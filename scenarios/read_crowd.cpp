@@ -91,7 +91,8 @@ class AgentReader {
       const toml::node* node = table_.get(kinds[row].name);
       if (name == kinds[row].name) {
         group.model = row;
-        read_parameters(kinds[row], node ? *node->as_table() : toml::table(), group);
+        static const toml::table none;
+        read_parameters(kinds[row], node ? *node->as_table() : none, group);
       } else if (node) {
         fail(*node, kinds[row].name,
              "belongs to another model than " + in_quotes(name) + ", which this group has");

@@ -22,7 +22,7 @@ class LeastCrowded {
   void count(const State& state);
 
   /// The option that the agent takes from there, of the open ones, of all where none is; of equally good ones
-  /// the first. From then on it goes there. O(sqrt agents) at the most.
+  /// the first. From then on it goes there. O(sqrt agents) in the mean.
   std::uint32_t choose(const Leg& leg, std::size_t agent, const Vec& place);
 
  private:

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <vector>
 
 namespace throng {
@@ -20,9 +21,9 @@ class Tally {
   void add(double x) {
     recent_.insert(std::ranges::upper_bound(recent_, x), x);
     if (recent_.size() * recent_.size() <= kShort * kShort + settled_.size()) return;
-    const auto middle = static_cast<std::ptrdiff_t>(settled_.size());
-    settled_.insert(settled_.end(), recent_.begin(), recent_.end());
-    std::inplace_merge(settled_.begin(), settled_.begin() + middle, settled_.end());
+    merged_.clear();
+    std::ranges::merge(settled_, recent_, std::back_inserter(merged_));
+    settled_.swap(merged_);
     recent_.clear();
   }
 
@@ -37,6 +38,7 @@ class Tally {
   }
 
   std::vector<double> settled_, recent_;  // both ascending
+  std::vector<double> merged_;            // kept: allocates to grow alone
 };
 
 }  // namespace throng

@@ -128,6 +128,9 @@ TEST(Crowd, RefusesParametersWhoseDrawsAModelDoesntBear) {
   };
   expect_fault(group("mass = { uniform = [0.5, 90] }"), "agents[0].social_force.mass.uniform");
   expect_fault(group("mass = { normal = [75, 10], within = [90, 60] }"), "agents[0].social_force.mass");
+  for (const Diagnostic& one :
+       load_text(group("mass = { normal = [75, 10], within = [90, 60] }")).diagnostics)
+    EXPECT_GT(one.line, 0);
   expect_fault("time.dt = 0.02\n" + group("mass = { uniform = [10, 80] }"), "needs time.dt to be at most");
   expect_fault(group("mass = { uniform = [60, 90], within = [70, 80] }"), "no `within` beside `uniform`");
   const Loaded narrow = load_text(kFloor + kGroup + kRandom + "social_force.mass = { normal = [75, 0.5] }\n");
@@ -143,6 +146,13 @@ TEST(Crowd, WalksOnTheDomainsBoxWhereNoFloorIsGiven) {
   ASSERT_EQ(loaded.errors(), 0) << faults(loaded);
   EXPECT_TRUE(contains(loaded.scene.crowd.walkable, {4, 4}));
   EXPECT_TRUE(loaded.scene.walls.empty());
+}
+
+TEST(Crowd, AFloorWithoutAgentsHoldsNobodyWhoPassesThroughAll) {  // it happened: no wall to name, and it fell
+  const Loaded loaded = load_text(kFloor +
+                                  "[contact]\nmodel = 'none'\n[shapes]\nball.disc.radius = 0.1\n[[bodies]]\n"
+                                  "shape = 'ball'\nat = [1, 1]\n");
+  EXPECT_EQ(loaded.errors(), 0) << faults(loaded);
 }
 
 TEST(Crowd, FindsRoomInAnAreaThatFillsLittleOfItsBox) {
@@ -357,6 +367,9 @@ TEST(Crowd, IsWarnedOfWhatWontBeAsItSays) {
       << "the deepest";
   EXPECT_NE(said(orca, "gravity = [0, -9.81]\n").find("warning: gravity: has no meaning"), std::string::npos);
   EXPECT_EQ(said(orca, "gravity = [0, 0]\n"), "");
+  const std::string none = said(orca, "contact.model = 'none'\n");
+  EXPECT_NE(none.find("warning: contact: has no meaning"), std::string::npos);
+  EXPECT_EQ(none.find("walls"), std::string::npos) << "walls hold agents: " << none;
   EXPECT_NE(said(orca, "contact.model = 'spring'\ncontact.stiffness = 1e5\n")
                 .find("warning: contact: has no meaning"),
             std::string::npos);

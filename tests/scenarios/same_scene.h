@@ -103,6 +103,7 @@ inline void expect_same(const Scene& a, const Scene& b) {
   for (std::size_t i = 0; i < a.crowd.groups.size(); ++i) {
     EXPECT_EQ(a.crowd.groups[i].model, b.crowd.groups[i].model);
     EXPECT_EQ(a.crowd.groups[i].parameters, b.crowd.groups[i].parameters);
+    EXPECT_EQ(a.crowd.groups[i].own, b.crowd.groups[i].own);
     EXPECT_EQ(a.crowd.groups[i].journey, b.crowd.groups[i].journey);
     EXPECT_EQ(a.crowd.groups[i].first, b.crowd.groups[i].first);
     EXPECT_EQ(a.crowd.groups[i].count, b.crowd.groups[i].count);
