@@ -84,6 +84,19 @@ test("bodies touch where nothing is between them, not where they are near", () =
   assert.equal(overlapping, 1);
 });
 
+test("an agent is in a wall once, however many lines it is of", () => {
+  const overlaps = (at, lines, domain = { kind: "unbounded", min: [0, 0], max: [0, 0] }) => {
+    const bodies = { count: 1, shape: new Float64Array(1), kind: Float64Array.of(3), radius: Float64Array.of(0.2) };
+    const walls = lines.map(points => ({ points: Float64Array.from(points), closed: points.length > 6 }));
+    return new ContactFinder({ bodies, shapes: [{ kind: 0, parts: [] }], walls, domain }).find({ position: Float64Array.from(at) }).overlapping;
+  };
+  assert.equal(overlaps([5, 0.1], [[0, 0, 5, 0], [10, 0, 5, 0], [5, 0, 10, 0]]), 1);  // pieces, one of them twice
+  assert.equal(overlaps([0.1, 0.1], [[-5, 0, 0, 0], [0, -5, 0, 0]]), 1);  // a tip
+  assert.equal(overlaps([-0.1, -0.1], [[-5, 0, 0, 0], [0, -5, 0, 0]]), 2);  // in the corner
+  const floor = [0, 0, 10, 0, 10, 5, 0, 5];
+  assert.equal(overlaps([5, 0.15], [floor], { kind: "box", min: [0, 0], max: [10, 5] }), 1);
+});
+
 test("soft discs touch in as many pairs as the run counts contacts", async () => {
   const { contacts } = record("soft", SOFT), recording = open(await h5(), "soft.h5"), { description } = recording;
   const { pairs } = new ContactFinder(description).find(recording.frame(description.times.length - 1, ["position"]));

@@ -53,6 +53,10 @@ function meetings(segments) {
   return ends;
 }
 
+/** The sides of a box, which hold agents as walls do. @param {import("../reader/scene.js").Domain} domain */
+const sidesOf = ({ kind, min, max }) =>
+  kind === "box" ? [{ points: Float64Array.of(min[0], min[1], max[0], min[1], max[0], max[1], min[0], max[1]), closed: true }] : [];
+
 /** Each once, whichever way round. @param {Float64Array[]} segments */
 function once(segments) {
   const known = new Set();
@@ -77,7 +81,7 @@ export class ContactFinder {
   constructor(scene) {
     this.scene = scene;
     this.parts = colliders(scene);
-    const walls = wallSegments(scene.walls), crowd = scene.bodies.kind.includes(AGENT);
+    const crowd = scene.bodies.kind.includes(AGENT), walls = wallSegments(crowd ? [...scene.walls, ...sidesOf(scene.domain)] : scene.walls);
     this.walls = crowd ? once(walls) : walls;
     this.ends = crowd ? meetings(this.walls) : undefined;
     this.world = this.parts.points.map(points => new Float64Array(points.length));
@@ -102,7 +106,7 @@ export class ContactFinder {
     };
     eachMeeting(this.boxes.subarray(0, 4 * (parts + this.walls.length)), parts, meet);
     if (periodic) this.#acrossBorders(width, height);
-    if (this.scene.domain.kind === "box") for (let i = 0; i < parts; ++i) this.#sides(here[i]);
+    if (this.scene.domain.kind === "box" && !this.ends) for (let i = 0; i < parts; ++i) this.#sides(here[i]);
     const { pairs, depths, deepest, overlapping, largest, sum } = this.found;
     return { pairs: Int32Array.from(pairs), depths: Float64Array.from(depths), deepest, overlapping, largest, mean: overlapping ? sum / overlapping : 0 };
   }
