@@ -7,9 +7,10 @@ namespace throng {
 
 namespace {
 
-constexpr double kSoonest = 300.0;  // substeps: learnt faster, tall pyramids swing
-constexpr double kLeft = 0.2;       // of a load
-constexpr double kMost = 1000.0;    // own weights, of few layers
+constexpr double kLayers = 110.0;
+constexpr double kWhile = 300.0;  // substeps, of kLayers: learnt faster, tall pyramids swing
+constexpr double kLeft = 0.2;     // of a load
+constexpr double kMost = 1000.0;  // own weights, of kLayers and fewer
 
 }  // namespace
 
@@ -21,9 +22,9 @@ double Learning::operator()(double preload, double normal_impulse, double normal
 }
 
 Learning learning_in(double layers, double weight, double h, int substeps, double radius) {
-  const double later = std::max(layers * layers / (kFewLayers * kFewLayers), 1.0);
-  const double share = std::min(substeps / (kSoonest * later), 1.0);
-  return {share, weight, radius / (kSoonest * h), kLeft, kMost * later};
+  const double later = layers * layers / (kLayers * kLayers);
+  const double share = std::min(substeps / (kWhile * later), 1.0);
+  return {share, weight, radius / (kWhile * h), kLeft, kMost * std::max(later, 1.0)};
 }
 
 }  // namespace throng

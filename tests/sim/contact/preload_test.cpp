@@ -26,13 +26,13 @@ TEST(Preload, IsLearntFromBelowAndForgottenAtOnce) {
   EXPECT_DOUBLE_EQ(learn(0.4, kLoad, 1.0, 0.101 * 0.101), 0.4);  // who passes by
 }
 
-TEST(Preload, IsLearntMoreSlowlyInMoreThan110Layers) {
+TEST(Preload, IsLearntMoreSlowlyByTheSquareOfTheLayers) {
   const auto in = [](double layers) { return learning_in(layers, 0.02, 0.002, 6, 0.5); };
-  for (const double layers : {1.0, 110.0}) {
-    EXPECT_DOUBLE_EQ(in(layers).share, 6.0 / 300.0);
-    EXPECT_DOUBLE_EQ(in(layers).most, 1000.0);
-  }
+  EXPECT_DOUBLE_EQ(in(1.0).share, 1.0);
+  EXPECT_DOUBLE_EQ(in(55.0).share, 6.0 / 75.0);
+  EXPECT_DOUBLE_EQ(in(110.0).share, 6.0 / 300.0);
   EXPECT_DOUBLE_EQ(in(220.0).share, 6.0 / 1200.0);
+  for (const double layers : {1.0, 110.0}) EXPECT_DOUBLE_EQ(in(layers).most, 1000.0);
   EXPECT_DOUBLE_EQ(in(220.0).most, 4000.0);
   EXPECT_DOUBLE_EQ(in(220.0).slow, in(1.0).slow);
   EXPECT_DOUBLE_EQ(in(220.0).left, in(1.0).left);
