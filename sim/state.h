@@ -40,22 +40,23 @@ struct SleepState {
 
 /// What is remembered of a crowd from step to step.
 struct CrowdState {
-  std::vector<Vec> stand;                ///< m, a row per agent: a place that it hasn't gone far from since
-  std::vector<std::int64_t> stand_step;  ///< this step, or that in which the leg began
-  std::vector<Vec> halt;                 ///< m, likewise: a place from which it hasn't got on since
-  std::vector<std::int64_t> halt_step;   ///< this step, or that in which the leg began
-  std::vector<std::uint32_t> stage;      ///< leg of its journey
-  std::vector<std::uint32_t> option;     ///< of the leg: the one that it goes for, or kUndecided
-  std::vector<std::uint32_t> place;      ///< 0 on the way; in a queue from 1 at its head; 1 where it waits
-  std::vector<std::int64_t> since;       ///< step in which it got there, became first, or began the leg
-  std::vector<Vec> spot;                 ///< m, where it waits
-  std::vector<std::uint32_t> waiting;    ///< as Crowd::groups: the last so many haven't appeared yet
-  std::int64_t arrived = 0;              ///< agents that got to their goals and left
-  std::vector<std::int64_t> arrivals;    ///< steps in which they did, ascending; of frames unused
-  std::int64_t wall_corrections = 0;     ///< agent-steps in which a barrier was in the way
-  std::int64_t squeezed = 0;             ///< agent-steps in which a body got into one whom others held
-  std::vector<Measured> measured;        ///< as Crowd::measures
-  std::vector<OnLine> on_line;           ///< who sways on their lines or beside their areas, ascending
+  std::vector<Vec> stand;                 ///< m, a row per agent: a place that it hasn't gone far from since
+  std::vector<std::int64_t> stand_step;   ///< this step, or that in which the leg began
+  std::vector<Vec> halt;                  ///< m, likewise: a place from which it hasn't got on since
+  std::vector<std::int64_t> halt_step;    ///< this step, or that in which the leg began
+  std::vector<std::uint32_t> stage;       ///< leg of its journey
+  std::vector<std::uint32_t> option;      ///< of the leg: the one that it goes for, or kUndecided
+  std::vector<std::uint32_t> place;       ///< 0 on the way; in a queue from 1 at its head; 1 where it waits
+  std::vector<std::int64_t> since;        ///< step in which it got there, became first, or began the leg
+  std::vector<Vec> spot;                  ///< m, where it waits
+  std::vector<std::uint32_t> waiting;     ///< as Crowd::groups: the last so many haven't appeared yet
+  std::int64_t arrived = 0;               ///< agents that got to their goals and left
+  std::vector<std::int64_t> arrivals;     ///< steps in which they did, ascending; of frames unused
+  std::vector<std::uint32_t> arrived_id;  ///< who did, as arrivals; of one step ascending
+  std::int64_t wall_corrections = 0;      ///< agent-steps in which a barrier was in the way
+  std::int64_t squeezed = 0;              ///< agent-steps in which a body got into one whom others held
+  std::vector<Measured> measured;         ///< as Crowd::measures
+  std::vector<OnLine> on_line;            ///< who sways on their lines or beside their areas, ascending
 
   friend bool operator==(const CrowdState&, const CrowdState&) = default;
 };

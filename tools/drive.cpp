@@ -200,7 +200,7 @@ int drive(Simulation& simulation, const Scene& scene, const DriveOptions& option
   progress.finish(state.step);
   const bool stopped = state.step < scene.time.steps();
   if (recorder && (stopped || options.checkpoint || options.checkpoint_at_end)) recorder->checkpoint(state);
-  if (recorder) stopped ? recorder->stop() : recorder->finish();
+  if (recorder) stopped ? recorder->stop() : recorder->finish(state.crowd);
   if (stopped) report_stop(recorder, scene, state);
   const std::string output = !recorder ? "" : stopped ? recorder->part() : recorder->path();
   print(summary(scene, simulation, times, output));

@@ -8,9 +8,10 @@ namespace throng {
 namespace {
 
 constexpr double kLayers = 110.0;
-constexpr double kWhile = 300.0;  // substeps, of kLayers: learnt faster, tall pyramids swing
-constexpr double kLeft = 0.2;     // of a load
-constexpr double kMost = 1000.0;  // own weights, of kLayers and fewer
+constexpr double kWhile = 300.0;   // substeps, of kLayers: learnt faster, tall pyramids swing
+constexpr double kSoonest = 60.0;  // substeps: learnt at once, blows throw back
+constexpr double kLeft = 0.2;      // of a load
+constexpr double kMost = 1000.0;   // own weights, of kLayers and fewer
 
 }  // namespace
 
@@ -23,7 +24,7 @@ double Learning::operator()(double preload, double normal_impulse, double normal
 
 Learning learning_in(double layers, double weight, double h, int substeps, double radius) {
   const double later = layers * layers / (kLayers * kLayers);
-  const double share = std::min(substeps / (kWhile * later), 1.0);
+  const double share = std::min(substeps / std::max(kWhile * later, kSoonest), 1.0);
   return {share, weight, radius / (kWhile * h), kLeft, kMost * std::max(later, 1.0)};
 }
 

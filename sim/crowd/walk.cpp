@@ -303,8 +303,13 @@ void Walk::measure(State& state) {
 
 void Walk::leave(State& state, Workers& workers) {
   journeys_->advance(state, workers, leaves_);
-  const auto count = std::ranges::count(leaves_, 1);
+  std::vector<std::uint32_t>& arrived = state.crowd.arrived_id;
+  const auto before = static_cast<std::ptrdiff_t>(arrived.size());
+  for (std::size_t agent = 0; agent < leaves_.size(); ++agent)
+    if (leaves_[agent]) arrived.push_back(state.id[scene_.crowd.first + agent]);
+  const auto count = std::ssize(arrived) - before;
   if (count == 0) return;
+  std::sort(arrived.begin() + before, arrived.end());
   remove_agents(state, scene_.crowd.first, leaves_, !rows_follow_);
   state.crowd.arrived += count;
   state.crowd.arrivals.insert(state.crowd.arrivals.end(), static_cast<std::size_t>(count), state.step);

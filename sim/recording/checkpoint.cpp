@@ -31,7 +31,7 @@ namespace {
 using Bytes = std::span<const std::byte>;
 
 constexpr std::array<char, 8> kMagic{'t', 'h', 'r', 'o', 'n', 'g', 'C', 'K'};
-constexpr std::uint64_t kLayout = 14;  // grows with every change of State
+constexpr std::uint64_t kLayout = 15;  // grows with every change of State
 
 struct Header {
   std::array<char, 8> magic = kMagic;
@@ -76,7 +76,7 @@ std::vector<Bytes> content(const std::string& scenario, const State& state, cons
   for_each_array(state, add);
   for_each_agent_array(state.crowd, add);
   add(state.crowd.waiting), add(state.crowd.measured), add(state.crowd.on_line);
-  add(state.crowd.arrivals);
+  add(state.crowd.arrivals), add(state.crowd.arrived_id);
   add(state.sensed);
   add(state.sleep.squared_speed), add(state.sleep.calm), add(state.sleep.island);
   for_each_column(contacts, add);
@@ -185,6 +185,7 @@ void expect_size(const std::string& path, const Header& header, std::uint64_t si
   constexpr std::uint64_t body = sizeof(std::uint32_t) + 6 * sizeof(double);
   constexpr std::uint64_t agent = 6 * sizeof(double) + 3 * sizeof(std::int64_t) + 3 * sizeof(std::uint32_t);
   constexpr std::uint64_t contact = sizeof(std::uint64_t) + sizeof(std::uint32_t) + 4 * sizeof(double);
+  constexpr std::uint64_t arrival = sizeof(std::int64_t) + sizeof(std::uint32_t);
   constexpr std::uint64_t sleeper = sizeof(double) + 2 * sizeof(std::uint32_t);
   constexpr std::uint64_t sleeping = contact + 3 * sizeof(std::uint32_t) + 2 * sizeof(double);
   const std::uint64_t counts[] = {header.scenario_bytes,
@@ -205,7 +206,7 @@ void expect_size(const std::string& path, const Header& header, std::uint64_t si
   if (!bounded || !crowd ||
       size != sizeof header + header.scenario_bytes + body * header.bodies + agent * header.agents +
                   sizeof(std::uint32_t) * header.groups + sizeof(Measured) * header.measures +
-                  sizeof(OnLine) * header.on_line + sizeof(std::int64_t) * header.arrivals +
+                  sizeof(OnLine) * header.on_line + arrival * header.arrivals +
                   sizeof(SensedSum) * header.sensors +
                   contact * (header.disc_contacts + header.point_contacts) + sleeper * header.sleepers +
                   sleeping * (header.sleeping_disc_contacts + header.sleeping_point_contacts))
@@ -235,10 +236,10 @@ Checkpoint read_content(int fd, const std::string& path, const Header& header) {
     read_array(array);
   });
   state.crowd.waiting.resize(header.groups), state.crowd.measured.resize(header.measures);
-  state.crowd.arrivals.resize(header.arrivals);
+  state.crowd.arrivals.resize(header.arrivals), state.crowd.arrived_id.resize(header.arrivals);
   state.crowd.on_line.resize(header.on_line), state.sensed.resize(header.sensors);
   read_array(state.crowd.waiting), read_array(state.crowd.measured), read_array(state.crowd.on_line);
-  read_array(state.crowd.arrivals);
+  read_array(state.crowd.arrivals), read_array(state.crowd.arrived_id);
   read_array(state.sensed);
   state.crowd.arrived = std::ssize(state.crowd.arrivals);
   state.crowd.wall_corrections = header.wall_corrections;

@@ -51,6 +51,8 @@
 ///   measures              (1.5) of agents, where any are: name, line f64[M,4] (x, y from, x, y to), size f64 (m²);
 ///                         area_offset u64[M+1] -> offset u64[rings+1] -> points f64[,2]; no rings: a line; cutoff
 ///                         f64[M] (1.9), m, of its Voronoi cells, 0: not measured
+///   arrivals              (1.10) where there are agents, of a run that has ended: id u32[], step i64[]: all who got to
+///                         their goals and left, recorded or not, and when, by step and then by id
 ///   domain                attributes kind, min f64[2], max f64[2]
 ///   materials             name, density, restitution, friction
 ///   shapes                name, kind u8 (0 disc, 1 polygon, 2 composite), centre, area, gyration2, radius;
@@ -99,8 +101,8 @@ inline constexpr int kMajor = 1;  ///< a reader refuses a newer one
 /// 7 there is what scenarios ask to be observed: to readers of 6 such frames are damaged.
 /// Since 8 the mass of an agent is its model's, where that has one: before, all had 80 kg.
 /// Since 9 the density by Voronoi cells is there, where a measure has it: to readers of 8 such frames are
-/// damaged.
-inline constexpr int kMinor = 9;
+/// damaged. Since 10 there is who arrived when.
+inline constexpr int kMinor = 10;
 
 inline constexpr std::size_t kMaxChunk = std::size_t{1} << 20;  ///< bytes
 inline constexpr std::size_t kRegionChunk = 256;                ///< bodies, where frames hold few of them

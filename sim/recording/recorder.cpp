@@ -85,7 +85,8 @@ struct Recorder::Impl {
   std::optional<Scene> observed;  ///< what observables are measured on, where any are
   Clock::time_point last_commit = Clock::now(), last_sync = Clock::now();
   FrameQueue queue;
-  bool complete = false;  ///< set before the queue closes: the file deserves its final name
+  /// As it is at the end; set before the queue closes: the file deserves its final name.
+  const CrowdState* complete = nullptr;
   std::size_t frames = 0;
   std::thread writer_thread;
 };
@@ -238,7 +239,7 @@ void Recorder::Impl::commit_when_due(TrajectoryWriter& writer) {
 
 void Recorder::Impl::end(TrajectoryWriter& writer) {
   if (!complete) return keep_what_is_there(writer);
-  writer.finish();
+  writer.finish(*complete);
   output.publish();
 }
 
@@ -277,8 +278,8 @@ void Recorder::checkpoint(const State& state) {
   impl_->queue.push_checkpoint(state);
 }
 
-void Recorder::finish() {
-  impl_->complete = true;
+void Recorder::finish(const CrowdState& crowd) {
+  impl_->complete = &crowd;
   stop();
 }
 

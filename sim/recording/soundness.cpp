@@ -29,12 +29,13 @@ bool is_possible(const std::vector<SleepingContact>& contacts) {
                      [](const SleepingContact& c) { return is_near(c.point); });
 }
 
-/// All different, and from 1 to as many as there are with the agents who have left or are to come.
+/// All different, those of the agents who have left, too, and from 1 to as many as there are with those who
+/// are to come.
 bool are_names(std::vector<std::uint32_t> id, const CrowdState& crowd) {
-  const std::uint64_t others = static_cast<std::uint64_t>(crowd.arrived) + waiting(crowd);
+  id.insert(id.end(), crowd.arrived_id.begin(), crowd.arrived_id.end());
   std::sort(id.begin(), id.end());
   return std::adjacent_find(id.begin(), id.end()) == id.end() &&
-         (id.empty() || (id.front() > 0 && id.back() <= id.size() + others));
+         (id.empty() || (id.front() > 0 && id.back() <= id.size() + waiting(crowd)));
 }
 
 /// What no run counts up to.
@@ -69,9 +70,11 @@ bool is_possible(const Collisions& all) {
          std::isfinite(all.equilibrium);
 }
 
-/// One after the other, none before the first step.
-bool are_arrivals(const std::vector<std::int64_t>& steps, std::int64_t now) {
-  return std::ranges::is_sorted(steps) && (steps.empty() || (steps.front() > 0 && steps.back() <= now));
+/// One after the other, none before the first step, and of each whose it is.
+bool are_arrivals(const std::vector<std::int64_t>& steps, const std::vector<std::uint32_t>& id,
+                  std::int64_t now) {
+  return steps.size() == id.size() && std::ranges::is_sorted(steps) &&
+         (steps.empty() || (steps.front() > 0 && steps.back() <= now));
 }
 
 bool is_possible(const CrowdState& crowd, std::int64_t step) {
@@ -81,8 +84,9 @@ bool is_possible(const CrowdState& crowd, std::int64_t step) {
          std::all_of(crowd.stand_step.begin(), crowd.stand_step.end(), past) &&
          std::all_of(crowd.halt.begin(), crowd.halt.end(), is_near) &&
          std::all_of(crowd.halt_step.begin(), crowd.halt_step.end(), past) &&
-         std::all_of(crowd.since.begin(), crowd.since.end(), past) && are_arrivals(crowd.arrivals, step) &&
-         is_count(crowd.wall_corrections) && is_count(crowd.squeezed) &&
+         std::all_of(crowd.since.begin(), crowd.since.end(), past) &&
+         are_arrivals(crowd.arrivals, crowd.arrived_id, step) && is_count(crowd.wall_corrections) &&
+         is_count(crowd.squeezed) &&
          std::all_of(crowd.measured.begin(), crowd.measured.end(),
                      [&](const Measured& measured) { return is_possible(measured, step); }) &&
          is_possible(crowd.on_line);

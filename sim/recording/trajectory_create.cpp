@@ -51,6 +51,7 @@ void TrajectoryWriter::create_throng(const Scene& scene) {
   h5::write_attribute(group, "version", std::span<const std::int32_t>(version));
   write_scene(group, scene, selection_.ids());
   create_finished(group);
+  if (scene.crowd.size() > 0) create_arrivals(group);
   const h5::Handle frames = h5::create_group(group, "frames");
   rows_[kStep] = RowLog::create<std::int64_t>(frames, "step");
   rows_[kTime] = RowLog::create<double>(frames, "time");
@@ -64,6 +65,15 @@ void TrajectoryWriter::create_finished(hid_t throng) {
   const std::uint64_t no = 0;
   h5::check(H5Dwrite(finished_, h5::type<std::uint64_t>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, &no),
             "cannot write");
+}
+
+void TrajectoryWriter::create_arrivals(hid_t throng) {
+  const h5::Handle group = h5::create_group(throng, "arrivals");
+  const auto create = [&](const char* name, hid_t type) {
+    return h5::create_growing(group, name, type, {1}, {kRowChunk}, h5::Filters::fletcher32);
+  };
+  arrived_id_ = create("id", h5::type<std::uint32_t>());
+  arrived_step_ = create("step", h5::type<std::int64_t>());
 }
 
 /// The rate whose steps are those of all frames needs no rows of its own.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sim/recording/frame_hash.h"
+#include "sim/recording/h5_write.h"
 #include "sim/recording/numbers.h"
 
 namespace throng::recording {
@@ -186,8 +187,19 @@ void TrajectoryWriter::commit() {
   uncommitted_bytes_ = 0.0;
 }
 
-void TrajectoryWriter::finish() {
+/// At once: a chunk that has a checksum can't be added to.
+void TrajectoryWriter::write_arrivals(const CrowdState& crowd) {
+  const hsize_t count = crowd.arrivals.size();
+  if (arrived_id_ < 0 || count == 0) return;
+  for (const hid_t set : {hid_t{arrived_id_}, hid_t{arrived_step_}})
+    h5::check(H5Dset_extent(set, &count), "cannot add who arrived");
+  h5::write_rows(arrived_id_, 0, count, h5::type<std::uint32_t>(), crowd.arrived_id.data());
+  h5::write_rows(arrived_step_, 0, count, h5::type<std::int64_t>(), crowd.arrivals.data());
+}
+
+void TrajectoryWriter::finish(const CrowdState& crowd) {
   commit();
+  write_arrivals(crowd);
   h5::check(H5Dwrite(finished_, h5::type<std::uint64_t>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, &digest_),
             "cannot finish");
   close();
@@ -200,6 +212,8 @@ void TrajectoryWriter::close() {
   for (FieldWriter& field : fields_) field.close();
   for_each_log([](RowLog& log) { log.close(); });
   finished_.close("cannot close the file");
+  arrived_id_.close("cannot close the file");
+  arrived_step_.close("cannot close the file");
   file_.close("cannot close the file");
 }
 
@@ -208,6 +222,7 @@ void TrajectoryWriter::abandon() {
   for (FieldWriter& field : fields_) field.abandon();
   for_each_log([](RowLog& log) { log.abandon(); });
   finished_.abandon();
+  arrived_id_.abandon(), arrived_step_.abandon();
   file_.abandon();
 }
 

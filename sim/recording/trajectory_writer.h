@@ -40,8 +40,8 @@ class TrajectoryWriter {
   /// hashes.
   void commit();
 
-  /// Commits, marks the file as complete and closes it.
-  void finish();
+  /// Commits, says who of the crowd arrived, marks the file as complete and closes it.
+  void finish(const CrowdState& crowd);
 
   /// Commits and closes; the file stays marked as incomplete. May be called twice.
   void close();
@@ -64,6 +64,8 @@ class TrajectoryWriter {
   void create_all(const Scene& scene, const Provenance& provenance);
   void create_throng(const Scene& scene);
   void create_finished(hid_t throng);
+  void create_arrivals(hid_t throng);
+  void write_arrivals(const CrowdState& crowd);
   void create_rates(hid_t throng);
   void create_trajectory(const Scene& scene);
   void create_ids(hid_t group);
@@ -105,6 +107,7 @@ class TrajectoryWriter {
   std::vector<std::uint8_t> is_present_;  ///< by row of the selection, where that changes
   std::vector<std::uint32_t> present_;    ///< the ids of those that are, ascending
   std::vector<ContactRow> chosen_;
+  h5::Handle arrived_id_, arrived_step_;
 };
 
 }  // namespace throng::recording

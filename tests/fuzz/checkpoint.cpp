@@ -50,7 +50,7 @@ std::uint64_t content_hash(const Bytes& bytes) {
   sizes.push_back(4 * number_at(bytes, kCounts + 40));  // groups
   sizes.push_back(sizeof(Measured) * number_at(bytes, kCounts + 48));
   sizes.push_back(sizeof(OnLine) * number_at(bytes, kCounts + 56));
-  sizes.push_back(8 * number_at(bytes, kCounts + 96));  // arrivals
+  for (const std::uint64_t one : {8, 4}) sizes.push_back(one * number_at(bytes, kCounts + 96));  // arrivals
   sizes.push_back(sizeof(SensedSum) * number_at(bytes, kCounts + 64));
   for (const std::uint64_t one : {8, 4, 4})
     sizes.push_back(one * number_at(bytes, kCounts + 72));  // sleepers
@@ -80,6 +80,9 @@ void expect_sound(const State& state) {
   const std::size_t n = state.id.size(), agents = state.crowd.stand.size();
   const std::uint64_t names = n + static_cast<std::uint64_t>(state.crowd.arrived) + waiting(state.crowd);
   expect(state.step >= 0, "the step is not before the start");
+  expect(state.crowd.arrivals.size() == state.crowd.arrived_id.size(), "who arrived did at some step");
+  for (const std::uint32_t id : state.crowd.arrived_id)
+    expect(1 <= id && id <= names, "who arrived has a number");
   expect(state.crowd.arrived >= 0 && state.crowd.wall_corrections >= 0, "crowds count upwards");
   for_each_agent_array(
       state.crowd, [&](const auto& all) { expect(agents <= n && all.size() == agents, "a row an agent"); });

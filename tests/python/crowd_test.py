@@ -41,6 +41,40 @@ class Crowd(Program):
             np.testing.assert_allclose(recording.position[40, 2], [6.81, 3.0], atol=1e-6)
             self.assertTrue(np.isnan(recording.frame(100).velocity[0]).all())
 
+    def test_who_arrived_and_when_is_told(self):
+        with throng_read.open(self.record()) as recording:
+            self.assertEqual(list(recording.arrivals.id), [1, 3])
+            self.assertEqual(recording.arrivals.id.dtype, np.uint32)
+            np.testing.assert_allclose(recording.arrivals.time, [1.0, 3.0], atol=0.021)
+            np.testing.assert_array_equal(recording.arrivals.time, recording.arrivals.step * 0.02)
+            whole = recording.arrivals
+        with throng_read.open(self.record("some.h5", "--every", "100", "--set", "record.of={ ids = [2] }")) as recording:
+            np.testing.assert_array_equal(recording.arrivals, whole)
+        with throng_read.open(self.record("none.h5", "--until", "0.5")) as recording:
+            self.assertEqual(len(recording.arrivals.id), 0)
+        self.record("two.h5", "--until", "2", "--checkpoint", "1000")
+        self.assertEqual(self.throng("resume", "two.h5", "--until", "6", "--progress", "none")[0], 0)
+        with throng_read.open(self.path("two.h5")) as recording:
+            np.testing.assert_array_equal(recording.arrivals, whole)
+
+    def test_who_arrived_in_the_same_step_is_in_order(self):
+        """The first of three to leave stands last in the scene; where one leaves, the last takes his row."""
+        (self.folder / "three.toml").write_text(CROWD + "".join(AGENT.format(x, y) for x, y in ((8.01, 4), (8.01, 3), (8.51, 1), (8.01, 2))))
+        with throng_read.open(self.record()) as recording:
+            self.assertEqual(list(recording.arrivals.id), [3, 1, 2, 4])
+
+    def test_who_arrived_is_not_known_of_bodies_nor_of_a_run_that_did_not_end(self):
+        self.record()
+        with h5py.File(self.path("a.h5"), "r+") as file:
+            file["throng/finished"][()] = 0
+        with throng_read.open(self.path("a.h5")) as recording, self.assertRaisesRegex(throng_read.NotRecorded, "the run hasn't ended"):
+            recording.arrivals
+        with h5py.File(self.path("a.h5"), "r+") as file:
+            file["throng/finished"][()] = 1
+            del file["throng/arrivals"]
+        with throng_read.open(self.path("a.h5")) as recording, self.assertRaisesRegex(throng_read.NotRecorded, "no agents are in it"):
+            recording.arrivals
+
     def test_whose_group_is_told(self):
         ball = "[shapes]\nball = { disc = { radius = 0.2 } }\n[[bodies]]\nshape = 'ball'\nat = [7, 4]\nkind = 'static'\n"
         random = AGENT.split("\n", 2)[2] + "place.random.within = 'exit'\n"

@@ -257,7 +257,9 @@ TEST_F(Resume, RefusesACheckpointOfBodiesThatArrived) {
   alter_checkpoint(part, [](Checkpoint& c) {
     c.state.crowd.arrived = 1'000'000;
     c.state.crowd.arrivals.assign(1'000'000, 1);
-    c.state.id[0] = 1'000'000;
+    c.state.crowd.arrived_id.resize(1'000'000);
+    std::iota(c.state.crowd.arrived_id.begin(), c.state.crowd.arrived_id.end(), c.state.id.size() + 1);
+    std::swap(c.state.id[0], c.state.crowd.arrived_id.back());
   });
   const Result result = resume(part + " --until 1");
   EXPECT_EQ(result.exit_code, 2);

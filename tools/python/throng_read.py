@@ -15,7 +15,7 @@ these, and recording.velocity[recording.velocity.frames] is all there is. With r
 and go: recording.ids has all that ever may be there, who is away has NaN, and recording.frame(i).present is a mask of
 those who are there. recording.contacts(i) gives where bodies pressed, recording.observables the measurements, of
 agents also "agents", "arrived" and "measure/NAME/count" and so on, recording.bins("speeds") the edges of a histogram's
-bins; recording.sensed("NAME", i) whom a sensor found;
+bins; recording.sensed("NAME", i) whom a sensor found; recording.arrivals who of a crowd left for good, and when;
 recording.bodies, .shapes, .materials, .domain, .walls, of crowds .walkable (rings), .areas, .queues, .measures and
 .groups, which [[agents]] of the scenario each of ids is of, the scene: recording.position[-1][recording.groups == 0] is the first group.
 
@@ -74,6 +74,7 @@ class Shape(namedtuple("Shape", "name kind radius area centre outline parts hole
 
 
 Sensor = namedtuple("Sensor", "name every radius fov_degrees sight")  # steps, m
+Arrivals = namedtuple("Arrivals", "id step time")  # by step, then id; s
 Material = namedtuple("Material", "name density restitution friction")
 Wall = namedtuple("Wall", "points closed material")
 Domain = namedtuple("Domain", "kind min max")
@@ -519,6 +520,18 @@ class Recording:
         with _damage_named(self._path, f"frame {i}, {what}"):
             return Sensed(f"{self._path}: frame {i}, {what}", *self._ids(group, "offset", ("who", "count"), sample),
                           *self._ids(group, "whom_offset", ("whom",), sample))
+
+    @functools.cached_property
+    def arrivals(self):
+        """Who got to their goals and left, as Arrivals; of a run that has ended."""
+        if "throng/arrivals" not in self._file or not self.complete:
+            raise NotRecorded(f"{self._path} doesn't say who arrived: " + (
+                "no agents are in it, or throng was older" if self.complete else "the run hasn't ended"))
+        with _damage_named(self._path, "arrivals"):
+            id, step = self._all("throng/arrivals/id"), self._all("throng/arrivals/step")
+            if len(id) != len(step):
+                raise ValueError("their lists differ in length")
+            return Arrivals(id, step, step * self.parameters["dt"])
 
     @functools.cached_property
     def observables(self):

@@ -212,6 +212,7 @@ TEST(Walk, ACheckpointKeepsAllOfACrowd) {
   EXPECT_EQ(read.crowd.arrived, run.state.crowd.arrived);
   EXPECT_EQ(std::ssize(run.state.crowd.arrivals), run.state.crowd.arrived);
   EXPECT_EQ(read.crowd.arrivals, run.state.crowd.arrivals);
+  EXPECT_EQ(read.crowd.arrived_id, run.state.crowd.arrived_id);
   EXPECT_EQ(read.crowd.wall_corrections, run.state.crowd.wall_corrections);
   EXPECT_EQ(read.crowd.measured, run.state.crowd.measured);
   EXPECT_FALSE(run.state.crowd.on_line.empty());

@@ -213,7 +213,18 @@ TEST(Checkpoint, RefusesCrowdsThatNoRunHas) {
     return is_refused(state);
   };
   EXPECT_FALSE(refused([](CrowdState&) {}));
-  EXPECT_FALSE(refused([](CrowdState& c) { c.arrivals = {1, 5, 5}, c.wall_corrections = 9; }));
+  const auto arrived = [&](std::vector<std::int64_t> steps, std::vector<std::uint32_t> ids) {
+    return refused([&](CrowdState& c) { c.arrivals = steps, c.arrived_id = ids, c.wall_corrections = 9; });
+  };
+  EXPECT_FALSE(arrived({1, 5, 5}, {8, 10, 9}));
+  EXPECT_FALSE(arrived({1, 5, 5}, {8, 12, 9})) << "10 and 11 wait";
+  EXPECT_TRUE(arrived({1, 5, 5}, {8, 13, 9}));
+  EXPECT_TRUE(arrived({1, 5, 5}, {8, 9, 9}));
+  EXPECT_TRUE(arrived({1, 5, 5}, {8, 9, 7})) << "is there";
+  EXPECT_TRUE(arrived({1, 5, 5}, {8, 9, 0}));
+  EXPECT_TRUE(arrived({6}, {8}));
+  EXPECT_TRUE(arrived({0}, {8}));
+  EXPECT_TRUE(arrived({5, 4}, {8, 9}));
   EXPECT_TRUE(refused([](CrowdState& c) { c.stand[6].x() = nan; }));
   EXPECT_TRUE(refused([](CrowdState& c) { c.stand[6].y() = -1e12; }));
   EXPECT_TRUE(refused([](CrowdState& c) { c.stand_step[6] = 6; }));
@@ -222,9 +233,6 @@ TEST(Checkpoint, RefusesCrowdsThatNoRunHas) {
   EXPECT_TRUE(refused([](CrowdState& c) { c.halt_step[6] = 6; }));
   EXPECT_TRUE(refused([](CrowdState& c) { c.since[1] = 6; }));
   EXPECT_TRUE(refused([](CrowdState& c) { c.spot[6].y() = infinity; }));
-  EXPECT_TRUE(refused([](CrowdState& c) { c.arrivals = {6}; }));
-  EXPECT_TRUE(refused([](CrowdState& c) { c.arrivals = {0}; }));
-  EXPECT_TRUE(refused([](CrowdState& c) { c.arrivals = {5, 4}; }));
   EXPECT_TRUE(refused([](CrowdState& c) { c.wall_corrections = -1; }));
   EXPECT_TRUE(refused([](CrowdState& c) { c.wall_corrections = std::numeric_limits<std::int64_t>::max(); }));
   const auto measured = [&](Measured m) { return refused([=](CrowdState& c) { c.measured = {m}; }); };
