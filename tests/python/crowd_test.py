@@ -57,12 +57,6 @@ class Crowd(Program):
         with throng_read.open(self.path("two.h5")) as recording:
             np.testing.assert_array_equal(recording.arrivals, whole)
 
-    def test_who_arrived_in_the_same_step_is_in_order(self):
-        """The first of three to leave stands last in the scene; where one leaves, the last takes his row."""
-        (self.folder / "three.toml").write_text(CROWD + "".join(AGENT.format(x, y) for x, y in ((8.01, 4), (8.01, 3), (8.51, 1), (8.01, 2))))
-        with throng_read.open(self.record()) as recording:
-            self.assertEqual(list(recording.arrivals.id), [3, 1, 2, 4])
-
     def test_who_arrived_is_not_known_of_bodies_nor_of_a_run_that_did_not_end(self):
         self.record()
         with h5py.File(self.path("a.h5"), "r+") as file:

@@ -4,9 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
+#include "sim/crowd/row_order.h"
 #include "sim/crowd/stuck.h"
 #include "sim/input_error.h"
 #include "sim/recording/checkpoint.h"
@@ -195,6 +198,25 @@ TEST(Walk, GoesOnFromAStateWithTheBitsOfTheRunItself) {
   for (int i = 0; i < 200; ++i) second->step();
   EXPECT_EQ(hash(whole->state()), hash(second->state()));
   EXPECT_EQ(whole->state().crowd.arrived, second->state().crowd.arrived);
+}
+
+TEST(Walk, RemembersWhoArrivedByStepAndThenById) {
+  Trial run(
+      corridor("constant_velocity",
+               "count = 4200\nradius = 0.02\nplace = { random = { within = [[28, 0], [39.9, 2]] } }\n"));
+  ASSERT_TRUE(rows_follow(run.scene.crowd));  // so that rows aren't in the order of ids
+  const std::vector<std::uint32_t> all = run.state.id;
+  run.steps(150);
+  const CrowdState& crowd = run.state.crowd;
+  ASSERT_GT(crowd.arrived, 500);
+  std::vector<std::pair<std::int64_t, std::uint32_t>> who;
+  for (std::size_t i = 0; i < crowd.arrivals.size(); ++i)
+    who.emplace_back(crowd.arrivals[i], crowd.arrived_id[i]);
+  EXPECT_TRUE(std::ranges::is_sorted(who));
+  std::vector<std::uint32_t> ids = run.state.id;
+  ids.insert(ids.end(), crowd.arrived_id.begin(), crowd.arrived_id.end());
+  std::ranges::sort(ids);
+  EXPECT_EQ(ids, all);
 }
 
 TEST(Walk, ACheckpointKeepsAllOfACrowd) {
