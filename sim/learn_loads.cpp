@@ -26,14 +26,17 @@ double height(const Scene& scene, const Workspace& work, F counts) {
   return std::max(highest - lowest, 0.0);
 }
 
-/// How contacts learn whose bodies stand as high as now: those that something presses, once that is known.
-/// Who falls far from a tower, and touches nobody, changes nothing in it.
+/// How contacts learn whose bodies stand as high as now. Where that seems so high that it matters, those
+/// count alone that something presses: who falls far from a tower, and touches nobody, changes nothing in it.
 Learning learning(const Scene& scene, const State& state, Workspace& work) {
-  const bool known = state.step > 0;
-  if (known) find_pressed(state, work.candidates.colliders(), work.pressed);
-  const double high = height(scene, work, [&](std::uint32_t i) { return !known || work.pressed[i] != 0; });
-  const double layers = 1.0 + high / (2.0 * work.mean_radius), weight = scene.gravity.norm() * work.solver.h;
-  return learning_in(layers, weight, work.solver.h, scene.time.substeps, work.mean_radius);
+  const auto layers = [&](double height) { return 1.0 + height / (2.0 * work.mean_radius); };
+  double most = layers(height(scene, work, [](std::uint32_t) { return true; }));
+  if (most > kFewLayers && state.step > 0) {
+    find_pressed(state, work.candidates.colliders(), work.pressed);
+    most = layers(height(scene, work, [&](std::uint32_t i) { return work.pressed[i] != 0; }));
+  }
+  const double weight = scene.gravity.norm() * work.solver.h;
+  return learning_in(most, weight, work.solver.h, scene.time.substeps, work.mean_radius);
 }
 
 void find_first_loads(const Scene& scene, const Plan& plan, Workspace& work) {

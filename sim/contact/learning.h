@@ -18,13 +18,15 @@ struct Learning {
   double operator()(double preload, double normal_impulse, double normal_mass, double speed_squared) const;
 };
 
+inline constexpr double kFewLayers = 49.0;  ///< as many and fewer learn alike
+
 /// What is learnt lags behind what is borne, and so feeds a swing, by the square of how long that lasts. The
 /// slowest swing of what stands lasts as long as it has layers: contacts learn more slowly by the square of
-/// their number, from 50 on, and no more slowly than that. What came down, and overlaps, would else rise for
-/// long while it learns, and all of it rub upwards along its walls. (By springs of kContactHertz and
-/// kContactDamping 0.0072 substeps for each layer squared are the least; in heaps of discs of 218 and 470
-/// layers, 0.025 bring to rest and 0.011 don't.) `weight` (m/s): what gravity gives in a substep of `h` (s),
-/// of which a step has `substeps`; `radius` (m): of what may touch, on average.
+/// their number, where they aren't few, and no more slowly than that. What came down, and overlaps, would
+/// else rise for long while it learns, and all of it rub upwards along its walls. (By springs of
+/// kContactHertz and kContactDamping 0.0072 substeps for each layer squared are the least; in heaps of discs
+/// of 218 and 470 layers, 0.025 bring to rest and 0.011 don't.) `weight` (m/s): what gravity gives in a
+/// substep of `h` (s), of which a step has `substeps`; `radius` (m): of what may touch, on average.
 Learning learning_in(double layers, double weight, double h, int substeps, double radius);
 
 }  // namespace throng

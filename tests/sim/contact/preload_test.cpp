@@ -29,7 +29,7 @@ TEST(Preload, IsLearntFromBelowAndForgottenAtOnce) {
 TEST(Preload, IsLearntMoreSlowlyByTheSquareOfTheLayers) {
   const auto in = [](double layers) { return learning_in(layers, 0.02, 0.002, 6, 0.5); };
   EXPECT_DOUBLE_EQ(in(1.0).share, 6.0 / 60.0);
-  EXPECT_DOUBLE_EQ(in(49.0).share, 6.0 / 60.0);
+  EXPECT_DOUBLE_EQ(in(kFewLayers).share, 6.0 / 60.0);
   EXPECT_DOUBLE_EQ(in(55.0).share, 6.0 / 75.0);
   EXPECT_DOUBLE_EQ(in(110.0).share, 6.0 / 300.0);
   EXPECT_DOUBLE_EQ(in(220.0).share, 6.0 / 1200.0);
