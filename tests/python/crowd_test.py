@@ -48,6 +48,7 @@ class Crowd(Program):
             np.testing.assert_allclose(recording.arrivals.time, [1.0, 3.0], atol=0.021)
             np.testing.assert_array_equal(recording.arrivals.time, recording.arrivals.step * 0.02)
             whole = recording.arrivals
+            self.assertEqual(repr(whole), "<2 arrivals: id, step, time>")
         with throng_read.open(self.record("some.h5", "--every", "100", "--set", "record.of={ ids = [2] }")) as recording:
             np.testing.assert_array_equal(recording.arrivals, whole)
         with throng_read.open(self.record("none.h5", "--until", "0.5")) as recording:

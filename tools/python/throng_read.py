@@ -60,6 +60,13 @@ class Contacts(namedtuple("Contacts", "a b impulse point")):  # ids; N s; (x, y)
         return f"<{len(self.a)} contacts: {', '.join(self._fields)}>"
 
 
+class Arrivals(namedtuple("Arrivals", "id step time")):  # s
+    """Who got to their goals and left, and when: by step, and then by id."""
+
+    def __repr__(self):
+        return f"<{len(self.id)} arrivals: {', '.join(self._fields)}>"
+
+
 class Bodies(namedtuple("Bodies", "shape material kind radius mass ids")):
     """A row a body that is recorded: rows of shapes and materials; m, kg."""
 
@@ -74,7 +81,6 @@ class Shape(namedtuple("Shape", "name kind radius area centre outline parts hole
 
 
 Sensor = namedtuple("Sensor", "name every radius fov_degrees sight")  # steps, m
-Arrivals = namedtuple("Arrivals", "id step time")  # by step, then id; s
 Material = namedtuple("Material", "name density restitution friction")
 Wall = namedtuple("Wall", "points closed material")
 Domain = namedtuple("Domain", "kind min max")
