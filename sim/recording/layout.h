@@ -52,7 +52,8 @@
 ///                         area_offset u64[M+1] -> offset u64[rings+1] -> points f64[,2]; no rings: a line; cutoff
 ///                         f64[M] (1.9), m, of its Voronoi cells, 0: not measured
 ///   arrivals              (1.10) where there are agents, of a run that has ended: id u32[], step i64[]: all who got to
-///                         their goals and left, recorded or not, and when, by step and then by id
+///                         their goals and left, recorded or not, and when, by step and then by id; written once,
+///                         with fletcher32, and covered by no hash
 ///   domain                attributes kind, min f64[2], max f64[2]
 ///   materials             name, density, restitution, friction
 ///   shapes                name, kind u8 (0 disc, 1 polygon, 2 composite), centre, area, gyration2, radius;

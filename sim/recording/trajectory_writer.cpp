@@ -187,7 +187,8 @@ void TrajectoryWriter::commit() {
   uncommitted_bytes_ = 0.0;
 }
 
-/// At once: a chunk that has a checksum can't be added to.
+/// At once, as a chunk that has a checksum can't be added to; on their way to the file before what says that
+/// it is complete.
 void TrajectoryWriter::write_arrivals(const CrowdState& crowd) {
   const hsize_t count = crowd.arrivals.size();
   if (arrived_id_ < 0 || count == 0) return;
@@ -195,6 +196,8 @@ void TrajectoryWriter::write_arrivals(const CrowdState& crowd) {
     h5::check(H5Dset_extent(set, &count), "cannot add who arrived");
   h5::write_rows(arrived_id_, 0, count, h5::type<std::uint32_t>(), crowd.arrived_id.data());
   h5::write_rows(arrived_step_, 0, count, h5::type<std::int64_t>(), crowd.arrivals.data());
+  for (const hid_t set : {hid_t{arrived_id_}, hid_t{arrived_step_}})
+    h5::check(H5Dflush(set), "cannot write who arrived");
 }
 
 void TrajectoryWriter::finish(const CrowdState& crowd) {

@@ -178,8 +178,9 @@ TEST(AutoTime, LetsAPileOverlapByNoMore) {
     run.steps(static_cast<int>(run.scene.time.steps()));
     const double mean = overlap(run.scene, run.state).mean / 0.5;
     EXPECT_LE(mean, error);
-    const bool longest = run.scene.time.dt > 0.0166;
-    EXPECT_GE(mean, longest ? 0.0 : 0.02 * error);
+    if (run.scene.time.dt < 0.0166) {  // the longest step isn't bound by the error
+      EXPECT_GE(mean, 0.02 * error);
+    }
   }
 }
 

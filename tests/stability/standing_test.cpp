@@ -236,7 +236,7 @@ double pressed_on_floor(int seed) {
 }
 
 /// As they lie closer while they come down than once they have learnt what they bear, they rise, and rub
-/// upwards along the walls: as little as they learn soon. Springs leave 0.87 of the weight to the floor.
+/// upwards along the walls. Springs leave 0.87 of the weight to the floor.
 TEST(Standing, WhatRainedIntoABoxHardlyRisesInIt) {
   double sum = 0.0;
   for (const int seed : {1, 2, 3, 4}) sum += pressed_on_floor(seed);

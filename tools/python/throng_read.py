@@ -25,7 +25,7 @@ says what there is. To ask before: .frames of a field (none where it was not rec
 is of one, has None instead.
 
 Nothing is read before it is asked for. Only frames that the run committed are there. Positions, angles,
-velocities and spins carry checksums: a damaged chunk raises OSError with file and frame when it is read. Contacts,
+velocities, spins and arrivals carry checksums: a damaged chunk raises OSError with file and frame when it is read. Contacts,
 sensed and observables carry none, nor do the lists of frames: `throng replay --verify`, or any export by throng,
 holds them against the hash of their frame. Where a file is no recording, `open` raises NotARecording with one
 sentence. The layout is that of sim/recording/layout.h, which says what each name means.
@@ -328,7 +328,7 @@ class Recording:
     def _read_frames(self):
         """The frames that count: those whose hash row stands (sim/recording/layout.h)."""
         committed = self._all("throng/frames/frame_hash")
-        self.complete = int(self._get("throng/finished")[()]) != 0
+        self.complete = int(self._get("throng/finished")[()]) != 0 and not self._file.swmr_mode
         written = np.flatnonzero(committed)
         count = int(written[-1]) + 1 if len(written) else 0
         if len(written) != count or (self.complete and count != len(committed)):
@@ -535,8 +535,8 @@ class Recording:
                 "no agents are in it, or throng was older" if self.complete else "the run hasn't ended"))
         with _damage_named(self._path, "arrivals"):
             id, step = self._all("throng/arrivals/id"), self._all("throng/arrivals/step")
-            if len(id) != len(step):
-                raise ValueError("their lists differ in length")
+            if not (id.ndim == step.ndim == 1 and id.dtype == np.uint32 and step.dtype == np.int64 and len(id) == len(step)):
+                raise ValueError("their lists are wrong")
             return Arrivals(id, step, step * self.parameters["dt"])
 
     @functools.cached_property
