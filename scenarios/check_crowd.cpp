@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
+#include "scenarios/path.h"
 #include "scenarios/read_crowd.h"
+#include "scenarios/region_sets.h"
 
 namespace throng::scenarios {
 
@@ -50,6 +52,15 @@ void warn_of_late_openings(const toml::table& root, const Scene& scene, Report& 
                      "is " + after_the_end(area.opens, scene) + ": it never opens");
 }
 
+/// Of several of which agents go to the nearest the others would do, and nobody would know.
+void expect_areas_on_the_floor(const toml::table& root, const Scene& scene, Report& report) {
+  const Path root_path, path(root_path, "areas");
+  for (const Area& area : scene.crowd.areas)
+    if (area.use != AreaUse::none && !(common_area(area.region, scene.crowd.walkable) > 0.0))
+      report.error(*root["areas"][area.name].node(), Path(path, area.name).text(),
+                   "has nothing in common with the walkable area, and agents are to go there");
+}
+
 /// m/s, of which there is one an agent of a group.
 std::span<const double> desired_speeds(const AgentGroup& group, const Scene& scene) {
   return std::span(scene.crowd.desired_speed).subspan(group.first, group.count);
@@ -79,6 +90,7 @@ void warn_of_still_bodies(std::span<const Entry> bodies, Report& report) {
 void check_crowd(const toml::table& root, std::span<const Entry> bodies, std::span<const AgentEntry> agents,
                  const Scene& scene, Report& report) {
   if (agents.empty() || report.errors() > 0) return;
+  expect_areas_on_the_floor(root, scene, report);
   warn_of_late_measures(root, scene, report);
   warn_of_late_openings(root, scene, report);
   warn_of_still_bodies(bodies, report);

@@ -100,6 +100,16 @@ bool is_on_its_way(const State& state, const Scene& scene, std::size_t row) {
   return leg.kind == Leg::Kind::queue || crowd.place[row] <= (may_wait ? 1u : 0u);
 }
 
+/// Whether those who have left are agents who have appeared.
+bool have_appeared(const std::vector<std::uint32_t>& ids, const CrowdState& crowd, const Crowd& of) {
+  return std::ranges::all_of(ids, [&](std::uint32_t id) {
+    const std::size_t agent = std::size_t{id} - 1 - of.first;  // beyond all where it is a body's
+    if (agent >= of.size()) return false;
+    const AgentGroup& group = of.groups[of.group[agent]];
+    return agent < group.first + group.count - crowd.waiting[of.group[agent]];
+  });
+}
+
 /// Whether those in line have places 1 to as many as they are. Expects that all are on their way.
 bool are_in_line(const State& state, const Scene& scene) {
   const Crowd& of = scene.crowd;
@@ -158,6 +168,7 @@ bool fits(const State& state, const Scene& scene) {
     if (state.id[row] != row + 1) return false;
   for (std::size_t row = 0; row < crowd.stage.size(); ++row)
     if (!is_on_its_way(state, scene, row)) return false;
+  if (!have_appeared(crowd.arrived_id, crowd, of)) return false;
   return are_in_line(state, scene);
 }
 

@@ -173,6 +173,15 @@ std::string other_difference(const Comparison& comparison, const Frame& frame, c
   return comparison.same_contacts(frame, contacts) ? "" : "the contacts";
 }
 
+/// Of a run to its end.
+bool same_arrivals(const Recording& recording, const Scene& scene, Simulation& run) {
+  const std::optional<Arrivals> recorded = recording.arrivals();
+  if (!recorded) return true;
+  while (run.state().step < scene.time.steps()) run.step();
+  const CrowdState& crowd = run.state().crowd;
+  return *recorded == Arrivals{crowd.arrivals, crowd.arrived_id};
+}
+
 }  // namespace
 
 int verify(const Recording& recording, const std::string& file, int threads) {
@@ -197,6 +206,10 @@ int verify(const Recording& recording, const std::string& file, int threads) {
                   frame.step, frame.time, what.c_str());
       return 1;
     }
+  }
+  if (!same_arrivals(recording, loaded.scene, *run)) {
+    std::printf("diverged: who arrived, or when, was recorded otherwise than it runs to\n");
+    return 1;
   }
   std::printf("verified: %zu frames%s\n", recording.frames(),
               recording.complete() ? "" : " of a run that did not end");

@@ -13,6 +13,8 @@ constexpr double kSoonest = 60.0;  // substeps: learnt at once, blows throw back
 constexpr double kLeft = 0.2;      // of a load
 constexpr double kMost = 1000.0;   // own weights, of kLayers and fewer
 
+static_assert(kWhile * kFewLayers * kFewLayers <= kSoonest * kLayers * kLayers);
+
 }  // namespace
 
 double Learning::operator()(double preload, double normal_impulse, double normal_mass,

@@ -55,6 +55,8 @@ class Estimate {
       most = std::max(most, frames);
     }
     for (const Sensor& sensor : recorded(scene_.sensors)) sum += sensed(sensor);
+    const double arrivals = guess_.share * static_cast<double>(scene_.crowd.size());
+    sum += rows_bytes(arrivals, 4.0) + rows_bytes(arrivals, 8.0);
     if (changes_) sum += most * frame_bytes(4.0, kRegionChunk) + 2.0 * rows_bytes(most, 8.0);
     return sum + own_rates();
   }

@@ -69,7 +69,7 @@ class Recorder {
   /// Writes what is queued and who arrived, of the crowd as it is at the end, closes, syncs and renames. Call
   /// it once, after the last frame, also when the run was interrupted but is worth keeping. Throws
   /// std::runtime_error as `record` does.
-  void finish(const CrowdState& crowd = {});
+  void finish(const CrowdState& crowd);
 
   /// Writes what is queued and closes OUT.part, which stays readable as that of a run that did not end, or is
   /// removed where no frame was committed. Call it instead of `finish`. Throws std::runtime_error as `record`

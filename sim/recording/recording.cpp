@@ -334,6 +334,19 @@ std::vector<double> Recording::masses() const {
   }
 }
 
+std::optional<Arrivals> Recording::arrivals() const {
+  const bool agents = !impl_->scene.crowd.walkable.empty();
+  if (!agents || !impl_->complete || impl_->origin.minor < 10) return std::nullopt;
+  try {
+    h5::prepare();
+    const h5::Handle group = h5::open_group(h5::open_group(impl_->file.handle, "throng"), "arrivals");
+    return Arrivals{h5::read_array<std::int64_t>(impl_->file, group, "step"),
+                    h5::read_array<std::uint32_t>(impl_->file, group, "id")};
+  } catch (const h5::Error& error) {
+    throw InputError(impl_->path + " is damaged: who arrived: " + error.what());
+  }
+}
+
 void Recording::expect_tables(const Scene& scene) const {
   try {
     h5::prepare();

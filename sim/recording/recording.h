@@ -42,6 +42,14 @@ struct Frame {
   bool has(std::size_t row) const { return is_present.empty() || is_present[row] != 0; }
 };
 
+/// As CrowdState has them.
+struct Arrivals {
+  std::vector<std::int64_t> step;
+  std::vector<std::uint32_t> id;
+
+  friend bool operator==(const Arrivals&, const Arrivals&) = default;
+};
+
 /// Which frames of a recording are looked at: fields may have rates of their own.
 enum class FrameChoice { all, with_position };
 
@@ -114,6 +122,10 @@ class Recording {
 
   /// The same of the k-th recorded sensor.
   std::optional<std::size_t> sensor_sample(std::size_t sensor, std::size_t i) const;
+
+  /// Who of the crowd arrived and when, where the file says so: of a run with agents that has ended, since
+  /// 1.10. O(arrivals). Throws InputError where they are damaged.
+  std::optional<Arrivals> arrivals() const;
 
   std::vector<std::string> observed() const;  ///< names of what is below /observables
 

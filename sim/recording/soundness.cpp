@@ -70,11 +70,13 @@ bool is_possible(const Collisions& all) {
          std::isfinite(all.equilibrium);
 }
 
-/// One after the other, none before the first step, and of each whose it is.
+/// One after the other, those of one step by their names, none before the first step.
 bool are_arrivals(const std::vector<std::int64_t>& steps, const std::vector<std::uint32_t>& id,
                   std::int64_t now) {
-  return steps.size() == id.size() && std::ranges::is_sorted(steps) &&
-         (steps.empty() || (steps.front() > 0 && steps.back() <= now));
+  if (steps.size() != id.size()) return false;
+  for (std::size_t i = 1; i < steps.size(); ++i)
+    if (std::pair(steps[i - 1], id[i - 1]) >= std::pair(steps[i], id[i])) return false;
+  return steps.empty() || (steps.front() > 0 && steps.back() <= now);
 }
 
 bool is_possible(const CrowdState& crowd, std::int64_t step) {

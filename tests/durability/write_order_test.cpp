@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "sim/input_error.h"
+#include "sim/recording/h5_read.h"
 #include "tests/durability/durable_run.h"
 
 namespace throng {
@@ -100,6 +101,47 @@ TEST_P(WriteOrder, NoCrashBetweenTwoWritesLosesAFrameAndNoneInsideAWriteShowsAWr
 INSTANTIATE_TEST_SUITE_P(H2, WriteOrder,
                          ::testing::Values(kRecorded[0], kRecorded[1], kRecorded[2], kRecordedCrowd),
                          [](const auto& one) { return std::string(one.param.name); });
+
+/// Whether the file says that it is complete and lacks who arrived: to readers who look at no more than that,
+/// as this is written last, and asks for no hash.
+bool lacks_arrivals(const std::string& path, std::size_t arrivals) {
+  using namespace recording;
+  try {
+    h5::prepare();
+    const unsigned flags = H5F_ACC_RDONLY | H5F_ACC_SWMR_READ;
+    const h5::File file{
+        h5::Handle(H5Fopen(path.c_str(), flags, H5P_DEFAULT), H5Fclose, "cannot open the file"), path, true};
+    const h5::Handle throng = h5::open_group(file.handle, "throng"), who = h5::open_group(throng, "arrivals");
+    return h5::read_array<std::uint64_t>(file, throng, "finished", {})[0] != 0 &&
+           (h5::read_array<std::uint32_t>(file, who, "id").size() != arrivals ||
+            h5::read_array<std::int64_t>(file, who, "step").size() != arrivals);
+  } catch (const h5::Error&) {
+    return false;
+  }
+}
+
+TEST_F(DurableRun, WhoArrivedIsInTheFileBeforeItSaysThatItIsComplete) {
+  const std::string log = path("log");
+  const std::string scene = write(
+      "a.toml",
+      "throng = 1\ntime = { dt = 0.02, until = 1 }\nwalkable = 'POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0))'\n"
+      "areas.exit = [[8, 0], [9, 0], [9, 9], [8, 9]]\n[[agents]]\nmodel = 'constant_velocity'\ncount = 40\n"
+      "radius = 0.1\ngoal = 'exit'\nplace = { random = { within = [[7.2, 0], [8, 9]] } }\n");
+  const Result result = throng(
+      "run " + scene + " --progress none -o " + path("a.h5"),
+      "ASAN_OPTIONS=verify_asan_link_order=0 LD_PRELOAD=" THRONG_LOGGED_DISK " THRONG_WRITE_LOG=" + log +
+          " ");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  ASSERT_EQ(Recording(path("a.h5")).arrivals().value().id.size(), 40u);
+  const std::vector<Write> writes = writes_in(read(log));
+  std::string file;
+  for (std::size_t k = 0; k < writes.size(); ++k) {
+    apply(file, writes[k], writes[k].bytes.size());
+    if (k + 40 < writes.size()) continue;
+    write("crashed.h5.part", file);
+    EXPECT_FALSE(lacks_arrivals(path("crashed.h5.part"), 40)) << "write " << k << " of " << writes.size();
+  }
+}
 
 }  // namespace
 }  // namespace throng

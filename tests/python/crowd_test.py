@@ -2,6 +2,7 @@
 """Recordings of agents, who leave: as the program, its exports and throng_read.py know them."""
 import csv
 import json
+import shutil
 import subprocess
 import unittest
 import xml.etree.ElementTree as xml
@@ -57,6 +58,28 @@ class Crowd(Program):
         self.assertEqual(self.throng("resume", "two.h5", "--until", "6", "--progress", "none")[0], 0)
         with throng_read.open(self.path("two.h5")) as recording:
             np.testing.assert_array_equal(recording.arrivals, whole)
+
+    def test_who_arrived_is_verified(self):
+        self.record()
+        def verified(change):
+            shutil.copy(self.path("a.h5"), self.path("b.h5"))
+            with h5py.File(self.path("b.h5"), "r+") as file:
+                change(file["throng/arrivals"])
+            done = subprocess.run([PROGRAM, "replay", "b.h5", "--verify"], cwd=self.folder, capture_output=True, text=True)
+            return done.returncode, done.stdout + done.stderr
+        def set_step(arrivals):
+            arrivals["step"][0] += 1
+        def lose_one(arrivals):
+            for name in ("id", "step"):
+                arrivals[name].resize((1,))
+        def lose_an_id(arrivals):
+            arrivals["id"].resize((1,))
+        def lose_all(arrivals):
+            del arrivals["id"]
+        self.assertEqual(verified(lambda arrivals: None), (0, "verified: 301 frames\n"))
+        for change in (set_step, lose_one, lose_an_id):
+            self.assertEqual(verified(change), (1, "diverged: who arrived, or when, was recorded otherwise than it runs to\n"))
+        self.assertEqual(verified(lose_all), (2, "throng: b.h5 is damaged: who arrived: id is missing\n"))
 
     def test_who_arrived_is_not_known_of_bodies_nor_of_a_run_that_did_not_end(self):
         self.record()

@@ -155,6 +155,16 @@ TEST(Crowd, AFloorWithoutAgentsHoldsNobodyWhoPassesThroughAll) {  // it happened
   EXPECT_EQ(loaded.errors(), 0) << faults(loaded);
 }
 
+TEST(Crowd, EachAreaThatAgentsAreToGoToIsOnTheFloor) {
+  for (const char* off : {"[[12, 0], [13, 0], [13, 5], [12, 5]]", "[[10, 0], [11, 0], [11, 5], [10, 5]]",
+                          "[[4, 2], [5, 2], [5, 3], [4, 3]]"}) {
+    const std::string text = kFloor + "off = " + off + "\n[[agents]]\nmodel = 'orca'\n" + kRandom;
+    expect_fault(text + "goal = { nearest = ['exit', 'off'] }\n", "areas.off: has nothing in common with");
+    expect_fault(text + "goal = [{ wait = 'off', for = 1 }, 'exit']\n", "areas.off: has nothing");
+    EXPECT_EQ(load_text(text + "goal = 'exit'\n").errors(), 0) << "where nobody goes";
+  }
+}
+
 TEST(Crowd, FindsRoomInAnAreaThatFillsLittleOfItsBox) {
   const Loaded loaded = load_text(
       "throng = 1\nwalkable = 'POLYGON ((0 0, 1200 0, 1200 1200, 0 1200, 0 0))'\n[areas]\n"

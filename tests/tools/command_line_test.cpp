@@ -104,7 +104,7 @@ TEST_F(CommandLine, SaysWhereAGoalIsThatNoWayLeadsTo) {
   };
   for (const char* command : {"validate ", "run --dry-run ", "run "}) {
     expect_refused(command + scene("[[30, 0], [32, 0], [32, 4], [30, 4]]"),
-                   HasSubstr("far.toml:9:10: error: agents[0].goal: its goal \"e\" is nowhere on the floor"));
+                   HasSubstr("far.toml:3:11: error: areas.e: has nothing in common with the walkable area"));
     expect_refused(command + scene("[[7, 0], [9, 0], [9, 4], [7, 4]]"),
                    HasSubstr("far.toml:9:10: error: agents[0].goal: no way wide enough leads from [5, 2]"));
   }

@@ -29,7 +29,7 @@ void run(const Scene& scene, int steps, Recorder* recorder) {
     simulation->step();
     if (recorder) recorder->record(simulation->state());
   }
-  if (recorder) recorder->finish();
+  if (recorder) recorder->finish({});
 }
 
 void expect(bool done, const char* what) {
@@ -64,7 +64,7 @@ void write_frames(const std::string& file, const Scene& scene, State& state, int
     state.step = i;
     recorder.record(state);
   }
-  recorder.finish();
+  recorder.finish({});
 }
 
 void read_frames(const std::string& file) {
@@ -140,7 +140,7 @@ std::vector<Row> bench_frames(const std::string& name, const Options& options, c
 void write_states(const std::string& file, const Scene& scene, const std::vector<State>& states) {
   Recorder recorder(file, scene, {}, true);
   for (const State& state : states) recorder.record(state);
-  recorder.finish();
+  recorder.finish({});
 }
 
 /// m, of any coordinate in any frame.
@@ -190,7 +190,7 @@ void write_again(const std::string& file, const Scene& scene, const std::vector<
     state.step = static_cast<std::int64_t>(i);
     recorder.record(state);
   }
-  recorder.finish();
+  recorder.finish({});
 }
 
 /// Frames in an order in which none follows its neighbour, each read on its own and held against its hash.

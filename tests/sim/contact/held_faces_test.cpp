@@ -81,7 +81,7 @@ TEST_P(HeldFacesOnEachTarget, HaveTheBitsOfASearchOnWhatTurns) {
       scene_from(kHeldPolygons + all_placed("[[0, 2], [6, 12]]") + "[domain]\nbox = [[0, 0], [6, 12]]\n" +
                  "[[bodies]]\nshape = \"seven\"\nat = [3, 1]\nkind = \"kinematic\"\nspin = 0.2\n"),
       2000);
-  EXPECT_GT(known, 5'000u);
+  EXPECT_GT(known, 5'000u);  // fewer than elsewhere: what the one that turns stirs is searched again
 }
 
 // Bodies of two convex parts, which are searched in each step, among the others.

@@ -103,8 +103,9 @@ TEST(AwkwardCrowd, WhoWantsNoSpeedStands) {
   }
 }
 
-TEST(AwkwardCrowd, AGoalOffTheFloorIsAnError) {
-  EXPECT_EQ(scene_refusal(floor(kCorridor, agent("orca", "[5, 2]", "outside"))),
+TEST(AwkwardCrowd, AGoalWhereNobodyFitsIsAnError) {
+  const std::string gap = "POLYGON ((0 0, 20 0, 20 1.9, 32 1.9, 32 2.1, 20 2.1, 20 4, 0 4, 0 0))";
+  EXPECT_EQ(scene_refusal(floor(gap, agent("orca", "[5, 2]", "outside"))),
             "agents[0]: its goal \"outside\" is nowhere on the floor that agent 1 of 1 (id 1, radius 0.2 m), "
             "or any "
             "other as wide, gets to");

@@ -166,6 +166,16 @@ TEST(Entrance, FitsOnlyTheCrowdThatItIsOf) {
   EXPECT_TRUE(refused([](State& s) { s.crowd.on_line = {{0, 1, 0}}; })) << "there is no line";
   EXPECT_TRUE(refused([](State& s) { ++s.crowd.arrived; }));
   EXPECT_TRUE(refused([](State& s) { s.id.back() = 40; })) << "who is still to appear";
+  const auto who_left = [&](std::uint32_t id) {
+    return refused([&](State& s) {
+      ++s.crowd.arrived, --s.crowd.waiting[0];
+      s.crowd.arrivals.push_back(100), s.crowd.arrived_id.push_back(id);
+    });
+  };
+  const std::uint32_t next = 41 - run.state.crowd.waiting[0];
+  EXPECT_FALSE(who_left(next));
+  EXPECT_TRUE(who_left(next + 1)) << "who is still to appear";
+  EXPECT_TRUE(who_left(41)) << "nobody";
   EXPECT_TRUE(refused([](State& s) { for_each_agent_array(s.crowd, [](auto& all) { all.clear(); }); }));
   EXPECT_TRUE(refused([](State& s) { s.crowd.option[0] = 1; }));
   EXPECT_TRUE(refused([](State& s) { s.crowd.option[0] = kUndecided; })) << "there is no choice";

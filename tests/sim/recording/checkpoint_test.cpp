@@ -216,9 +216,11 @@ TEST(Checkpoint, RefusesCrowdsThatNoRunHas) {
   const auto arrived = [&](std::vector<std::int64_t> steps, std::vector<std::uint32_t> ids) {
     return refused([&](CrowdState& c) { c.arrivals = steps, c.arrived_id = ids, c.wall_corrections = 9; });
   };
-  EXPECT_FALSE(arrived({1, 5, 5}, {8, 10, 9}));
-  EXPECT_FALSE(arrived({1, 5, 5}, {8, 12, 9})) << "10 and 11 wait";
-  EXPECT_TRUE(arrived({1, 5, 5}, {8, 13, 9}));
+  EXPECT_FALSE(arrived({1, 5, 5}, {8, 9, 10}));
+  EXPECT_FALSE(arrived({1, 5, 5}, {10, 8, 9}));
+  EXPECT_FALSE(arrived({1, 5, 5}, {8, 9, 12})) << "fits() knows who waits";
+  EXPECT_TRUE(arrived({1, 5, 5}, {8, 10, 9}));
+  EXPECT_TRUE(arrived({1, 5, 5}, {8, 9, 13}));
   EXPECT_TRUE(arrived({1, 5, 5}, {8, 9, 9}));
   EXPECT_TRUE(arrived({1, 5, 5}, {8, 9, 7})) << "is there";
   EXPECT_TRUE(arrived({1, 5, 5}, {8, 9, 0}));

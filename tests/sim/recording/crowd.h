@@ -48,7 +48,7 @@ inline void record_simulation(const std::string& path, const Scene& scene) {
     if (is_frame(scene.record, run->state().step)) recorder.record(run->state(), {}, run->sensed());
     if (run->state().step == scene.time.steps()) break;
   }
-  recorder.finish();
+  recorder.finish(run->state().crowd);
 }
 
 }  // namespace throng::testing_recordings

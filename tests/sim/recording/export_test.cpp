@@ -17,7 +17,7 @@ TEST(Export, RefusesFramesThatPedpyCouldNotTime) {
   const Scene scene = mixed_scene(4);
   Recorder recorder(folder / "a.h5", scene, provenance());
   for (std::int64_t step : {0, 2, 4, 5}) recorder.record(state_at(scene, step));
-  recorder.finish();
+  recorder.finish({});
   const Recording recording(folder / "a.h5");
   const std::size_t even[] = {0, 1, 2}, uneven[] = {0, 1, 2, 3};
   EXPECT_NO_THROW(export_pedpy(recording, even, {folder / "b.h5", "b.h5"}));

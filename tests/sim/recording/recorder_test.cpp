@@ -30,7 +30,7 @@ TEST(Recorder, ShowsTheFinalNameOnlyOnceFinished) {
   recorder.record(state_at(scene, 0));
   EXPECT_FALSE(std::filesystem::exists(folder / "a.h5"));
   EXPECT_EQ(recorder.frames(), 1u);
-  recorder.finish();
+  recorder.finish({});
   EXPECT_TRUE(std::filesystem::exists(folder / "a.h5"));
 }
 
@@ -103,7 +103,7 @@ TEST(Recorder, RefusesAStateThatIsNotFiniteAndKeepsTheFramesBefore) {
   bad.velocity[3].y() = std::numeric_limits<double>::quiet_NaN();
   recorder.record(bad);
   try {
-    recorder.finish();
+    recorder.finish({});
     FAIL() << "finished";
   } catch (const std::runtime_error& error) {
     EXPECT_THAT(error.what(), HasSubstr("step 2"));
@@ -126,7 +126,7 @@ TEST(Recorder, StoresBodiesByIdWhateverTheirRows) {
   }
   Recorder recorder(folder / "a.h5", scene, provenance());
   recorder.record(mixed);
-  recorder.finish();
+  recorder.finish({});
   const Frame frame = Recording(folder / "a.h5").frame(0);
   EXPECT_EQ(frame.position, straight.position);
   EXPECT_EQ(frame.angle, straight.angle);

@@ -134,7 +134,7 @@ inline void record_steps(Recorder& recorder, const Scene& scene, std::int64_t fi
 inline void record_run(const std::string& path, const Scene& scene, std::int64_t last) {
   Recorder recorder(path, scene, provenance());
   record_steps(recorder, scene, 0, last);
-  recorder.finish();
+  recorder.finish({});
 }
 
 inline int& own_every(Scene& scene, RecordField field) {
@@ -160,7 +160,7 @@ inline Record full_record(bool region) {
 inline void record_drift(const std::string& path, const Scene& scene, int frames) {
   Recorder recorder(path, scene, provenance());
   for (int i = 0; i < frames; ++i) recorder.record(state_at(scene, std::int64_t{i} * scene.record.every));
-  recorder.finish();
+  recorder.finish({});
 }
 
 }  // namespace throng::testing_recordings

@@ -142,7 +142,7 @@ TEST(Selected, AgentsAreThereUntilTheyLeave) {
   {
     Recorder recorder(folder / "a.h5", scene, provenance());
     for (std::int64_t step = 0; step <= 4; ++step) recorder.record(crowd_at(scene, step));
-    recorder.finish();
+    recorder.finish({});
   }
   const Recording recording(folder / "a.h5");
   EXPECT_EQ(recording.geometry().record.within, std::nullopt);
@@ -253,7 +253,7 @@ TEST(Selected, QuantizedPositionsAreOfWhoIsInTheRegion) {
   {
     Recorder recorder(folder / "a.h5", scene, provenance());
     for (std::int64_t step = 0; step < 40; ++step) recorder.record(state_at_step(step));
-    recorder.finish();
+    recorder.finish({});
   }
   const Recording recording(folder / "a.h5");
   std::size_t here = 0, came = 0;
@@ -287,7 +287,7 @@ TEST(Selected, QuantizedPositionsAreOfAgentsUntilTheyLeave) {
   {
     Recorder recorder(folder / "a.h5", scene, provenance());
     for (std::int64_t step = 0; step <= 4; ++step) recorder.record(crowd_at(scene, step));
-    recorder.finish();
+    recorder.finish({});
   }
   const Recording recording(folder / "a.h5");
   for (std::size_t i = recording.frames(); i-- > 0;) {
@@ -312,7 +312,7 @@ TEST(Selected, PositionsTooFarForTheirQuantumEndTheRecordingWithASentence) {
   state.step = 1, state.position[2].x() = 3.0;
   recorder.record(state);
   try {
-    recorder.finish();
+    recorder.finish({});
     FAIL() << "finished";
   } catch (const std::runtime_error& error) {
     EXPECT_THAT(error.what(), HasSubstr("position of body 3 at step 1 is (3, 1) m, too far out for "
@@ -362,7 +362,7 @@ TEST(Selected, ContactsOfBodiesThatThereAreNotAreRefused) {
     const ContactRow row{a, b, 1.0, {0.0, 0.0}};
     Recorder recorder(path, scene, provenance());
     recorder.record(state_at(scene, 0), std::span(&row, 1));
-    recorder.finish();
+    recorder.finish({});
     const Recording recording(path);
     if (fits)
       EXPECT_EQ(recording.frame(0).contacts, std::vector{row});
@@ -441,6 +441,17 @@ TEST(Selected, WhatIsSensedAndMeasuredIsExpectedToTakeRoom) {
   EXPECT_LT(recording::least_bytes(scene), 0.1 * takes);
 }
 
+TEST(Selected, WhoArrivesIsExpectedToTakeRoom) {
+  const auto expected = [](int agents) {
+    return recording::expected_bytes(scene_from(
+        "time = { dt = 0.01, until = 0.2 }\nwalkable = 'POLYGON ((0 0, 90 0, 90 90, 0 90, 0 0))'\n"
+        "areas.exit = [[80, 0], [90, 0], [90, 90], [80, 90]]\nrecord = { fields = [], of = { ids = [1] } }\n"
+        "[[agents]]\nmodel = 'constant_velocity'\ngoal = 'exit'\nradius = 0.05\ncount = " +
+        std::to_string(agents) + "\nplace = { random = { within = [[0, 0], [80, 90]] } }\n"));
+  };
+  EXPECT_NEAR(expected(9000) - expected(1000), 12.0 * 8000.0, 12.0 * 1000.0);
+}
+
 TEST(Selected, PathsHoldNamesThatCanBeToldAgain) {
   using recording::path_part;
   EXPECT_EQ(path_part("door"), "door");
@@ -475,7 +486,7 @@ TEST(Selected, SensedThatThereCannotBeAreRefused) {
     const std::string path = folder / (std::to_string(i) + ".h5");
     Recorder recorder(path, scene, provenance());
     recorder.record(state_at(scene, 0), {}, std::span(&sensed, 1));
-    recorder.finish();
+    recorder.finish({});
     const Recording recording(path);
     if (fits)
       EXPECT_EQ(recording.frame(0).sensed.at(0), sensed) << i;
@@ -524,7 +535,7 @@ TEST(Selected, GoesOnFromAnyFrameAsIfNeverStopped) {
         const Recording before(path + ".part");
         Recorder recorder(path, scene, provenance(), before, kept);
         record_steps(recorder, scene, kept == 0 ? 0 : whole.steps()[kept - 1] + 1, 40);
-        recorder.finish();
+        recorder.finish({});
       }
       const Recording again(path);
       EXPECT_TRUE(std::ranges::equal(again.frame_hashes(), whole.frame_hashes())) << kept;

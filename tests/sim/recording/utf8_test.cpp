@@ -39,7 +39,7 @@ TEST(Utf8, ARecordingTakesCommandLinesAndUsersThatAreNone) {
   const Scene scene = mixed_scene(3);
   Recorder recorder(folder / "a.h5", scene, from);
   recorder.record(state_at(scene, 0));
-  recorder.finish();
+  recorder.finish({});
   user ? setenv("USER", before.c_str(), 1) : unsetenv("USER");
   const Recording recording(folder / "a.h5");
   EXPECT_EQ(recording.origin().author, "Ren" + kUnknown);
