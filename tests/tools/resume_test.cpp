@@ -257,6 +257,7 @@ TEST_F(Resume, RefusesACheckpointOfBodiesThatArrived) {
   alter_checkpoint(part, [](Checkpoint& c) {
     c.state.crowd.arrived = 1'000'000;
     c.state.crowd.arrivals.assign(1'000'000, 1);
+    c.state.crowd.arrivals.back() = 2;
     c.state.crowd.arrived_id.resize(1'000'000);
     std::iota(c.state.crowd.arrived_id.begin(), c.state.crowd.arrived_id.end(), c.state.id.size() + 1);
     std::swap(c.state.id[0], c.state.crowd.arrived_id.back());

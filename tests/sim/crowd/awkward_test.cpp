@@ -14,8 +14,8 @@ namespace {
 
 std::string floor(const std::string& walkable, const std::string& agents) {
   return "time = { dt = 0.01, until = 100 }\nseed = 2\nwalkable = '" + walkable +
-         "'\n[areas]\nleft = [[0, 0], [1, 0], [1, 4], [0, 4]]\nright = [[19, 0], [20, 0], [20, 4], [19, 4]]\n"
-         "outside = [[30, 0], [31, 0], [31, 4], [30, 4]]\n" +
+         "'\n[areas]\nleft = [[0, 0], [1, 0], [1, 4], [0, 4]]\nright = [[19, 0], [20, 0], [20, 4], [19, "
+         "4]]\n" +
          agents;
 }
 
@@ -25,13 +25,17 @@ std::string agent(const std::string& model, const std::string& at, const std::st
 
 const std::string kCorridor = "POLYGON ((0 0, 20 0, 20 4, 0 4, 0 0))";
 
-std::string scene_refusal(const std::string& text) {
+std::string refusal_of(const Scene& scene) {
   try {
-    simulation(scene_from(text));
+    simulation(scene);
   } catch (const InputError& error) {
     return error.what();
   }
   return "accepted";
+}
+
+std::string scene_refusal(const std::string& text) {
+  return refusal_of(scene_from(text));
 }
 
 TEST(AwkwardCrowd, TwoWhoMeetHeadOnPass) {
@@ -103,12 +107,23 @@ TEST(AwkwardCrowd, WhoWantsNoSpeedStands) {
   }
 }
 
-TEST(AwkwardCrowd, AGoalWhereNobodyFitsIsAnError) {
-  const std::string gap = "POLYGON ((0 0, 20 0, 20 1.9, 32 1.9, 32 2.1, 20 2.1, 20 4, 0 4, 0 0))";
-  EXPECT_EQ(scene_refusal(floor(gap, agent("orca", "[5, 2]", "outside"))),
-            "agents[0]: its goal \"outside\" is nowhere on the floor that agent 1 of 1 (id 1, radius 0.2 m), "
-            "or any "
-            "other as wide, gets to");
+TEST(AwkwardCrowd, AGoalUnderABodyIsAnError) {
+  const Loaded loaded =
+      load_scenario_text("throng = 1\n" + floor(kCorridor, agent("orca", "[5, 2]", "right")) +
+                             "[shapes]\nblock.polygon = [[0, 0], [3, 0], [3, 6], [0, 6]]\n"
+                             "[[bodies]]\nshape = 'block'\nkind = 'static'\nat = [19.5, 2]\n",
+                         "s");
+  EXPECT_NE(to_string(loaded.diagnostics, "s").find("areas.right: has nothing in common with the walkable"),
+            std::string::npos);
+}
+
+TEST(AwkwardCrowd, AGoalOffTheFloorOfASceneThatNoFileMadeIsAnError) {
+  Scene scene = scene_from(floor(kCorridor, agent("orca", "[5, 2]", "right")));
+  for (std::vector<Vec>& ring : scene.crowd.goals.at(0).region.rings)
+    for (Vec& point : ring) point.x() += 10.0;
+  EXPECT_EQ(refusal_of(scene),
+            "agents[0]: its goal \"right\" is nowhere on the floor that agent 1 of 1 (id 1, radius 0.2 m), "
+            "or any other as wide, gets to");
 }
 
 TEST(AwkwardCrowd, FloorsInPiecesLeadOnlyWithinAPiece) {
