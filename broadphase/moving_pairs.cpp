@@ -2,6 +2,7 @@
 #include "broadphase/moving_pairs.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -12,7 +13,8 @@ namespace {
 
 constexpr double kMargin = 0.15;  // of the mean reach: the list is then about a third longer than the pairs
 constexpr int kGain = 3;          // calls that a list must answer to be worth its making
-constexpr int kWait = 100;        // calls without one where it was not
+constexpr std::size_t kGrain = 2048;  // rows or pairs a range
+constexpr int kWait = 100;            // calls without one where it was not
 
 /// Rounding in the comparison of distances, as a part of each reach: far more than it can be.
 constexpr double kRounding = 1e-12;
@@ -47,11 +49,25 @@ bool MovingPairs::holds(std::span<const Point> centres, std::span<const double> 
   if (reach_.size() != reach.size() || periodic_ != (period != nullptr)) return false;
   if (period && (period->origin != period_.origin || period->size != period_.size)) return false;
   const double slack = period ? 16.0 * std::numeric_limits<double>::epsilon() * period->size.maxCoeff() : 0.0;
-  for (std::size_t row = 0; row < reach.size(); ++row) {
-    const double room = reach_[row] * (1.0 - kRounding) - reach[row] - slack;
-    if (!(room >= 0.0 && squared_distance(centres[row], centre_[row], period) <= room * room)) return false;
-  }
-  return true;
+  std::atomic<bool> all = true;
+  for_ranges(reach.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row) {
+      const double room = reach_[row] * (1.0 - kRounding) - reach[row] - slack;
+      if (room >= 0.0 && squared_distance(centres[row], centre_[row], period) <= room * room) continue;
+      all = false;
+      return;
+    }
+  });
+  return all;
+}
+
+/// Calls f(i, begin, end) for the i-th of ranges that cover 0 to n.
+template <class F>
+void MovingPairs::for_ranges(std::size_t n, F f) const {
+  const std::size_t ranges =
+      team_ && team_->threads() > 1 ? std::max<std::size_t>((n + kGrain - 1) / kGrain, 1) : 1;
+  if (ranges == 1) return f(0, 0, n);
+  team_->for_each(ranges, [&](std::size_t i) { f(i, i * kGrain, std::min(n, (i + 1) * kGrain)); });
 }
 
 void MovingPairs::renew(std::span<const Point> centres, std::span<const double> reach, const Period* period,
@@ -71,22 +87,29 @@ void MovingPairs::renew(std::span<const Point> centres, std::span<const double> 
   age_ = 0;
 }
 
+/// Each range keeps its own where they stood; then these are brought together.
 void MovingPairs::select(std::span<const Point> centres, std::span<const double> reach, const Period* period,
-                         std::vector<Pair>& pairs) const {
-  pairs.resize(list_.size());
-  Pair* out = pairs.data();
+                         std::vector<Pair>& pairs) {
+  pairs.resize(list_.size()), kept_.assign(list_.size() / kGrain + 1, 0);
   const auto keep = [&](const auto& metric) {
-    for (const Pair& pair : list_) {
-      const double most = reach[pair.a] + reach[pair.b];
-      *out = pair;
-      out += metric(centres[pair.a], centres[pair.b]) <= most * most;
-    }
+    for_ranges(list_.size(), [&](std::size_t i, std::size_t begin, std::size_t end) {
+      Pair* out = pairs.data() + begin;
+      for (const Pair& pair : std::span(list_).subspan(begin, end - begin)) {
+        const double most = reach[pair.a] + reach[pair.b];
+        *out = pair;
+        out += metric(centres[pair.a], centres[pair.b]) <= most * most;
+      }
+      kept_[i] = static_cast<std::size_t>(out - (pairs.data() + begin));
+    });
   };
   if (period)
     keep(PeriodicMetric{period->size});
   else
     keep(PlaneMetric{});
-  pairs.resize(static_cast<std::size_t>(out - pairs.data()));
+  auto end = pairs.begin() + static_cast<std::ptrdiff_t>(kept_[0]);
+  for (std::size_t i = 1; i < kept_.size(); ++i)
+    end = std::copy_n(pairs.begin() + static_cast<std::ptrdiff_t>(i * kGrain), kept_[i], end);
+  pairs.erase(end, pairs.end());
 }
 
 }  // namespace throng::broadphase

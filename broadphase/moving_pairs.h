@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "broadphase/disc_pairs.h"
+#include "broadphase/team.h"
 
 /// Which discs may touch, step after step, where they move little between steps: a neighbour list with a
 /// margin (Verlet 1967), kept until some disc has moved or grown by as much. The answers are those of
@@ -15,6 +16,8 @@ namespace throng::broadphase {
 
 class MovingPairs {
  public:
+  explicit MovingPairs(Team* team = nullptr) : team_(team) {}  ///< shares out the work, if there is one
+
   /// As `DiscPairs::find`. Expects the same rows to be the same discs as in the last call; where their
   /// number, the period or `movable` differ, starts anew. O(n + pairs of the list) while the list holds: its
   /// margin is 15 % of the mean reach, so it gains where discs move by less than 2 % of it a step. Where a
@@ -34,8 +37,11 @@ class MovingPairs {
   void renew(std::span<const Point> centres, std::span<const double> reach, const Period* period,
              std::span<const std::uint8_t> movable);
   void select(std::span<const Point> centres, std::span<const double> reach, const Period* period,
-              std::vector<Pair>& pairs) const;
+              std::vector<Pair>& pairs);
+  template <class F>
+  void for_ranges(std::size_t n, F f) const;
 
+  Team* team_;
   DiscPairs search_;
   std::vector<Pair> list_;     // ascending: all that are near for the reaches below
   std::vector<Point> centre_;  // m, as the list was made
@@ -43,8 +49,9 @@ class MovingPairs {
   std::vector<std::uint8_t> movable_;
   Period period_;
   bool periodic_ = false, reused_ = false;
-  int age_ = 0;   // calls that the list has answered
-  int wait_ = 0;  // calls to go without a list
+  std::vector<std::size_t> kept_;  // of each range of the list
+  int age_ = 0;                    // calls that the list has answered
+  int wait_ = 0;                   // calls to go without a list
 };
 
 }  // namespace throng::broadphase

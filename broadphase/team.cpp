@@ -1,34 +1,46 @@
 // SPDX-License-Identifier: MIT
 #include "broadphase/team.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 namespace throng::broadphase {
 
 struct Team::Arena {
-  explicit Arena(int threads) : arena(threads) {}
+  explicit Arena(std::size_t threads)
+      : control(tbb::global_control::max_allowed_parallelism, threads), arena(static_cast<int>(threads)) {}
+
+  template <class Partitioner>
+  void run(std::size_t n, Call call, void* context, const Partitioner& partitioner) {
+    arena.execute([&] {
+      tbb::parallel_for(
+          tbb::blocked_range<std::size_t>(0, n, 1),
+          [&](const auto& range) {
+            for (std::size_t i = range.begin(); i < range.end(); ++i) call(context, i);
+          },
+          partitioner);
+    });
+  }
+
+  tbb::global_control control;  // else there are no more than the machine has
   tbb::task_arena arena;
 };
 
 Team::Team(int threads)
     : threads_(static_cast<std::size_t>(threads)),
-      arena_(threads > 1 ? std::make_unique<Arena>(threads) : nullptr) {}
+      arena_(threads > 1 ? std::make_unique<Arena>(threads_) : nullptr) {}
 Team::~Team() = default;
 
 void Team::run(std::size_t n, Call call, void* context) {
-  if (!arena_ || n < 2) {
-    for (std::size_t i = 0; i < n; ++i) call(context, i);
-    return;
-  }
-  arena_->arena.execute([&] {
-    tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, n, 1),
-        [&](const auto& range) {
-          for (std::size_t i = range.begin(); i < range.end(); ++i) call(context, i);
-        },
-        tbb::simple_partitioner());
-  });
+  if (arena_ && n > 1) return arena_->run(n, call, context, tbb::simple_partitioner());
+  for (std::size_t i = 0; i < n; ++i) call(context, i);
+}
+
+void Team::run_few(std::size_t n, Call call, void* context) {
+  if (arena_ && n > 1) return arena_->run(n, call, context, tbb::static_partitioner());
+  for (std::size_t i = 0; i < n; ++i) call(context, i);
 }
 
 }  // namespace throng::broadphase

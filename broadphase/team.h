@@ -19,13 +19,24 @@ class Team {
   /// Calls f(i) for i = 0 to n - 1, in any order. Allocates nothing with one thread.
   template <class F>
   void for_each(std::size_t n, F&& f) {
-    run(
-        n, [](void* call, std::size_t i) { (*static_cast<std::remove_reference_t<F>*>(call))(i); }, &f);
+    run(n, call_of<F>, &f);
+  }
+
+  /// The same for few of them, each worth handing over: with as many threads as there are, each tends to go
+  /// to the one where it went before.
+  template <class F>
+  void for_few(std::size_t n, F&& f) {
+    run_few(n, call_of<F>, &f);
   }
 
  private:
   using Call = void (*)(void*, std::size_t);
+  template <class F>
+  static void call_of(void* call, std::size_t i) {
+    (*static_cast<std::remove_reference_t<F>*>(call))(i);
+  }
   void run(std::size_t n, Call call, void* context);
+  void run_few(std::size_t n, Call call, void* context);
 
   struct Arena;
   std::size_t threads_;

@@ -13,30 +13,42 @@ namespace throng {
 
 namespace {
 
-/// How high the highest of those stands above the lowest (m), of dynamic bodies.
+/// How high the highest of some bodies stands above the lowest, and which they are.
+struct Height {
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;  // m
+  std::uint32_t low = 0, high = 0;
+
+  void add(std::uint32_t body, double at) {
+    if (at < lowest) lowest = at, low = body;
+    if (at > highest) highest = at, high = body;
+  }
+  double layers(double radius) const { return 1.0 + std::max(highest - lowest, 0.0) / (2.0 * radius); }
+};
+
+/// Of dynamic bodies of which f(row) is true.
 template <class F>
-double height(const Scene& scene, const Workspace& work, F counts) {
+Height height(const Scene& scene, const Workspace& work, F counts) {
   const Vec up = -scene.gravity.normalized();
-  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  Height height;
   work.sleepers.bodies().for_each([&](std::uint32_t i) {
-    if (work.bodies[i].inverse_mass == 0.0 || !counts(i)) return;
-    const double at = up.dot(work.bodies[i].position);
-    lowest = std::min(lowest, at), highest = std::max(highest, at);
+    if (work.bodies[i].inverse_mass > 0.0 && counts(i)) height.add(i, up.dot(work.bodies[i].position));
   });
-  return std::max(highest - lowest, 0.0);
+  return height;
 }
 
 /// How contacts learn whose bodies stand as high as now. Where that seems so high that it matters, those
 /// count alone that something presses: who falls far from a tower, and touches nobody, changes nothing in it.
 Learning learning(const Scene& scene, const State& state, Workspace& work) {
-  const auto layers = [&](double height) { return 1.0 + height / (2.0 * work.mean_radius); };
-  double most = layers(height(scene, work, [](std::uint32_t) { return true; }));
-  if (most > kFewLayers && state.step > 0) {
-    find_pressed(state, work.candidates.colliders(), work.pressed);
-    most = layers(height(scene, work, [&](std::uint32_t i) { return work.pressed[i] != 0; }));
+  const Colliders& colliders = work.candidates.colliders();
+  Height all = height(scene, work, [](std::uint32_t) { return true; });
+  const bool matters = all.layers(work.mean_radius) > kFewLayers && state.step > 0;
+  if (matters && !(is_pressed(state, colliders, all.high) && is_pressed(state, colliders, all.low))) {
+    find_pressed(state, colliders, work.pressed);
+    all = height(scene, work, [&](std::uint32_t i) { return work.pressed[i] != 0; });
   }
   const double weight = scene.gravity.norm() * work.solver.h;
-  return learning_in(most, weight, work.solver.h, scene.time.substeps, work.mean_radius);
+  return learning_in(all.layers(work.mean_radius), weight, work.solver.h, scene.time.substeps,
+                     work.mean_radius);
 }
 
 void find_first_loads(const Scene& scene, const Plan& plan, Workspace& work) {

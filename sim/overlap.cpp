@@ -87,7 +87,8 @@ Overlap overlap(const Scene& scene, const State& state) {
   Overlap result;
   if (plan.crowd) return crowd_overlap(scene, state);
   if (!plan.contacts()) return result;
-  Candidates candidates(scene, plan);
+  Workers alone(1);
+  Candidates candidates(scene, plan, alone);
   candidates.find(state, 0.0);
   const ColliderParts parts(state, candidates.colliders());
   double sum = 0.0;

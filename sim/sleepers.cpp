@@ -202,7 +202,7 @@ void Sleepers::rouse(State& state, const Colliders& colliders) {
 }
 
 void Sleepers::settle(State& state, Candidates& candidates, const Contacts& contacts,
-                      std::span<const SolverBody> bodies) {
+                      BodyRows<const SolverBody> bodies) {
   const bool some_calm = count_calm(state);
   if (state.step % every_ != 0) return;
   if (some_calm && let_sleep(state, candidates.colliders(), contacts)) {
@@ -290,7 +290,7 @@ bool Sleepers::let_sleep(State& state, const Colliders& colliders, const Contact
 }
 
 void Sleepers::put_contacts_aside(State& state, const Colliders& colliders, const Contacts& contacts,
-                                  std::span<const SolverBody> bodies) {
+                                  BodyRows<const SolverBody> bodies) {
   list_contacts(scene_, contacts, state, bodies, rows_);
   const auto island_of = [&](std::uint64_t key) {
     const auto [a, b] = pair_of(key);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "broadphase/box_index.h"
+#include "sim/contact/body_rows.h"
 #include "sim/contact/candidates.h"
 #include "sim/contact/contacts.h"
 #include "sim/contact_row.h"
@@ -44,7 +45,7 @@ class Sleepers {
   /// Counts for how long bodies have been slow in a step that ended with `state`, and its contacts with
   /// those `bodies`; every tenth of a second lets islands fall asleep. O(awake + bodies if some fall asleep).
   void settle(State& state, Candidates& candidates, const Contacts& contacts,
-              std::span<const SolverBody> bodies);
+              BodyRows<const SolverBody> bodies);
 
  private:
   /// No sleeper comes nearer than `room` to that place (m).
@@ -69,7 +70,7 @@ class Sleepers {
   void find_gaining(const State& state);
   bool let_sleep(State& state, const Colliders& colliders, const Contacts& contacts);
   void put_contacts_aside(State& state, const Colliders& colliders, const Contacts& contacts,
-                          std::span<const SolverBody> bodies);
+                          BodyRows<const SolverBody> bodies);
 
   const Scene& scene_;
   const Plan& plan_;

@@ -37,7 +37,7 @@ int steps_measured(const Scene& scene, StageTimes& times) {
 
 /// No velocity is -0: FaceBlocks' lanes without a face would make it 0. What doesn't turn has a spin and a
 /// turn of 0 for ever.
-void load(const Plan& plan, const State& state, Rows awake, std::span<SolverBody> bodies) {
+void load(const Plan& plan, const State& state, Rows awake, BodyRows<SolverBody> bodies) {
   awake.for_each([&](std::uint32_t i) {
     bodies[i].position = state.position[i];
     bodies[i].velocity = state.velocity[i].array() + 0.0;
@@ -48,32 +48,33 @@ void load(const Plan& plan, const State& state, Rows awake, std::span<SolverBody
 }
 
 /// False where a body can't go on; that one is left where it got.
-bool store(const Scene& scene, const Plan& plan, std::span<const SolverBody> bodies, Rows awake,
+bool store(const Scene& scene, const Plan& plan, BodyRows<const SolverBody> bodies, std::uint32_t i,
            State& state) {
-  bool all_go_on = true;
-  awake.for_each([&](std::uint32_t i) {
-    state.position[i] = bodies[i].position;
-    state.velocity[i] = bodies[i].velocity;
-    if (plan.rotation) {
-      state.spin[i] = bodies[i].spin;
-      state.angle[i] += bodies[i].turn;
-    }
-    const bool goes_on = can_go_on(state, i);
-    all_go_on &= goes_on;
-    if (plan.periodic && goes_on) state.position[i] = wrapped(state.position[i], scene.domain);
-  });
-  return all_go_on;
+  state.position[i] = bodies[i].position;
+  state.velocity[i] = bodies[i].velocity;
+  if (plan.rotation) {
+    state.spin[i] = bodies[i].spin;
+    state.angle[i] += bodies[i].turn;
+  }
+  const bool goes_on = can_go_on(state, i);
+  if (plan.periodic && goes_on) state.position[i] = wrapped(state.position[i], scene.domain);
+  return goes_on;
 }
 
 void check_all(const State& state, const Workspace& work) {
   work.sleepers.bodies().for_each([&](std::uint32_t i) { check_body(state, i); });
 }
 
-/// Throws of the first body that can't go on, whoever stored it.
+/// Throws of the first body that can't go on, whoever stored it. Not by parts: what threads write at the same
+/// time would stand side by side.
 void store_all(const Scene& scene, const Plan& plan, State& state, Workspace& work) {
   std::atomic<bool> all_go_on = true;
-  by_parts(work, [&](Rows rows) {
-    if (!store(scene, plan, work.bodies, rows, state)) all_go_on = false;
+  const Rows rows = work.sleepers.bodies();
+  const BodyRows<const SolverBody> bodies = work.bodies;
+  work.workers.for_ranges(rows.size(), [&](std::size_t begin, std::size_t end) {
+    bool all = true;
+    for (std::size_t i = begin; i < end; ++i) all &= store(scene, plan, bodies, rows[i], state);
+    if (!all) all_go_on = false;
   });
   if (!all_go_on) check_all(state, work);
 }
@@ -136,7 +137,7 @@ void push(const Scene& scene, const Plan& plan, State& state, Workspace& work, b
           StageClock& clock) {
   if (plan.contacts()) find_pairs(scene, plan, state, work, clock);
   const Rows awake = work.sleepers.bodies();
-  if (plan.contacts()) work.finder.divide(state, awake);
+  if (plan.contacts() && work.finder.divide(state, awake)) work.bodies.arrange(work.finder.parts());
   by_parts(work, [&](Rows rows) { load(plan, state, rows, work.bodies); });
   if (plan.contacts()) {
     work.finder.find({work.candidates, state, work.bodies}, work.contacts, work.workers);
@@ -203,7 +204,7 @@ void step_bodies(const Scene& scene, const Plan& plan, State& state, Workspace& 
     if (plan.flights) ++state.collisions.pushed;
     store_all(scene, plan, state, work);
   }
-  if (plan.contacts()) work.contacts.save(state);
+  if (plan.contacts()) work.contacts.save(state, work.workers);
   clock.lap(work.times.store);
   if (!plan.sleep) return;
   work.sleepers.settle(state, work.candidates, work.contacts, work.bodies);
@@ -218,7 +219,7 @@ void step_soft(const Scene& scene, const Plan& plan, State& state, Workspace& wo
     work.candidates.find(state, scene.time.dt);
     clock.lap(work.times.find_pairs);
     load(plan, state, all, work.bodies);
-    work.soft.run(work.candidates, state, work.bodies);
+    work.soft.run(work.candidates, state, work.bodies.rows().by_place());
     clock.lap(work.times.solve);
     const std::span<const Reached> strays = work.candidates.strays(work.bodies, work.soft.farthest());
     if (!work.candidates.widen(strays, attempt >= kLocalAttempts)) break;

@@ -34,13 +34,13 @@ int hit_sweeps(const Contacts& contacts) {
   return std::clamp(static_cast<int>(kHitWork / contacts.hits), kHitSweeps, kMostHitSweeps);
 }
 
-void fall(std::span<SolverBody> bodies, Rows awake, const Vec& kick) {
+void fall(BodyRows<SolverBody> bodies, Rows awake, const Vec& kick) {
   awake.for_each([&](std::uint32_t i) {
     if (bodies[i].inverse_mass > 0.0) bodies[i].velocity += kick;
   });
 }
 
-void move(std::span<SolverBody> bodies, Rows awake, double h, bool rotation) {
+void move(BodyRows<SolverBody> bodies, Rows awake, double h, bool rotation) {
   awake.for_each([&](std::uint32_t i) {
     bodies[i].position += h * bodies[i].velocity;
     if (rotation) bodies[i].turn += h * bodies[i].spin;
@@ -112,11 +112,24 @@ void start_and_push_apart(Workspace& work, const Vec* period) {
   resist_rolling(work);
 }
 
-void relax(Workspace& work, bool periodic) {
+void relax_joints(Workspace& work, bool periodic) {
   const std::size_t parts = work.finder.parts().count();
-  work.workers.for_each(parts, [&](std::size_t part) { relax(work, part, periodic); });
   if (parts > 1) relax(work, parts, periodic);
   resist_rolling(work);
+}
+
+/// Of parts whose bodies have moved; what joins them after.
+void relax(Workspace& work, bool periodic) {
+  work.workers.for_each(work.finder.parts().count(), [&](std::size_t part) { relax(work, part, periodic); });
+  relax_joints(work, periodic);
+}
+/// The same, as bodies move where nothing hits them on their way.
+void move_and_relax(Workspace& work, const Plan& plan) {
+  work.workers.for_each(work.finder.parts().count(), [&](std::size_t part) {
+    move(work.bodies, rows_of(work, part), work.solver.h, plan.rotation);
+    relax(work, part, plan.periodic);
+  });
+  relax_joints(work, plan.periodic);
 }
 
 }  // namespace
@@ -128,13 +141,17 @@ void substep(const Scene& scene, const Plan& plan, const State& state, Workspace
   if (plan.gravity) by_parts(work, [&](Rows rows) { fall(work.bodies, rows, kick); });
   work.solver.backward = way.backward;
   if (plan.contacts()) start_and_push_apart(work, period);
+  const bool at_once = plan.contacts() && !way.guarded && work.contacts.hits == 0;
   if (way.guarded)
     work.guard->move(state, work.bodies, work.sleepers.bodies(), work.solver.h);
-  else
+  else if (!at_once)
     by_parts(work, [&](Rows rows) { move(work.bodies, rows, work.solver.h, plan.rotation); });
   stop(work, period);
   work.solver.backward = !way.backward;
-  if (plan.contacts()) relax(work, plan.periodic);
+  if (at_once)
+    move_and_relax(work, plan);
+  else if (plan.contacts())
+    relax(work, plan.periodic);
 }
 
 }  // namespace throng

@@ -23,13 +23,17 @@ struct SubstepWay {
 /// is that of the step's beginning.
 void substep(const Scene& scene, const Plan& plan, const State& state, Workspace& work, SubstepWay way);
 
+/// The bodies of a part that are awake.
+inline Rows rows_of(const Workspace& work, std::size_t part) {
+  const Parts& parts = work.finder.parts();
+  return parts.count() == 1 ? work.sleepers.bodies() : parts.rows(part);
+}
+
 /// Calls f(rows) with the bodies of each part, by the thread that solves the contacts of the part: it has the
 /// bodies at hand.
 template <class F>
 void by_parts(Workspace& work, F f) {
-  const Parts& parts = work.finder.parts();
-  if (parts.count() == 1) return f(work.sleepers.bodies());
-  work.workers.for_each(parts.count(), [&](std::size_t part) { f(parts.rows(part)); });
+  work.workers.for_each(work.finder.parts().count(), [&](std::size_t part) { f(rows_of(work, part)); });
 }
 
 }  // namespace throng

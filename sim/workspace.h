@@ -12,6 +12,7 @@
 #include "sim/contact/guard.h"
 #include "sim/contact/soft_contacts.h"
 #include "sim/contact/solve.h"
+#include "sim/contact/solver_bodies.h"
 #include "sim/contact/unseen.h"
 #include "sim/crowd/walk.h"
 #include "sim/plan.h"
@@ -46,7 +47,7 @@ struct Workspace {
   ContactFinder finder;
   Contacts contacts;
   BounceQueue bounces;
-  std::vector<SolverBody> bodies;  ///< a row per body, and one for all obstacles for each group of contacts
+  SolverBodies bodies;  ///< a row per body, and one for all obstacles for each group of contacts
   std::vector<std::uint8_t> pressed;  ///< of each body, in the last step; where much stands high
   Unseen unseen;
   double mean_radius;  ///< m, of what may touch

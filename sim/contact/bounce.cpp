@@ -89,7 +89,7 @@ void strike_at(Contact& contact, SolverBody& a, SolverBody& b, double impulse) {
 /// another had to, and throw it back. So an impulse that didn't bounce is taken back as far as others, since
 /// then, have made the two part. False where that is hardly any.
 template <class Contact>
-bool take_back(Contact& contact, std::span<SolverBody> bodies, const BounceRule& rule) {
+bool take_back(Contact& contact, BodyRows<SolverBody> bodies, const BounceRule& rule) {
   if (contact.restitution > 0.0 || !(contact.struck > 0.0)) return false;
   SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
   const double fall = relative_kick(contact, a, b, rule.kick);
@@ -105,7 +105,7 @@ bool take_back(Contact& contact, std::span<SolverBody> bodies, const BounceRule&
 }
 
 template <class Contact>
-bool bounce_one(Contact& contact, std::span<SolverBody> bodies, const BounceRule& rule) {
+bool bounce_one(Contact& contact, BodyRows<SolverBody> bodies, const BounceRule& rule) {
   SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
   const double added = rebound(contact, a, b, rule);
   if (!(added > 0.0)) return take_back(contact, bodies, rule);
@@ -115,7 +115,7 @@ bool bounce_one(Contact& contact, std::span<SolverBody> bodies, const BounceRule
 
 /// Two points at which two bodies meet at once, on one line: one after the other would set a box that lands
 /// flat spinning. False where the two are as good as one point, or one of them doesn't press.
-bool bounce_both(PointContact& i, PointContact& j, std::span<SolverBody> bodies, const BounceRule& rule) {
+bool bounce_both(PointContact& i, PointContact& j, BodyRows<SolverBody> bodies, const BounceRule& rule) {
   SolverBody &a = bodies[i.a], &b = bodies[i.b];
   const double added_i = rebound(i, a, b, rule), added_j = rebound(j, a, b, rule);
   const double ii = coupling(i, i, a, b), jj = coupling(j, j, a, b), ij = coupling(i, j, a, b);
@@ -132,7 +132,7 @@ bool bounce_both(PointContact& i, PointContact& j, std::span<SolverBody> bodies,
 /// Of the contacts of two bodies those farthest apart, in their order, of all that meet along the normal of
 /// that one: between them velocities are those between theirs.
 std::pair<std::size_t, std::size_t> outermost(std::span<const PointContact> contacts, std::size_t one,
-                                              std::span<const SolverBody> bodies, const BounceRule& rule) {
+                                              BodyRows<const SolverBody> bodies, const BounceRule& rule) {
   std::size_t low = one, high = one;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const PointContact& contact = contacts[i];
@@ -147,11 +147,11 @@ std::pair<std::size_t, std::size_t> outermost(std::span<const PointContact> cont
 
 }  // namespace
 
-bool bounce(DiscContact& contact, std::span<SolverBody> bodies, const BounceRule& rule) {
+bool bounce(DiscContact& contact, BodyRows<SolverBody> bodies, const BounceRule& rule) {
   return bounce_one(contact, bodies, rule);
 }
 
-bool bounce(std::span<PointContact> contacts, std::span<SolverBody> bodies, const BounceRule& rule) {
+bool bounce(std::span<PointContact> contacts, BodyRows<SolverBody> bodies, const BounceRule& rule) {
   bool bounced = false;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     if (!(rebound(contacts[i], bodies[contacts[i].a], bodies[contacts[i].b], rule) > 0.0)) {

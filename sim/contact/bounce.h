@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "sim/contact/body_rows.h"
 #include "sim/contact/contact.h"
 
 /// Bounces, before the sweeps of a substep: one pair after the other as in Guendelman, Bridson and Fedkiw
@@ -27,10 +28,10 @@ struct BounceRule {
 /// Gauss-Seidel, of which none pulls in sum. To be called after prepare(), for what bounces before gravity
 /// acts: then the flight after a bounce with e = 1 mirrors the one before, and energy stays. Returns whether
 /// the two were struck. O(1).
-bool bounce(DiscContact& contact, std::span<SolverBody> bodies, const BounceRule& rule);
+bool bounce(DiscContact& contact, BodyRows<SolverBody> bodies, const BounceRule& rule);
 
 /// The same of all contacts of two bodies, one after the other, but as one impact where they have one normal.
 /// O(contacts squared) where these meet.
-bool bounce(std::span<PointContact> contacts, std::span<SolverBody> bodies, const BounceRule& rule);
+bool bounce(std::span<PointContact> contacts, BodyRows<SolverBody> bodies, const BounceRule& rule);
 
 }  // namespace throng

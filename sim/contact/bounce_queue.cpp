@@ -63,14 +63,14 @@ void BounceQueue::start_step(const Contacts& contacts) {
 }
 
 /// By no more than the speed of the centres and what spins add; a little is left to rounding.
-bool BounceQueue::may_meet(const Entry& entry, std::span<const SolverBody> bodies, const BounceRule& rule) {
+bool BounceQueue::may_meet(const Entry& entry, BodyRows<const SolverBody> bodies, const BounceRule& rule) {
   const SolverBody &a = bodies[entry.a], &b = bodies[entry.b];
   const double least = (1.0 - 1e-9) * (entry.bounces ? rule.threshold : rule.hit_speed);
   const double left = least - std::abs(a.spin) * entry.reach_a - std::abs(b.spin) * entry.reach_b;
   return !(left > 0.0 && (b.velocity - a.velocity).squaredNorm() < left * left);
 }
 
-void BounceQueue::start(std::span<const SolverBody> bodies, const BounceRule& rule) {
+void BounceQueue::start(BodyRows<const SolverBody> bodies, const BounceRule& rule) {
   substep_ = ++phase_;
   struck_in_.resize(bodies.size());
   struck_.clear();
@@ -90,7 +90,7 @@ void BounceQueue::wait_for(std::uint32_t body) {
 }
 
 /// Lists the entries of each body that moves.
-void BounceQueue::join(std::span<const SolverBody> bodies) {
+void BounceQueue::join(BodyRows<const SolverBody> bodies) {
   first_of_.assign(bodies.size() + 1, 0);
   const auto for_each_end = [&](auto f) {
     for (std::uint32_t i = 0; i < entries_.size(); ++i)
@@ -106,14 +106,14 @@ void BounceQueue::join(std::span<const SolverBody> bodies) {
 }
 
 /// What doesn't move isn't struck.
-void BounceQueue::note_strike(std::uint32_t body, std::span<const SolverBody> bodies) {
+void BounceQueue::note_strike(std::uint32_t body, BodyRows<const SolverBody> bodies) {
   if (!moves(bodies[body])) return;
   if (struck_in_[body] < substep_) struck_.push_back(body);
   struck_in_[body] = phase_;
   wait_for(body);
 }
 
-bool BounceQueue::look_at(std::uint32_t i, Contacts& contacts, std::span<SolverBody> bodies,
+bool BounceQueue::look_at(std::uint32_t i, Contacts& contacts, BodyRows<SolverBody> bodies,
                           const BounceRule& rule) {
   const Entry& entry = entries_[i];
   const bool is_new = std::exchange(prepared_[i], phase_) != phase_;
@@ -127,7 +127,7 @@ bool BounceQueue::look_at(std::uint32_t i, Contacts& contacts, std::span<SolverB
   return bounce(pair, bodies, rule);
 }
 
-bool BounceQueue::sweep(Contacts& contacts, std::span<SolverBody> bodies, const BounceRule& rule) {
+bool BounceQueue::sweep(Contacts& contacts, BodyRows<SolverBody> bodies, const BounceRule& rule) {
   BounceRule in_course = rule;
   in_course.hit_speed = rule.follow_speed;
   for (std::size_t word = 0; word < waiting_.size(); ++word) {

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/contact/body_rows.h"
 #include "sim/contact/bounce.h"
 #include "sim/contact/contacts.h"
 
@@ -20,7 +21,7 @@ class BounceQueue {
   void start_step(const Contacts& contacts);
 
   /// Before the first sweep of a substep: waiting are all who may bounce or hit by the rule. O(contacts).
-  void start(std::span<const SolverBody> bodies, const BounceRule& rule);
+  void start(BodyRows<const SolverBody> bodies, const BounceRule& rule);
   /// Before further sweeps of it, after bodies have moved: waiting is who touches somebody that was struck.
   void go_on();
 
@@ -28,7 +29,7 @@ class BounceQueue {
   /// struck meanwhile; the contacts of two bodies at their points are looked at together. Contacts are
   /// prepared when they are first looked at since start() or go_on(), by the velocities of that moment, which
   /// a strike before may have changed. Returns whether any waits then.
-  bool sweep(Contacts& contacts, std::span<SolverBody> bodies, const BounceRule& rule);
+  bool sweep(Contacts& contacts, BodyRows<SolverBody> bodies, const BounceRule& rule);
 
  private:
   /// A contact of two discs, or those of two bodies at points that stand one after the other.
@@ -39,12 +40,12 @@ class BounceQueue {
     bool bounces;
   };
 
-  static bool may_meet(const Entry& entry, std::span<const SolverBody> bodies, const BounceRule& rule);
-  bool look_at(std::uint32_t entry, Contacts& contacts, std::span<SolverBody> bodies, const BounceRule& rule);
+  static bool may_meet(const Entry& entry, BodyRows<const SolverBody> bodies, const BounceRule& rule);
+  bool look_at(std::uint32_t entry, Contacts& contacts, BodyRows<SolverBody> bodies, const BounceRule& rule);
   void list(std::span<const DiscContact> contacts);
   void list(std::span<const PointContact> contacts);
-  void note_strike(std::uint32_t body, std::span<const SolverBody> bodies);
-  void join(std::span<const SolverBody> bodies);
+  void note_strike(std::uint32_t body, BodyRows<const SolverBody> bodies);
+  void join(BodyRows<const SolverBody> bodies);
   void wait_for(std::uint32_t body);
   bool was_struck(std::uint32_t body) const { return struck_in_[body] == phase_; }
   void wait(std::uint32_t entry) { waiting_[entry / 64] |= std::uint64_t{1} << entry % 64; }

@@ -2,6 +2,7 @@
 #include "sim/contact/candidates.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -56,8 +57,13 @@ std::vector<broadphase::Extent> extents(const Obstacles& obstacles) {
 
 }  // namespace
 
-Candidates::Candidates(const Scene& scene, const Plan& plan)
-    : scene_(scene), plan_(plan), colliders_(throng::colliders(scene, plan)), rows_(Rows::all(0)) {
+Candidates::Candidates(const Scene& scene, const Plan& plan, Workers& workers)
+    : scene_(scene),
+      plan_(plan),
+      workers_(workers),
+      colliders_(throng::colliders(scene, plan)),
+      disc_pairs_(&workers.team()),
+      rows_(Rows::all(0)) {
   period_ = {scene.domain.min, scene.domain.max - scene.domain.min};
   if (!plan.obstacles && !plan.box) return;
   const double widest = colliders_.radius.empty() ? 0.0 : *std::ranges::max_element(colliders_.radius);
@@ -127,11 +133,28 @@ void Candidates::place(const State& state, double dt, Rows colliders) {
   place_more(state, colliders);
 }
 
+/// Parts of one body are placed by one thread, as they share its pose.
 void Candidates::place_more(const State& state, Rows colliders) {
-  colliders.for_each([&](std::uint32_t row) { place_one(state, row); });
+  std::atomic<bool> all_near = true;
+  const auto place = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (!place_one(state, colliders[i])) all_near = false;
+  };
+  if (plan_.composites)
+    place(0, colliders.size());
+  else
+    workers_.for_ranges(colliders.size(), place);
+  if (!all_near) colliders.for_each([&](std::uint32_t row) { check_reach(state, row); });
 }
 
-void Candidates::place_one(const State& state, std::uint32_t i) {
+/// Throws of a collider that reaches too far, whoever placed it.
+void Candidates::check_reach(const State& state, std::uint32_t i) const {
+  if (!std::isfinite(reach_[i])) fail_at_infinity(state, colliders_.body[i]);
+  if (plan_.periodic && 4.0 * reach_[i] > period_.size.minCoeff()) fail_at_period(state, colliders_.body[i]);
+}
+
+/// False where it reaches too far.
+bool Candidates::place_one(const State& state, std::uint32_t i) {
   const std::uint32_t body = colliders_.body[i];
   const double radius = colliders_.radius[i];
   found_at_[body] = centre_[i] = state.position[body];
@@ -152,10 +175,11 @@ void Candidates::place_one(const State& state, std::uint32_t i) {
   }
   if (!widened_.empty()) margin_[i] = std::max(margin_[i], widened_[body]);
   reach_[i] = radius + margin_[i];
-  if (!std::isfinite(reach_[i])) fail_at_infinity(state, body);
-  if (!plan_.periodic) return;
-  if (4.0 * reach_[i] > period_.size.minCoeff()) fail_at_period(state, body);
+  if (!std::isfinite(reach_[i])) return false;
+  if (!plan_.periodic) return true;
+  if (4.0 * reach_[i] > period_.size.minCoeff()) return false;
   if (!wrap_.empty()) wrap_centre(i);
+  return true;
 }
 
 /// Parts of a body near the seam may stand beyond it.
@@ -192,23 +216,32 @@ double Candidates::swung(std::uint32_t i, double turn) const {
   return std::max(unseen - 0.5 * std::max(radius - swing, 0.0), 0.0);
 }
 
-std::span<const Reached> Candidates::strays(std::span<const SolverBody> bodies,
+std::span<const Reached> Candidates::strays(BodyRows<const SolverBody> bodies,
                                             std::span<const double> farthest) {
   strays_.clear();
-  rows_.for_each([&](std::uint32_t i) {
-    if (!colliders_.movable[i]) return;
-    const std::uint32_t body = colliders_.body[i];
-    const double turned =
-        colliders_.centre.empty() ? 0.0 : std::abs(bodies[body].turn) * colliders_.centre[i].norm();
-    const double aside = turned + swung(i, bodies[body].turn);
-    const double looked = margin_[i] * (1.0 + 1e-9) - aside;
-    const double before = farthest.empty() ? 0.0 : farthest[body];
-    const double moved = squared_way(body, bodies[body].position);
-    if (looked >= before && moved <= looked * looked) return;
-    strays_.push_back({i, std::max(std::sqrt(moved), before) + aside});
-  });
+  workers_.gather(rows_.size(), stray_lists_, strays_,
+                  [&](std::size_t begin, std::size_t end, std::vector<Reached>& strays) {
+                    Reached reached;
+                    for (std::size_t i = begin; i < end; ++i) {
+                      const std::uint32_t row = rows_[i], body = colliders_.body[row];
+                      const double before = farthest.empty() ? 0.0 : farthest[body];
+                      if (is_astray(row, bodies[body], before, reached)) strays.push_back(reached);
+                    }
+                  });
   if (!strays_.empty()) farthest_way_ = kUnbounded;
   return strays_;
+}
+
+/// Whether it got farther than find() looked, and how far.
+bool Candidates::is_astray(std::uint32_t i, const SolverBody& body, double before, Reached& reached) const {
+  if (!colliders_.movable[i]) return false;
+  const double turned = colliders_.centre.empty() ? 0.0 : std::abs(body.turn) * colliders_.centre[i].norm();
+  const double aside = turned + swung(i, body.turn);
+  const double looked = margin_[i] * (1.0 + 1e-9) - aside;
+  const double moved = squared_way(colliders_.body[i], body.position);
+  if (looked >= before && moved <= looked * looked) return false;
+  reached = {i, std::max(std::sqrt(moved), before) + aside};
+  return true;
 }
 
 bool Candidates::widen(std::span<const Reached> reached, bool all) {
@@ -242,12 +275,18 @@ void Candidates::drop_own_parts() {
 
 void Candidates::find_obstacle_pairs() {
   obstacle_pairs_.clear();
-  rows_.for_each([&](std::uint32_t i) {
-    if (!colliders_.movable[i]) return;
-    if (plan_.box) add_box_sides(i);
-    const broadphase::Box box(centre_[i].array() - reach_[i], centre_[i].array() + reach_[i]);
-    for_each_obstacle_near(box, [&](std::uint32_t row) { obstacle_pairs_.push_back({i, row}); });
-  });
+  workers_.gather(rows_.size(), pair_lists_, obstacle_pairs_,
+                  [&](std::size_t begin, std::size_t end, std::vector<broadphase::Pair>& pairs) {
+                    for (std::size_t row = begin; row < end; ++row) {
+                      const std::uint32_t i = rows_[row];
+                      if (!colliders_.movable[i]) continue;
+                      if (plan_.box && nears_box(i)) add_box_sides(i, pairs);
+                      if (!plan_.obstacles) continue;
+                      const broadphase::Box box(centre_[i].array() - reach_[i],
+                                                centre_[i].array() + reach_[i]);
+                      for_each_obstacle_near(box, [&](std::uint32_t side) { pairs.push_back({i, side}); });
+                    }
+                  });
 }
 
 void Candidates::list_near(double room, std::vector<broadphase::Pair>& pairs) const {
@@ -269,11 +308,17 @@ bool Candidates::may_meet(broadphase::Pair pair, double room) const {
   return between.squaredNorm() <= most * most;
 }
 
-void Candidates::add_box_sides(std::uint32_t collider) {
+/// Whether add_box_sides() could add any.
+bool Candidates::nears_box(std::uint32_t i) const {
+  const Vec &centre = centre_[i], &min = scene_.domain.min, &max = scene_.domain.max;
+  const Eigen::Array2d room = (centre - min).array().min((max - centre).array());
+  return !(room >= reach_[i]).all();
+}
+
+void Candidates::add_box_sides(std::uint32_t collider, std::vector<broadphase::Pair>& pairs) const {
   for (std::uint32_t i = 0; i < obstacles_.side.size(); ++i) {
     const narrowphase::HalfPlane& side = obstacles_.side[i];
-    if (side.normal.dot(centre_[collider] - side.point) < reach_[collider])
-      obstacle_pairs_.push_back({collider, i});
+    if (side.normal.dot(centre_[collider] - side.point) < reach_[collider]) pairs.push_back({collider, i});
   }
 }
 

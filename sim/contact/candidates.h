@@ -7,10 +7,12 @@
 #include "broadphase/box_index.h"
 #include "broadphase/moving_pairs.h"
 #include "sim/colliders.h"
+#include "sim/contact/body_rows.h"
 #include "sim/contact/contact.h"
 #include "sim/plan.h"
 #include "sim/rows.h"
 #include "sim/state.h"
+#include "sim/workers.h"
 
 namespace throng {
 
@@ -23,7 +25,8 @@ struct Reached {
 /// Broadphase: who may touch whom within the step.
 class Candidates {
  public:
-  Candidates(const Scene& scene, const Plan& plan);
+  /// Shares out work among `workers`, which it keeps.
+  Candidates(const Scene& scene, const Plan& plan, Workers& workers);
 
   /// Replaces all pairs by those of the dt (s) that begins with `state`. Allocates only to grow. Throws
   /// SimulationError where a body reaches infinitely far, or farther than a quarter of the period, since it
@@ -50,7 +53,7 @@ class Candidates {
   /// Who got farther from where find() found it than find() looked, in a step that brought `bodies` to where
   /// they are. `farthest` (m): how far from there each was on its way, where that is known; or empty. Valid
   /// until the next call. Where there are such, farthest_way() is unbounded from then on.
-  std::span<const Reached> strays(std::span<const SolverBody> bodies, std::span<const double> farthest = {});
+  std::span<const Reached> strays(BodyRows<const SolverBody> bodies, std::span<const double> farthest = {});
 
   /// Whether one of those that `reached` tells of got farther than find() looked. If so, the next find()
   /// looks far enough, round `all` bodies if asked for, and the step must be taken again.
@@ -122,7 +125,8 @@ class Candidates {
   const Obstacles& obstacles() const { return obstacles_; }
 
  private:
-  void place_one(const State& state, std::uint32_t collider);
+  bool place_one(const State& state, std::uint32_t collider);
+  void check_reach(const State& state, std::uint32_t collider) const;
   void wrap_centre(std::uint32_t collider);
   void find_pairs_of(Rows colliders);
   void compare_all(const broadphase::Period* period);
@@ -138,10 +142,13 @@ class Candidates {
   /// How much farther (m) its surface got by that `turn` (rad) than place() thought, which knew of no impact,
   /// and than half the way to its middle: so deep in another it isn't through, and is pushed out again.
   double swung(std::uint32_t collider, double turn) const;
-  void add_box_sides(std::uint32_t collider);
+  bool nears_box(std::uint32_t collider) const;
+  void add_box_sides(std::uint32_t collider, std::vector<broadphase::Pair>& pairs) const;
+  bool is_astray(std::uint32_t collider, const SolverBody& body, double before, Reached& reached) const;
 
   const Scene& scene_;
   const Plan& plan_;
+  Workers& workers_;
   Colliders colliders_;
   Obstacles obstacles_;
   broadphase::BoxIndex index_;
@@ -160,9 +167,11 @@ class Candidates {
   std::vector<double> turning_;  ///< m, how much farther turning may bring its surface; empty for discs
   std::vector<double> reach_;    ///< m, its radius and margin
   std::vector<Reached> strays_;
+  std::vector<std::vector<Reached>> stray_lists_;
   std::vector<double>
       widened_;  ///< m, the least margin of each body, while a step is taken again; else empty
   std::vector<broadphase::Pair> pairs_, obstacle_pairs_;
+  std::vector<std::vector<broadphase::Pair>> pair_lists_;
   std::vector<Vec> some_centres_;  ///< as those above, of `rows_` alone where these are not all
   std::vector<double> some_reaches_;
   std::vector<std::uint8_t> some_movable_;

@@ -2,6 +2,7 @@
 #include "sim/contact/contacts.h"
 
 #include <span>
+#include <utility>
 
 namespace throng {
 
@@ -18,6 +19,27 @@ void save_rolls(const Blocks& contacts, std::span<const RollContact> rolls, std:
   }
 }
 
+/// Replaces the contacts kept by those that press, `name(i)` the i-th one's key and feature.
+template <class Blocks, class F>
+void save_pressing(const Blocks& contacts, std::vector<ContactImpulse>& kept,
+                   std::vector<std::size_t>& counts, Workers& workers, F name) {
+  const auto count = [&](std::size_t begin, std::size_t end) {
+    std::size_t pressing = 0;
+    for (std::size_t i = begin; i < end; ++i) pressing += contacts.normal_impulse(i) > 0.0;
+    return pressing;
+  };
+  const auto write = [&](std::size_t begin, std::size_t end, ContactImpulse* out) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto [normal, tangent, preload] = contacts.impulses(i);
+      if (!(normal > 0.0)) continue;
+      const auto [key, feature] = name(i);
+      *out++ = {key, feature, normal, tangent, 0.0, preload};
+    }
+    return out;
+  };
+  workers.select(contacts.size(), counts, kept, count, write);
+}
+
 }  // namespace
 
 void Contacts::start(std::size_t bodies, std::size_t groups) {
@@ -29,14 +51,11 @@ void Contacts::start(std::size_t bodies, std::size_t groups) {
   disc_rolls.clear(), point_rolls.clear();
 }
 
-void Contacts::save(State& state) const {
-  state.disc_contacts.clear(), state.point_contacts.clear();
-  for (std::size_t i = 0; i < discs.size(); ++i)
-    if (const auto [normal, tangent, preload] = discs.impulses(i); normal > 0.0)
-      state.disc_contacts.push_back({disc_key[i], 0, normal, tangent, 0.0, preload});
-  for (std::size_t i = 0; i < faces.size(); ++i)
-    if (const auto [normal, tangent, preload] = faces.impulses(i); normal > 0.0)
-      state.point_contacts.push_back({point_key[i], point_feature[i], normal, tangent, 0.0, preload});
+void Contacts::save(State& state, Workers& workers) {
+  save_pressing(discs, state.disc_contacts, counts, workers,
+                [&](std::size_t i) { return std::pair(disc_key[i], std::uint32_t{0}); });
+  save_pressing(faces, state.point_contacts, counts, workers,
+                [&](std::size_t i) { return std::pair(point_key[i], point_feature[i]); });
   save_rolls(discs, disc_rolls, state.disc_contacts);
   save_rolls(faces, point_rolls, state.point_contacts);
 }

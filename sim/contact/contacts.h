@@ -9,6 +9,7 @@
 #include "sim/contact/face_blocks.h"
 #include "sim/contact/roll.h"
 #include "sim/state.h"
+#include "sim/workers.h"
 
 namespace throng {
 
@@ -30,7 +31,9 @@ struct Contacts {
   void start(std::size_t bodies, std::size_t groups);
 
   /// The impulses of contacts that press, for the next step.
-  void save(State& state) const;
+  void save(State& state, Workers& workers);
+
+  std::vector<std::size_t> counts;  ///< a buffer of save()
 };
 
 }  // namespace throng

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "sim/contact/disc_blocks.h"
 
+#include <algorithm>
+#include <atomic>
+
 namespace throng {
 
 namespace {
@@ -16,7 +19,6 @@ void clear_lane(DiscBlock& block, std::size_t lane, std::uint32_t nobody) {
 
 void fill_lane(DiscBlock& block, std::size_t lane, const DiscContact& contact, const SolverBody& a,
                const SolverBody& b) {
-  block.a[lane] = contact.a, block.b[lane] = contact.b;
   block.normal_mass[lane] = contact.normal_mass, block.tangent_mass[lane] = contact.tangent_mass;
   block.friction[lane] = contact.friction;
   block.normal_impulse[lane] = contact.normal_impulse, block.tangent_impulse[lane] = contact.tangent_impulse;
@@ -28,11 +30,12 @@ void fill_lane(DiscBlock& block, std::size_t lane, const DiscContact& contact, c
 
 }  // namespace
 
-void DiscBlocks::start(std::size_t bodies, std::size_t groups) {
+void DiscBlocks::start(std::size_t bodies, std::size_t groups, std::span<const std::uint32_t> places) {
+  places_.start(places);
   groups_.resize(groups);
   for (std::size_t i = 0; i < groups; ++i) {
     groups_[i].order.start(bodies);
-    groups_[i].nobody = static_cast<std::uint32_t>(bodies - groups + i);
+    groups_[i].nobody = places_.place(static_cast<std::uint32_t>(bodies - groups + i));
   }
   key_.clear(), seat_lane_.clear(), taken_.clear(), owner_.clear(), lane_.clear();
 }
@@ -43,11 +46,13 @@ void DiscBlocks::add(std::uint64_t key, const DiscContact& contact, const Solver
   const std::uint32_t lane =
       own.order.place(contact.a, a.inverse_mass > 0.0, contact.b, b.inverse_mass > 0.0);
   key_.push_back(key), taken_.push_back(1);
-  owner_.push_back({contact.a, contact.b, contact.normal_mass});
+  owner_.push_back({places_.place(contact.a), places_.place(contact.b), contact.normal_mass});
   seat_lane_.push_back({static_cast<std::uint32_t>(group), lane});
   lane_.push_back(seat_lane_.back());
   if (own.blocks.size() < own.order.blocks()) own.blocks.resize(own.order.blocks());
-  fill_lane(own.blocks[lane / BlockOrder::kWidth], lane % BlockOrder::kWidth, contact, a, b);
+  DiscBlock& block = own.blocks[lane / BlockOrder::kWidth];
+  block.a[lane % BlockOrder::kWidth] = owner_.back().a, block.b[lane % BlockOrder::kWidth] = owner_.back().b;
+  fill_lane(block, lane % BlockOrder::kWidth, contact, a, b);
 }
 
 void DiscBlocks::finish() {
@@ -77,16 +82,29 @@ void DiscBlocks::occupy(std::size_t seat) {
   block.normal_mass[lane] = owner_[seat].normal_mass;
 }
 
-bool DiscBlocks::take(std::span<const std::uint64_t> keys) {
-  lane_.clear();
-  std::size_t seat = 0;
-  for (const std::uint64_t key : keys) {
-    while (seat < key_.size() && key_[seat] < key) vacate(seat++);
-    if (seat == key_.size() || key_[seat] != key) return false;
+bool DiscBlocks::take(std::span<const std::uint64_t> keys, Workers& workers) {
+  lane_.resize(keys.size());
+  std::atomic<bool> all = true;
+  workers.for_ranges(keys.size(), [&](std::size_t begin, std::size_t end) {
+    if (!take(keys, begin, end)) all = false;
+  });
+  return all;
+}
+
+/// The keys of a range, and what seats stand from the first of them on to that of the next range.
+bool DiscBlocks::take(std::span<const std::uint64_t> keys, std::size_t begin, std::size_t end) {
+  const auto seat_of = [&](std::size_t i) {
+    return static_cast<std::size_t>(std::ranges::lower_bound(key_, keys[i]) - key_.begin());
+  };
+  std::size_t seat = begin == 0 ? 0 : seat_of(begin);
+  const std::size_t last = end == keys.size() ? key_.size() : seat_of(end);
+  for (std::size_t i = begin; i < end; ++i) {
+    while (seat < last && key_[seat] < keys[i]) vacate(seat++);
+    if (seat == last || key_[seat] != keys[i]) return false;
     occupy(seat);
-    lane_.push_back(seat_lane_[seat++]);
+    lane_[i] = seat_lane_[seat++];
   }
-  while (seat < key_.size()) vacate(seat++);
+  while (seat < last) vacate(seat++);
   return true;
 }
 
@@ -100,19 +118,15 @@ void DiscBlocks::set_impulses(std::size_t i, double normal, double tangent, doub
 BlockContact DiscBlocks::contact(std::size_t i) {
   DiscBlock& block = this->block(lane_[i]);
   const std::size_t lane = lane_[i].lane % BlockOrder::kWidth;
-  return {block.a[lane],
-          block.b[lane],
-          &block.normal_mass[lane],
-          &block.normal_impulse[lane],
-          &block.tangent_impulse[lane],
-          &block.preload[lane]};
+  return {places_.row(block.a[lane]),  places_.row(block.b[lane]),   &block.normal_mass[lane],
+          &block.normal_impulse[lane], &block.tangent_impulse[lane], &block.preload[lane]};
 }
 
 DiscContact DiscBlocks::operator[](std::size_t i) const {
   const DiscBlock& block = this->block(lane_[i]);
   const std::size_t lane = lane_[i].lane % BlockOrder::kWidth;
   DiscContact contact;
-  contact.a = block.a[lane], contact.b = block.b[lane];
+  contact.a = places_.row(block.a[lane]), contact.b = places_.row(block.b[lane]);
   contact.normal = {block.normal_x[lane], block.normal_y[lane]};
   contact.radius_a = block.radius_a[lane], contact.radius_b = block.radius_b[lane];
   contact.normal_impulse = block.normal_impulse[lane], contact.tangent_impulse = block.tangent_impulse[lane];

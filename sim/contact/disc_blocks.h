@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "sim/contact/block_order.h"
+#include "sim/contact/body_rows.h"
 #include "sim/contact/solve.h"
+#include "sim/workers.h"
 
 /// Contacts of discs, as many at a time as the machine has lanes. What they compute is what solve.h does, to
 /// the last bit.
@@ -16,7 +18,7 @@ namespace throng {
 struct alignas(64) DiscBlock {
   using Row = double[BlockOrder::kWidth];
 
-  std::uint32_t a[BlockOrder::kWidth], b[BlockOrder::kWidth];  ///< rows of the bodies
+  std::uint32_t a[BlockOrder::kWidth], b[BlockOrder::kWidth];  ///< places of the bodies
   Row normal_x, normal_y;
   Row image;       ///< m, along the normal, from b to its image that is nearest to a; in domains that repeat
   Row separation;  ///< m, before bodies move
@@ -31,8 +33,9 @@ struct alignas(64) DiscBlock {
 /// the keys whichever of the seats are taken, so the bits don't depend on which are there.
 class DiscBlocks {
  public:
-  /// Forgets all seats. `bodies`: how many rows there are, of which the last `groups` never move.
-  void start(std::size_t bodies, std::size_t groups = 1);
+  /// Forgets all seats. `bodies`: how many rows there are, of which the last `groups` never move; `places`:
+  /// as in BodyRows, for as long as there are seats.
+  void start(std::size_t bodies, std::size_t groups = 1, std::span<const std::uint32_t> places = {});
 
   /// Makes a seat, and takes it, for a contact between those bodies, whose key is above all before. Blocks
   /// hold contacts of one group. Allocates only to grow.
@@ -45,7 +48,7 @@ class DiscBlocks {
   /// The contacts are now those with these keys, which ascend, without impulses. False where one of them has
   /// no seat: then all must be seated anew. Expects that nothing but impulses of a seat's contact has
   /// changed. O(seats).
-  bool take(std::span<const std::uint64_t> keys);
+  bool take(std::span<const std::uint64_t> keys, Workers& workers);
 
   /// There are no contacts; seats stay.
   void clear() { lane_.clear(); }
@@ -79,7 +82,7 @@ class DiscBlocks {
  private:
   /// What a seat that nobody takes has forgotten.
   struct Owner {
-    std::uint32_t a, b;
+    std::uint32_t a, b;  // places
     double normal_mass;
   };
 
@@ -90,9 +93,10 @@ class DiscBlocks {
   struct Group {
     BlockOrder order;
     std::vector<DiscBlock> blocks;  // never shrinks
-    std::uint32_t nobody = 0;       // whose row a lane without a contact has
+    std::uint32_t nobody = 0;       // whose place a lane without a contact has
   };
 
+  bool take(std::span<const std::uint64_t> keys, std::size_t begin, std::size_t end);
   void vacate(std::size_t seat);
   void occupy(std::size_t seat);
   DiscBlock& block(const Lane& lane) { return groups_[lane.group].blocks[lane.lane / BlockOrder::kWidth]; }
@@ -100,6 +104,7 @@ class DiscBlocks {
     return groups_[lane.group].blocks[lane.lane / BlockOrder::kWidth];
   }
 
+  BodyPlaces places_;
   std::vector<Group> groups_{1};
   std::vector<std::uint64_t> key_;  // of each seat, ascending
   std::vector<Lane> seat_lane_;     // and where it is
@@ -109,13 +114,13 @@ class DiscBlocks {
 };
 
 /// As the two of solve.h, one after the other. `period`: the domain's, or null.
-void prepare_and_start(std::span<DiscBlock> blocks, std::span<SolverBody> bodies, const Vec* period,
+void prepare_and_start(std::span<DiscBlock> blocks, BodyRows<SolverBody> bodies, const Vec* period,
                        double ahead = 0.0);
 
 /// As those of solve.h.
-void push_apart(std::span<DiscBlock> blocks, std::span<SolverBody> bodies, const SolverSettings& settings);
-void relax(std::span<DiscBlock> blocks, std::span<SolverBody> bodies, const SolverSettings& settings,
+void push_apart(std::span<DiscBlock> blocks, BodyRows<SolverBody> bodies, const SolverSettings& settings);
+void relax(std::span<DiscBlock> blocks, BodyRows<SolverBody> bodies, const SolverSettings& settings,
            bool periodic);
-void learn(std::span<DiscBlock> blocks, std::span<const SolverBody> bodies, const Learning& learning);
+void learn(std::span<DiscBlock> blocks, BodyRows<const SolverBody> bodies, const Learning& learning);
 
 }  // namespace throng

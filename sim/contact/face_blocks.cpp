@@ -45,12 +45,13 @@ void fill_point(FaceBlock::Point& point, std::size_t lane, const PointContact& c
 
 }  // namespace
 
-void FaceBlocks::start(std::size_t bodies, std::size_t groups) {
+void FaceBlocks::start(std::size_t bodies, std::size_t groups, std::span<const std::uint32_t> places) {
+  places_.start(places);
   groups_.resize(groups);
   for (std::size_t i = 0; i < groups; ++i) {
     groups_[i].order.start(bodies);
     groups_[i].room.clear(), groups_[i].sequence.clear(), groups_[i].first = 0;
-    groups_[i].nobody = static_cast<std::uint32_t>(bodies - groups + i);
+    groups_[i].nobody = places_.place(static_cast<std::uint32_t>(bodies - groups + i));
   }
   seat_.clear(), room_.clear(), taken_.clear(), rank_.clear(), squeezed_.clear(), all_room_ = 0;
 }
@@ -117,7 +118,8 @@ std::uint32_t FaceBlocks::add_squeezed(std::size_t points, std::size_t group, st
 
 void FaceBlocks::name(std::uint32_t lane, std::uint32_t a, std::uint32_t b) {
   FaceBlock& block = blocks_[lane / BlockOrder::kWidth];
-  block.a[lane % BlockOrder::kWidth] = a, block.b[lane % BlockOrder::kWidth] = b;
+  block.a[lane % BlockOrder::kWidth] = places_.place(a),
+                 block.b[lane % BlockOrder::kWidth] = places_.place(b);
 }
 
 void FaceBlocks::take(std::uint32_t lane, std::size_t points) {
@@ -130,7 +132,8 @@ void FaceBlocks::take(std::uint32_t lane, std::size_t points) {
 
 void FaceBlocks::leave(std::uint32_t lane, std::size_t group) {
   take(lane, 0);
-  name(lane, groups_[group].nobody, groups_[group].nobody);
+  FaceBlock& block = blocks_[lane / BlockOrder::kWidth];
+  block.a[lane % BlockOrder::kWidth] = block.b[lane % BlockOrder::kWidth] = groups_[group].nobody;
 }
 
 void FaceBlocks::fill(std::size_t i, std::span<const PointContact> face) {
@@ -163,12 +166,8 @@ BlockContact FaceBlocks::contact(std::size_t i) {
   FaceBlock& block = this->block(i);
   FaceBlock::Point& point = block.points[seat_[i].point];
   const std::size_t lane = at(i);
-  return {block.a[lane],
-          block.b[lane],
-          &point.normal_mass[lane],
-          &point.normal_impulse[lane],
-          &point.tangent_impulse[lane],
-          &point.preload[lane]};
+  return {places_.row(block.a[lane]),  places_.row(block.b[lane]),   &point.normal_mass[lane],
+          &point.normal_impulse[lane], &point.tangent_impulse[lane], &point.preload[lane]};
 }
 
 PointContact FaceBlocks::operator[](std::size_t i) const {
@@ -176,7 +175,7 @@ PointContact FaceBlocks::operator[](std::size_t i) const {
   const FaceBlock::Point& p = point(i);
   const std::size_t lane = at(i);
   PointContact contact;
-  contact.a = block.a[lane], contact.b = block.b[lane];
+  contact.a = places_.row(block.a[lane]), contact.b = places_.row(block.b[lane]);
   contact.normal = {block.normal_x[lane], block.normal_y[lane]};
   contact.arm_a = {p.arm_ax[lane], p.arm_ay[lane]}, contact.arm_b = {p.arm_bx[lane], p.arm_by[lane]};
   contact.normal_impulse = p.normal_impulse[lane], contact.tangent_impulse = p.tangent_impulse[lane];

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/contact/block_order.h"
+#include "sim/contact/body_rows.h"
 #include "sim/contact/solve.h"
 
 /// Points of manifolds, as many faces at a time as the machine has lanes. What they compute is what solve.h
@@ -27,7 +28,7 @@ struct alignas(64) FaceBlock {
     Row first_ax, first_ay, first_bx, first_by, gap;  ///< m, as in PointContact
   };
 
-  std::uint32_t a[BlockOrder::kWidth], b[BlockOrder::kWidth];  ///< rows of the bodies
+  std::uint32_t a[BlockOrder::kWidth], b[BlockOrder::kWidth];  ///< places of the bodies
   Row normal_x, normal_y, friction;
   Row round_a, round_b;  ///< m, as in PointContact
   std::size_t count;     ///< points of each face, at most
@@ -53,8 +54,8 @@ class FaceSequence {
 /// come with a velocity of -0, which becomes 0 where no impulse acts on it.)
 class FaceBlocks {
  public:
-  /// Forgets all seats. `bodies`: how many rows there are, of which the last `groups` never move.
-  void start(std::size_t bodies, std::size_t groups = 1);
+  /// Forgets all seats. `bodies`, `places`: as in DiscBlocks.
+  void start(std::size_t bodies, std::size_t groups = 1, std::span<const std::uint32_t> places = {});
 
   /// Makes a seat for a face of one or two points between those rows, behind all those of its group. Of
   /// different groups at the same time, if need be. Returns which lane of the group it is. Allocates only to
@@ -78,7 +79,7 @@ class FaceBlocks {
     return static_cast<std::uint32_t>(groups_[group].first * BlockOrder::kWidth + lane);
   }
 
-  /// Names who sits there, for as long as there are these seats.
+  /// Names who sits there, by rows, for as long as there are these seats.
   void name(std::uint32_t lane, std::uint32_t a, std::uint32_t b);
 
   std::size_t lanes() const { return room_.size() * BlockOrder::kWidth; }
@@ -144,7 +145,7 @@ class FaceBlocks {
     std::vector<std::uint8_t> room;       // of each block: points of its faces
     std::size_t first = 0;                // its first block among all
     std::vector<std::uint32_t> sequence;  // of blocks among all
-    std::uint32_t nobody = 0;             // whose row a lane without a face has
+    std::uint32_t nobody = 0;             // whose place a lane without a face has
   };
 
   std::size_t at(std::size_t i) const { return seat_[i].lane % BlockOrder::kWidth; }
@@ -160,6 +161,7 @@ class FaceBlocks {
   std::uint32_t add_squeezed(std::size_t points, std::size_t group, std::size_t rank);
   void set_ranks(const Group& group, std::size_t first);
 
+  BodyPlaces places_;
   std::vector<Group> groups_{1};
   std::vector<Squeezed> squeezed_;
   std::vector<FaceBlock> blocks_;    // of all groups, then those to be squeezed in; never shrinks
@@ -171,11 +173,11 @@ class FaceBlocks {
 };
 
 /// As the two of solve.h, one after the other.
-void prepare_and_start(FaceSequence blocks, std::span<SolverBody> bodies);
+void prepare_and_start(FaceSequence blocks, BodyRows<SolverBody> bodies);
 
 /// As those of solve.h.
-void push_apart(FaceSequence blocks, std::span<SolverBody> bodies, const SolverSettings& settings);
-void relax(FaceSequence blocks, std::span<SolverBody> bodies, const SolverSettings& settings);
-void learn(FaceSequence blocks, std::span<const SolverBody> bodies, const Learning& learning);
+void push_apart(FaceSequence blocks, BodyRows<SolverBody> bodies, const SolverSettings& settings);
+void relax(FaceSequence blocks, BodyRows<SolverBody> bodies, const SolverSettings& settings);
+void learn(FaceSequence blocks, BodyRows<const SolverBody> bodies, const Learning& learning);
 
 }  // namespace throng

@@ -28,9 +28,9 @@ ContactFinder::ContactFinder(const Scene& scene, const Plan& plan, const Collide
 void ContactFinder::find(const StepStart& start, Contacts& contacts, Workers& workers) {
   const auto& [candidates, state, bodies] = start;
   contacts.start(bodies.size(), parts_.groups());
-  sort_out(candidates, contacts);
+  sort_out(candidates, contacts, workers);
   const bool moved = std::exchange(moved_, false);
-  discs_.find(candidates, state, bodies, parts_, moved, contacts.disc_key, contacts.discs);
+  discs_.find(candidates, state, bodies, parts_, moved, contacts.disc_key, contacts.discs, workers);
   if (plan_.restitution)
     for (const std::uint64_t key : contacts.disc_key)
       contacts.disc_bounces.push_back(discs_.contact_of(colliders_, pair_of(key), bodies));
@@ -47,13 +47,21 @@ Touch ContactFinder::touch(Pair pair, bool obstacle, const Vec& shift) const {
 }
 
 /// Pairs of two discs have their contacts' keys then; what else there is must be looked at.
-void ContactFinder::sort_out(const Candidates& candidates, Contacts& contacts) {
+void ContactFinder::sort_out(const Candidates& candidates, Contacts& contacts, Workers& workers) {
   touches_.clear();
-  for (const Pair& pair : candidates.pairs()) {
-    if (is_disc(colliders_, pair.a) && is_disc(colliders_, pair.b))
-      contacts.disc_key.push_back(key_of(pair, false));
-    else
-      touches_.push_back(touch(pair, false, candidates.shift(pair)));
+  const std::span<const Pair> pairs = candidates.pairs();
+  if (colliders_.shape.empty()) {
+    contacts.disc_key.resize(pairs.size());
+    workers.for_ranges(pairs.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) contacts.disc_key[i] = key_of(pairs[i], false);
+    });
+  } else {
+    for (const Pair& pair : pairs) {
+      if (is_disc(colliders_, pair.a) && is_disc(colliders_, pair.b))
+        contacts.disc_key.push_back(key_of(pair, false));
+      else
+        touches_.push_back(touch(pair, false, candidates.shift(pair)));
+    }
   }
   for (const Pair& pair : candidates.obstacle_pairs())
     touches_.push_back(touch(pair, true, candidates.obstacle_shift(pair.a)));
@@ -71,7 +79,7 @@ void ContactFinder::find_touches(const StepStart& start, bool moved, Contacts& c
   search(start, workers);
   ++age_;
   if (moved || holds_ != held || !all_sit_well(faces)) {
-    seat_anew(start.bodies.size(), faces, workers);
+    seat_anew(start.bodies, faces, workers);
     if (holds_) answer_held(faces, workers);
     age_ = 0;
   } else {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "narrowphase/manifold.h"
+#include "sim/contact/body_rows.h"
 #include "sim/contact/candidates.h"
 #include "sim/contact/contacts.h"
 #include "sim/contact/find_discs.h"
@@ -41,8 +42,13 @@ class ContactFinder {
   /// Of whom contacts were known without a search.
   const HeldFaces& held() const { return held_; }
 
-  /// Finds out who of those awake is in which part; before each find().
-  void divide(const State& state, Rows awake) { moved_ |= parts_.place(state, awake); }
+  /// Finds out who of those awake is in which part; before each find(). Returns whether somebody is in
+  /// another one than before.
+  bool divide(const State& state, Rows awake) {
+    const bool moved = parts_.place(state, awake);
+    moved_ |= moved;
+    return moved;
+  }
 
   /// Replaces `contacts`. Candidates are of those whom divide() was given.
   void find(const StepStart& start, Contacts& contacts, Workers& workers);
@@ -78,7 +84,7 @@ class ContactFinder {
 
   // find_contacts.cpp
   Touch touch(broadphase::Pair pair, bool obstacle, const Vec& shift) const;
-  void sort_out(const Candidates& candidates, Contacts& contacts);
+  void sort_out(const Candidates& candidates, Contacts& contacts, Workers& workers);
   void find_touches(const StepStart& start, bool moved, Contacts& contacts, Workers& workers);
   void search(const StepStart& start, Workers& workers);
   void search_one(const StepStart& start, std::size_t touch, KeptImpulses& memory);
@@ -94,10 +100,10 @@ class ContactFinder {
   void search_known(const StepStart& start, std::size_t touch, KeptImpulses& memory);
   std::uint32_t weight(const StepStart& start, std::size_t touch, KeptImpulses& memory);
   bool find_disc_meetings(const StepStart& start, std::span<const std::uint64_t> disc_keys);
-  static bool both_move(const Meeting& meeting, std::span<const SolverBody> bodies);
+  static bool both_move(const Meeting& meeting, BodyRows<const SolverBody> bodies);
   bool find_meetings(const StepStart& start, std::span<const std::uint64_t> disc_keys);
-  void find_clusters(std::span<const SolverBody> bodies);
-  Cluster& cluster_of(const Meeting& meeting, std::span<const SolverBody> bodies);
+  void find_clusters(BodyRows<const SolverBody> bodies);
+  Cluster& cluster_of(const Meeting& meeting, BodyRows<const SolverBody> bodies);
   void list_hits(const StepStart& start, Contacts& contacts);
   void list_disc(const StepStart& start, std::size_t contact, Contacts& contacts) const;
   void list_touch(const StepStart& start, std::size_t touch, KeptImpulses& memory, Contacts& contacts);
@@ -124,7 +130,7 @@ class ContactFinder {
   void list_neighbours(const FaceBlocks& faces);
   bool squeeze_in(FaceBlocks& faces, std::uint32_t touch);
   void take_seats(FaceBlocks& faces);
-  void seat_anew(std::size_t bodies, FaceBlocks& faces, Workers& workers);
+  void seat_anew(BodyRows<const SolverBody> bodies, FaceBlocks& faces, Workers& workers);
   void seat_group(std::size_t group, FaceBlocks& faces);
   std::size_t group_of(const Touch& touch) const;
 

@@ -22,7 +22,7 @@ constexpr std::size_t kFewSeats = 100;  // don't matter if they are empty
 DiscFinder::DiscFinder(const Scene& scene, const Plan& plan) : scene_(scene), plan_(plan) {}
 
 DiscContact DiscFinder::contact_of(const Colliders& colliders, Pair pair,
-                                   std::span<const SolverBody> bodies) const {
+                                   BodyRows<const SolverBody> bodies) const {
   DiscContact contact;
   contact.a = colliders.body[pair.a], contact.b = colliders.body[pair.b];
   contact.radius_a = colliders.radius[pair.a], contact.radius_b = colliders.radius[pair.b];
@@ -35,22 +35,26 @@ DiscContact DiscFinder::contact_of(const Colliders& colliders, Pair pair,
   return contact;
 }
 
-void DiscFinder::find(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
-                      const Parts& parts, bool moved, std::span<const std::uint64_t> keys,
-                      DiscBlocks& discs) {
+void DiscFinder::find(const Candidates& candidates, const State& state, BodyRows<const SolverBody> bodies,
+                      const Parts& parts, bool moved, std::span<const std::uint64_t> keys, DiscBlocks& discs,
+                      Workers& workers) {
   const bool well_filled = 2 * discs.seats() <= 3 * keys.size() + kFewSeats;
-  if (moved || wait_ > 0 || !well_filled || !discs.take(keys)) {
+  if (moved || wait_ > 0 || !well_filled || !discs.take(keys, workers)) {
     choose(candidates);
     seat(candidates.colliders(), bodies, parts, discs);
-    [[maybe_unused]] const bool all = discs.take(keys);
+    [[maybe_unused]] const bool all = discs.take(keys, workers);
     assert(all);
   }
   ++age_;
-  KeptImpulses memory(state.disc_contacts);
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    const ContactImpulse* kept = memory.find(keys[i]);
-    discs.set_impulses(i, kept ? kept->normal : 0.0, kept ? kept->tangent : 0.0, kept ? kept->preload : 0.0);
-  }
+  workers.for_ranges(keys.size(), [&](std::size_t begin, std::size_t end) {
+    if (begin == end) return;
+    KeptImpulses memory(state.disc_contacts, keys[begin]);
+    for (std::size_t i = begin; i < end; ++i) {
+      const ContactImpulse* kept = memory.find(keys[i]);
+      discs.set_impulses(i, kept ? kept->normal : 0.0, kept ? kept->tangent : 0.0,
+                         kept ? kept->preload : 0.0);
+    }
+  });
 }
 
 /// Seats for the discs that may touch now, and where the last ones were of use also for those that may soon.
@@ -70,9 +74,9 @@ void DiscFinder::choose(const Candidates& candidates) {
                 [&](const Pair& pair) { return !is_disc(colliders, pair.a) || !is_disc(colliders, pair.b); });
 }
 
-void DiscFinder::seat(const Colliders& colliders, std::span<const SolverBody> bodies, const Parts& parts,
+void DiscFinder::seat(const Colliders& colliders, BodyRows<const SolverBody> bodies, const Parts& parts,
                       DiscBlocks& discs) {
-  discs.start(bodies.size(), parts.groups());
+  discs.start(bodies.size(), parts.groups(), bodies.places());
   for (const Pair& pair : seated_) {
     const DiscContact contact = contact_of(colliders, pair, bodies);
     discs.add(key_of(pair, false), contact, bodies[contact.a], bodies[contact.b],

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/contact/body_rows.h"
 #include "sim/contact/candidates.h"
 #include "sim/contact/disc_blocks.h"
 #include "sim/contact/parts.h"
@@ -20,18 +21,19 @@ class DiscFinder {
   /// The contacts in `discs` are now those with these keys, ascending, with the impulses that `state` keeps.
   /// Expects that only this function changes the seats of `discs`. `moved`: somebody is in another part than
   /// before. O(pairs near each other).
-  void find(const Candidates& candidates, const State& state, std::span<const SolverBody> bodies,
-            const Parts& parts, bool moved, std::span<const std::uint64_t> keys, DiscBlocks& discs);
+  void find(const Candidates& candidates, const State& state, BodyRows<const SolverBody> bodies,
+            const Parts& parts, bool moved, std::span<const std::uint64_t> keys, DiscBlocks& discs,
+            Workers& workers);
 
   /// Of two discs about their bodies' centres; normal and offset are found in each substep.
   DiscContact contact_of(const Colliders& colliders, broadphase::Pair pair,
-                         std::span<const SolverBody> bodies) const;
+                         BodyRows<const SolverBody> bodies) const;
 
  private:
   static constexpr int kGain = 3;  // steps that seats must serve to be worth some room
 
   void choose(const Candidates& candidates);
-  void seat(const Colliders& colliders, std::span<const SolverBody> bodies, const Parts& parts,
+  void seat(const Colliders& colliders, BodyRows<const SolverBody> bodies, const Parts& parts,
             DiscBlocks& discs);
 
   const Scene& scene_;

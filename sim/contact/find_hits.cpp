@@ -80,12 +80,12 @@ bool ContactFinder::find_meetings(const StepStart& start, std::span<const std::u
   return true;
 }
 
-bool ContactFinder::both_move(const Meeting& meeting, std::span<const SolverBody> bodies) {
+bool ContactFinder::both_move(const Meeting& meeting, BodyRows<const SolverBody> bodies) {
   return bodies[meeting.a].inverse_mass > 0.0 && bodies[meeting.b].inverse_mass > 0.0;
 }
 
 /// Of who hang together by meetings.
-void ContactFinder::find_clusters(std::span<const SolverBody> bodies) {
+void ContactFinder::find_clusters(BodyRows<const SolverBody> bodies) {
   islands_.start(Rows::all(bodies.size()), bodies.size()), clusters_.assign(bodies.size(), {});
   for (const Meeting& meeting : meetings_)
     if (both_move(meeting, bodies)) islands_.join(meeting.a, meeting.b);
@@ -96,8 +96,7 @@ void ContactFinder::find_clusters(std::span<const SolverBody> bodies) {
   }
 }
 
-ContactFinder::Cluster& ContactFinder::cluster_of(const Meeting& meeting,
-                                                  std::span<const SolverBody> bodies) {
+ContactFinder::Cluster& ContactFinder::cluster_of(const Meeting& meeting, BodyRows<const SolverBody> bodies) {
   return clusters_[islands_.first(bodies[meeting.a].inverse_mass > 0.0 ? meeting.a : meeting.b)];
 }
 

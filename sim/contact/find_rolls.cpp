@@ -31,7 +31,7 @@ void tell_bounces(std::span<const RollContact> rolls, std::vector<Contact>& boun
 class RollFinder {
  public:
   RollFinder(const Scene& scene, const Plan& plan, const Candidates& candidates,
-             std::span<const SolverBody> bodies)
+             BodyRows<const SolverBody> bodies)
       : scene_(scene), plan_(plan), candidates_(candidates), bodies_(bodies) {}
 
   void add(std::uint64_t key, std::uint32_t contact, double kept, std::vector<RollContact>& rolls) const {
@@ -55,13 +55,13 @@ class RollFinder {
   const Scene& scene_;
   const Plan& plan_;
   const Candidates& candidates_;
-  std::span<const SolverBody> bodies_;
+  BodyRows<const SolverBody> bodies_;
 };
 
 }  // namespace
 
 void find_rolls(const Scene& scene, const Plan& plan, const Candidates& candidates, const State& state,
-                std::span<const SolverBody> bodies, Contacts& contacts) {
+                BodyRows<const SolverBody> bodies, Contacts& contacts) {
   const RollFinder finder(scene, plan, candidates, bodies);
   KeptImpulses kept_discs(state.disc_contacts), kept_points(state.point_contacts);
   for (std::uint32_t i = 0; i < contacts.disc_key.size(); ++i) {

@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "sim/contact/body_rows.h"
 #include "sim/contact/candidates.h"
 #include "sim/contact/contacts.h"
 #include "sim/plan.h"
@@ -15,6 +16,6 @@ namespace throng {
 /// the impulses of the step before; bounces get their levers. O(contacts); nobody's business where no surface
 /// resists.
 void find_rolls(const Scene& scene, const Plan& plan, const Candidates& candidates, const State& state,
-                std::span<const SolverBody> bodies, Contacts& contacts);
+                BodyRows<const SolverBody> bodies, Contacts& contacts);
 
 }  // namespace throng

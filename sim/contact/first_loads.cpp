@@ -50,9 +50,9 @@ void for_each_group(const Parts& parts, Workers& workers, F f) {
 }
 
 /// A sweep over all contacts and one back, from the impulses that they have.
-void sweep_both_ways(Contacts& contacts, const Parts& parts, std::span<SolverBody> bodies,
+void sweep_both_ways(Contacts& contacts, const Parts& parts, BodyRows<SolverBody> bodies,
                      SolverSettings settings, const Vec& kick, const Vec* period, Workers& workers) {
-  for (SolverBody& body : bodies) {
+  for (SolverBody& body : bodies.by_place()) {
     body.velocity = body.inverse_mass > 0.0 ? kick : Vec(0.0, 0.0);
     body.spin = 0.0;
   }
@@ -118,9 +118,11 @@ void take_as_preload(LoadedContact& load, const Learning& learning) {
 
 }  // namespace
 
-void find_first_loads(Contacts& contacts, const Parts& parts, std::span<SolverBody> bodies,
+void find_first_loads(Contacts& contacts, const Parts& parts, BodyRows<SolverBody> bodies,
                       const SolverSettings& settings, const Vec& kick, const Vec* period, Workers& workers) {
-  const std::vector<SolverBody> given(bodies.begin(), bodies.end());
+  const std::span<SolverBody> all = bodies.by_place();
+  const std::vector<SolverBody> kept(all.begin(), all.end());
+  const BodyRows<const SolverBody> given(kept, bodies.places());
   const double weight = kick.norm();
   std::vector<LoadedContact> loads = list(contacts);
   double weights = 0.0;
@@ -135,7 +137,7 @@ void find_first_loads(Contacts& contacts, const Parts& parts, std::span<SolverBo
     sweep_both_ways(contacts, parts, bodies, rigid(settings), kick, period, workers);
   } while (momentum.extrapolate(loads) && ++round < kMostRounds);
   for (LoadedContact& load : loads) take_as_preload(load, settings.learning);
-  std::ranges::copy(given, bodies.begin());
+  std::ranges::copy(kept, all.begin());
 }
 
 }  // namespace throng

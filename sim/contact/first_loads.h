@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "sim/contact/body_rows.h"
 #include "sim/contact/contacts.h"
 #include "sim/contact/parts.h"
 #include "sim/contact/solve.h"
@@ -19,7 +20,7 @@ namespace throng {
 /// of the step, 2,000 times at most. What bears more than `Learning::most` own weights begins without. All
 /// of a load is taken, where Learning leaves some to springs: what is given here balances. Leaves bodies as
 /// they are.
-void find_first_loads(Contacts& contacts, const Parts& parts, std::span<SolverBody> bodies,
+void find_first_loads(Contacts& contacts, const Parts& parts, BodyRows<SolverBody> bodies,
                       const SolverSettings& settings, const Vec& kick, const Vec* period, Workers& workers);
 
 }  // namespace throng

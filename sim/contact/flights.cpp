@@ -25,7 +25,7 @@ constexpr std::size_t kMostCollisions = 100;  // a body and step, all together
 Flights::Flights(const Scene& scene, const Plan& plan)
     : scene_(scene), plan_(plan), period_(scene.domain.max - scene.domain.min), half_period_(0.5 * period_) {}
 
-bool Flights::fly(const Candidates& candidates, const State& state, std::span<const SolverBody> masses,
+bool Flights::fly(const Candidates& candidates, const State& state, BodyRows<const SolverBody> masses,
                   Workers& workers) {
   begin(candidates, state, masses);
   if (!foresee_all(workers)) return false;
@@ -34,7 +34,7 @@ bool Flights::fly(const Candidates& candidates, const State& state, std::span<co
   return true;
 }
 
-void Flights::begin(const Candidates& candidates, const State& state, std::span<const SolverBody> masses) {
+void Flights::begin(const Candidates& candidates, const State& state, BodyRows<const SolverBody> masses) {
   candidates_ = &candidates, state_ = &state, masses_ = masses, pairs_ = candidates.pairs();
   collisions_ = {}, heap_.clear(), reached_.clear();
   for (const Bent& one : bent_) bent_of_[one.disc] = kStraight;

@@ -7,6 +7,7 @@
 
 #include "narrowphase/disc_flight.h"
 #include "sim/collisions.h"
+#include "sim/contact/body_rows.h"
 #include "sim/contact/candidates.h"
 #include "sim/contact/contact.h"
 #include "sim/contact/meetings.h"
@@ -26,7 +27,7 @@ class Flights {
   /// overlap by more than rounding, or collisions don't end: that is the solver's matter.
   /// O(bodies + candidates + collisions log collisions). Collisions at one time come in the order of their
   /// pairs.
-  bool fly(const Candidates& candidates, const State& state, std::span<const SolverBody> masses,
+  bool fly(const Candidates& candidates, const State& state, BodyRows<const SolverBody> masses,
            Workers& workers);
 
   /// Brings `state` to where fly() looked. False where a body can't go on; that one is left where it got.
@@ -73,7 +74,7 @@ class Flights {
   Vec normal(std::uint32_t pair, double now) const;
   const Surface& surface(std::uint32_t pair) const;
 
-  void begin(const Candidates& candidates, const State& state, std::span<const SolverBody> masses);
+  void begin(const Candidates& candidates, const State& state, BodyRows<const SolverBody> masses);
   bool foresee_all(Workers& workers);
   void look_at_obstacles(Workers& workers);
   bool foresee_first(std::uint32_t pair, const narrowphase::DiscFlight& flight);
@@ -93,7 +94,7 @@ class Flights {
   const Vec period_, half_period_;  // m
   const Candidates* candidates_ = nullptr;
   const State* state_ = nullptr;
-  std::span<const SolverBody> masses_;
+  BodyRows<const SolverBody> masses_;
   std::span<const broadphase::Pair> pairs_;  // of discs; those with obstacles follow
   std::vector<StraightWay> straight_;        // of each disc, as the step begins
   std::vector<std::uint8_t> meetings_;       // which pairs are worth a look: see find_meetings()

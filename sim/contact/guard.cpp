@@ -151,7 +151,7 @@ const narrowphase::Convex& Guard::heart_of_b(const Meeting& m) const {
 }
 
 /// Who got farther in the step than from its surface to its heart.
-bool Guard::list_far(const State& state, std::span<const SolverBody> bodies) {
+bool Guard::list_far(const State& state, BodyRows<const SolverBody> bodies) {
   const Colliders& colliders = candidates_.colliders();
   is_far_.assign(colliders.size(), 0);
   bool any = false;
@@ -164,7 +164,7 @@ bool Guard::list_far(const State& state, std::span<const SolverBody> bodies) {
   return any;
 }
 
-bool Guard::saw_meeting(const State& state, std::span<const SolverBody> bodies, Workers& workers) {
+bool Guard::saw_meeting(const State& state, BodyRows<const SolverBody> bodies, Workers& workers) {
   const double least = Hearts::kRims[0] * hearts_.least_thickness();
   if (!(kFarther * candidates_.farthest_way() > least) || !list_far(state, bodies)) return false;
   hearts_.make();
@@ -173,7 +173,7 @@ bool Guard::saw_meeting(const State& state, std::span<const SolverBody> bodies, 
   return true;
 }
 
-bool Guard::any_met(const State& state, std::span<const SolverBody> bodies, Workers& workers) const {
+bool Guard::any_met(const State& state, BodyRows<const SolverBody> bodies, Workers& workers) const {
   const std::span<const broadphase::Pair> pairs = candidates_.pairs();
   const std::span<const broadphase::Pair> obstacle_pairs = candidates_.obstacle_pairs();
   const std::size_t sides = candidates_.obstacles().side.size();
@@ -192,7 +192,7 @@ bool Guard::any_met(const State& state, std::span<const SolverBody> bodies, Work
   return any;
 }
 
-bool Guard::met(Meeting m, const State& state, std::span<const SolverBody> bodies) const {
+bool Guard::met(Meeting m, const State& state, BodyRows<const SolverBody> bodies) const {
   const auto motion = [&](std::uint32_t body, const Vec& shift) -> Motion {
     return {state.position[body] + shift, state.angle[body], bodies[body].position - state.position[body],
             bodies[body].turn};
@@ -224,7 +224,7 @@ narrowphase::Manifold Guard::manifold(const Meeting& m, const Motion& a, const M
   return narrowphase::manifold(heart_of_a(m), pose_at(a, 0.0), heart_of_b(m), pose_at(b, 0.0), thickness(m));
 }
 
-void Guard::move(const State& state, std::span<SolverBody> bodies, Rows awake, double h) {
+void Guard::move(const State& state, BodyRows<SolverBody> bodies, Rows awake, double h) {
   const Substep sub{state, bodies, h};
   since_.assign(bodies.size(), 0.0), stands_.assign(bodies.size(), 0);
   list_all();

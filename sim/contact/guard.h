@@ -7,6 +7,7 @@
 
 #include "narrowphase/manifold.h"
 #include "narrowphase/motion/motion.h"
+#include "sim/contact/body_rows.h"
 #include "sim/contact/candidates.h"
 #include "sim/contact/contact.h"
 #include "sim/contact/hearts.h"
@@ -30,7 +31,7 @@ class Guard {
   /// Whether, in the step that took bodies from `state` to where they are, hearts may have met that were
   /// apart before. Surely so where one went through another on a straight way, turning evenly; a way that
   /// contacts bent is straightened. O(1) where nobody is fast, else O(candidates).
-  bool saw_meeting(const State& state, std::span<const SolverBody> bodies, Workers& workers);
+  bool saw_meeting(const State& state, BodyRows<const SolverBody> bodies, Workers& workers);
 
   /// To be called before a step is taken under guard, each time that it is.
   void start_step() { stood_.assign(scene_.bodies.size() + 1, 0); }
@@ -42,7 +43,7 @@ class Guard {
   /// were in the smallest already, and who is crushed between what no impulse moves. Where no hearts meet,
   /// exactly as without guard. `bodies` has a row for obstacles behind those of the bodies. Where many meet
   /// at once: O(meetings · pairs of fast bodies).
-  void move(const State& state, std::span<SolverBody> bodies, Rows awake, double h);
+  void move(const State& state, BodyRows<SolverBody> bodies, Rows awake, double h);
 
  private:
   /// Two that may meet. In a substep under guard, when they do.
@@ -70,9 +71,9 @@ class Guard {
   const narrowphase::Convex& heart_of_a(const Meeting& m) const;
   const narrowphase::Convex& heart_of_b(const Meeting& m) const;
 
-  bool list_far(const State& state, std::span<const SolverBody> bodies);
-  bool any_met(const State& state, std::span<const SolverBody> bodies, Workers& workers) const;
-  bool met(Meeting m, const State& state, std::span<const SolverBody> bodies) const;
+  bool list_far(const State& state, BodyRows<const SolverBody> bodies);
+  bool any_met(const State& state, BodyRows<const SolverBody> bodies, Workers& workers) const;
+  bool met(Meeting m, const State& state, BodyRows<const SolverBody> bodies) const;
 
   double first_meeting(Meeting& m, const narrowphase::Motion& a, const narrowphase::Motion& b,
                        double duration) const;
@@ -82,7 +83,7 @@ class Guard {
   /// What moves under guard: all that a substep's stages share.
   struct Substep {
     const State& state;
-    std::span<SolverBody> bodies;
+    BodyRows<SolverBody> bodies;
     double h;  // s
   };
   void watch(const Substep& sub, std::uint32_t k);

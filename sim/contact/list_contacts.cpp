@@ -17,7 +17,7 @@ Vec arm(const PointContact& contact) {
 }  // namespace
 
 void list_contacts(const Scene& scene, const Contacts& contacts, const State& state,
-                   std::span<const SolverBody> bodies, std::vector<ContactRow>& rows) {
+                   BodyRows<const SolverBody> bodies, std::vector<ContactRow>& rows) {
   rows.clear();
   const auto add = [&](const auto& contact) {
     if (!(contact.normal_impulse > 0.0)) return;

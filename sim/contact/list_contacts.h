@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/contact/body_rows.h"
 #include "sim/contact/contacts.h"
 #include "sim/contact_row.h"
 #include "sim/scene.h"
@@ -15,7 +16,7 @@ namespace throng {
 /// them: those whose impulses `Contacts::save` keeps, each substep's taken for the last one's. `bodies`: as
 /// that step left them, the obstacles last. O(contacts); allocates only to grow.
 void list_contacts(const Scene& scene, const Contacts& contacts, const State& state,
-                   std::span<const SolverBody> bodies, std::vector<ContactRow>& rows);
+                   BodyRows<const SolverBody> bodies, std::vector<ContactRow>& rows);
 
 /// Leaves of those rows the ones of bodies that are awake, and adds the contacts that sleep.
 void with_sleeping(const Scene& scene, const State& state, std::vector<ContactRow>& rows);

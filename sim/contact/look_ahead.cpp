@@ -87,7 +87,7 @@ void LookAhead::look(const StepStart& start, std::span<const Touch> touches, std
 }
 
 /// m/s, the mean over the step. What something held in the last one it will hardly let fall in this one.
-Vec LookAhead::velocity_ahead(std::span<const SolverBody> bodies, std::uint32_t row) const {
+Vec LookAhead::velocity_ahead(BodyRows<const SolverBody> bodies, std::uint32_t row) const {
   const bool falls = plan_.gravity && bodies[row].inverse_mass > 0.0 && pressed_[row] == 0;
   if (!falls) return bodies[row].velocity;
   return bodies[row].velocity + 0.5 * (scene_.time.dt + plan_.substep) * scene_.gravity;

@@ -8,6 +8,7 @@
 
 #include "narrowphase/manifold.h"
 #include "narrowphase/motion/motion.h"
+#include "sim/contact/body_rows.h"
 #include "sim/contact/kept_impulses.h"
 #include "sim/contact/touch.h"
 #include "sim/plan.h"
@@ -73,7 +74,7 @@ class LookAhead {
 
   double slow_way(const Colliders& colliders, const Touch& touch) const;
   bool nears(const StepStart& start, const Touch& touch, const narrowphase::Manifold& m) const;
-  Vec velocity_ahead(std::span<const SolverBody> bodies, std::uint32_t row) const;
+  Vec velocity_ahead(BodyRows<const SolverBody> bodies, std::uint32_t row) const;
   Courses courses(const StepStart& start, const Touch& touch) const;
   Meeting first_meeting(const StepStart& start, const Touch& touch, const narrowphase::Manifold& m) const;
   Meeting meeting_on(const Candidates& candidates, const Touch& touch, const Courses& courses) const;

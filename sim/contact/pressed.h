@@ -13,4 +13,7 @@ namespace throng {
 /// 0. O(contacts).
 void find_pressed(const State& state, const Colliders& colliders, std::vector<std::uint8_t>& pressed);
 
+/// Whether one body was. O(contacts).
+bool is_pressed(const State& state, const Colliders& colliders, std::uint32_t body);
+
 }  // namespace throng

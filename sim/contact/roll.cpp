@@ -10,7 +10,7 @@ namespace throng {
 
 namespace {
 
-void apply(const RollContact& roll, double impulse, std::span<SolverBody> bodies) {
+void apply(const RollContact& roll, double impulse, BodyRows<SolverBody> bodies) {
   SolverBody &a = bodies[roll.a], &b = bodies[roll.b];
   a.spin -= a.inverse_inertia * impulse;
   b.spin += b.inverse_inertia * impulse;
@@ -26,12 +26,12 @@ double rolling_radius(const narrowphase::Convex& shape) {
   return shape.vertices.size() == 1 ? shape.radius : 0.0;
 }
 
-void warm_start(std::span<const RollContact> rolls, std::span<SolverBody> bodies) {
+void warm_start(std::span<const RollContact> rolls, BodyRows<SolverBody> bodies) {
   for (const RollContact& roll : rolls) apply(roll, roll.impulse, bodies);
 }
 
 template <class Blocks>
-void resist(std::span<RollContact> rolls, const Blocks& contacts, std::span<SolverBody> bodies) {
+void resist(std::span<RollContact> rolls, const Blocks& contacts, BodyRows<SolverBody> bodies) {
   for (RollContact& roll : rolls) {
     const double limit = roll.lever * contacts.normal_impulse(roll.contact);
     const double old = roll.impulse;
@@ -41,7 +41,7 @@ void resist(std::span<RollContact> rolls, const Blocks& contacts, std::span<Solv
   }
 }
 
-template void resist(std::span<RollContact>, const DiscBlocks&, std::span<SolverBody>);
-template void resist(std::span<RollContact>, const FaceBlocks&, std::span<SolverBody>);
+template void resist(std::span<RollContact>, const DiscBlocks&, BodyRows<SolverBody>);
+template void resist(std::span<RollContact>, const FaceBlocks&, BodyRows<SolverBody>);
 
 }  // namespace throng

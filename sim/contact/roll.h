@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "narrowphase/convex.h"
+#include "sim/contact/body_rows.h"
 #include "sim/contact/contact.h"
 
 /// Rolling resistance: at a contact of a disc a torque holds the two bodies' spins together, up to the
@@ -29,10 +30,10 @@ double effective_radius(double a, double b);
 double rolling_radius(const narrowphase::Convex& shape);
 
 /// Applies the impulses that the last sweep left.
-void warm_start(std::span<const RollContact> rolls, std::span<SolverBody> bodies);
+void warm_start(std::span<const RollContact> rolls, BodyRows<SolverBody> bodies);
 
 /// One sweep of Gauss and Seidel. `contacts`: those that `rolls` tell of, after their own sweep.
 template <class Blocks>
-void resist(std::span<RollContact> rolls, const Blocks& contacts, std::span<SolverBody> bodies);
+void resist(std::span<RollContact> rolls, const Blocks& contacts, BodyRows<SolverBody> bodies);
 
 }  // namespace throng

@@ -127,12 +127,12 @@ void ContactFinder::take_seats(FaceBlocks& faces) {
 }
 
 /// In the order of touches, each group by itself: what a lane then holds may come in any.
-void ContactFinder::seat_anew(std::size_t bodies, FaceBlocks& faces, Workers& workers) {
+void ContactFinder::seat_anew(BodyRows<const SolverBody> bodies, FaceBlocks& faces, Workers& workers) {
   seated_.resize(parts_.groups()), seat_.assign(touches_.size(), kNoLane);
   for (auto& touches : seated_) touches.clear();
   for (std::uint32_t i = 0; i < touches_.size(); ++i)
     if (points_[i] > 0) seated_[group_of(touches_[i])].push_back(i);
-  faces.start(bodies, parts_.groups());
+  faces.start(bodies.size(), parts_.groups(), bodies.places());
   workers.for_each(parts_.groups(), [&](std::size_t group) { seat_group(group, faces); });
   faces.finish();
   for (std::size_t group = 0; group < seated_.size(); ++group)

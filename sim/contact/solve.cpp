@@ -102,7 +102,7 @@ void for_each_in_turn(std::span<Contact> contacts, bool backward, F f) {
 }
 
 template <class Contact>
-void push_apart_all(std::span<Contact> contacts, std::span<SolverBody> bodies,
+void push_apart_all(std::span<Contact> contacts, BodyRows<SolverBody> bodies,
                     const SolverSettings& settings) {
   for_each_in_turn(contacts, settings.backward, [&](Contact& contact) {
     SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
@@ -111,7 +111,7 @@ void push_apart_all(std::span<Contact> contacts, std::span<SolverBody> bodies,
 }
 
 template <class Contact>
-void relax_all(std::span<Contact> contacts, std::span<SolverBody> bodies, const SolverSettings& settings) {
+void relax_all(std::span<Contact> contacts, BodyRows<SolverBody> bodies, const SolverSettings& settings) {
   const double rate = 1.0 / settings.h;
   for_each_in_turn(contacts, settings.backward, [&](Contact& contact) {
     if (contact.normal_impulse == 0.0)
@@ -123,7 +123,7 @@ void relax_all(std::span<Contact> contacts, std::span<SolverBody> bodies, const 
 }
 
 template <class Contact>
-void warm_start_all(std::span<const Contact> contacts, std::span<SolverBody> bodies) {
+void warm_start_all(std::span<const Contact> contacts, BodyRows<SolverBody> bodies) {
   for (const Contact& contact : contacts)
     if (contact.normal_impulse > 0.0)
       arms(contact).apply(bodies[contact.a], bodies[contact.b], contact.normal_impulse,
@@ -131,7 +131,7 @@ void warm_start_all(std::span<const Contact> contacts, std::span<SolverBody> bod
 }
 
 /// m²/s², of b against a.
-double speed_squared(const ContactBase& contact, std::span<const SolverBody> bodies) {
+double speed_squared(const ContactBase& contact, BodyRows<const SolverBody> bodies) {
   return (bodies[contact.b].velocity - bodies[contact.a].velocity).squaredNorm();
 }
 
@@ -150,7 +150,7 @@ Vec between_ahead(const DiscContact& contact, const Vec& between, const Vec& vel
 
 }  // namespace
 
-void prepare(std::span<DiscContact> contacts, std::span<const SolverBody> bodies, const Vec* period,
+void prepare(std::span<DiscContact> contacts, BodyRows<const SolverBody> bodies, const Vec* period,
              double ahead) {
   for (DiscContact& contact : contacts) {
     const SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
@@ -165,7 +165,7 @@ void prepare(std::span<DiscContact> contacts, std::span<const SolverBody> bodies
   }
 }
 
-void prepare(std::span<PointContact> contacts, std::span<const SolverBody> bodies) {
+void prepare(std::span<PointContact> contacts, BodyRows<const SolverBody> bodies) {
   for (PointContact& contact : contacts) {
     const SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
     contact.arm_a = Turn(a.turn)(contact.first_a) + contact.round_a * contact.normal;
@@ -178,36 +178,36 @@ void prepare(std::span<PointContact> contacts, std::span<const SolverBody> bodie
   }
 }
 
-void warm_start(std::span<const DiscContact> contacts, std::span<SolverBody> bodies) {
+void warm_start(std::span<const DiscContact> contacts, BodyRows<SolverBody> bodies) {
   warm_start_all(contacts, bodies);
 }
-void warm_start(std::span<const PointContact> contacts, std::span<SolverBody> bodies) {
+void warm_start(std::span<const PointContact> contacts, BodyRows<SolverBody> bodies) {
   warm_start_all(contacts, bodies);
 }
 
-void push_apart(std::span<DiscContact> contacts, std::span<SolverBody> bodies,
+void push_apart(std::span<DiscContact> contacts, BodyRows<SolverBody> bodies,
                 const SolverSettings& settings) {
   push_apart_all(contacts, bodies, settings);
 }
-void push_apart(std::span<PointContact> contacts, std::span<SolverBody> bodies,
+void push_apart(std::span<PointContact> contacts, BodyRows<SolverBody> bodies,
                 const SolverSettings& settings) {
   push_apart_all(contacts, bodies, settings);
 }
 
-void relax(std::span<DiscContact> contacts, std::span<SolverBody> bodies, const SolverSettings& settings) {
+void relax(std::span<DiscContact> contacts, BodyRows<SolverBody> bodies, const SolverSettings& settings) {
   relax_all(contacts, bodies, settings);
 }
-void relax(std::span<PointContact> contacts, std::span<SolverBody> bodies, const SolverSettings& settings) {
+void relax(std::span<PointContact> contacts, BodyRows<SolverBody> bodies, const SolverSettings& settings) {
   relax_all(contacts, bodies, settings);
 }
 
-void learn(std::span<DiscContact> contacts, std::span<const SolverBody> bodies, const Learning& learning) {
+void learn(std::span<DiscContact> contacts, BodyRows<const SolverBody> bodies, const Learning& learning) {
   for (DiscContact& contact : contacts)
     contact.preload = learning(contact.preload, contact.normal_impulse, contact.normal_mass,
                                speed_squared(contact, bodies));
 }
 
-void learn(std::span<PointContact> contacts, std::span<const SolverBody> bodies, const Learning& learning) {
+void learn(std::span<PointContact> contacts, BodyRows<const SolverBody> bodies, const Learning& learning) {
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     PointContact &first = contacts[i], *second = nullptr;
     if (i + 1 < contacts.size() && share_face(first, contacts[i + 1])) second = &contacts[++i];

@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "sim/contact/body_rows.h"
 #include "sim/contact/contact.h"
 #include "sim/contact/learning.h"
 
@@ -39,29 +40,28 @@ struct SolverSettings {
 /// present positions. `period`: the domain's, or null. `ahead` (s): for so long they go on as they do; the
 /// normal of two discs that get past each other by more than kAheadWay in this time is that of when they meet
 /// or pass. 0 where nobody gets so far.
-void prepare(std::span<DiscContact> contacts, std::span<const SolverBody> bodies, const Vec* period,
+void prepare(std::span<DiscContact> contacts, BodyRows<const SolverBody> bodies, const Vec* period,
              double ahead = 0.0);
-void prepare(std::span<PointContact> contacts, std::span<const SolverBody> bodies);
+void prepare(std::span<PointContact> contacts, BodyRows<const SolverBody> bodies);
 
 /// Applies the impulses that the last sweep left.
-void warm_start(std::span<const DiscContact> contacts, std::span<SolverBody> bodies);
-void warm_start(std::span<const PointContact> contacts, std::span<SolverBody> bodies);
+void warm_start(std::span<const DiscContact> contacts, BodyRows<SolverBody> bodies);
+void warm_start(std::span<const PointContact> contacts, BodyRows<SolverBody> bodies);
 
 /// Before the positions move: keeps contacts from closing further than they touch, drives overlapping ones
 /// apart softly.
-void push_apart(std::span<DiscContact> contacts, std::span<SolverBody> bodies,
-                const SolverSettings& settings);
-void push_apart(std::span<PointContact> contacts, std::span<SolverBody> bodies,
+void push_apart(std::span<DiscContact> contacts, BodyRows<SolverBody> bodies, const SolverSettings& settings);
+void push_apart(std::span<PointContact> contacts, BodyRows<SolverBody> bodies,
                 const SolverSettings& settings);
 
 /// After they moved: takes out again the velocity that push_apart put in.
-void relax(std::span<DiscContact> contacts, std::span<SolverBody> bodies, const SolverSettings& settings);
-void relax(std::span<PointContact> contacts, std::span<SolverBody> bodies, const SolverSettings& settings);
+void relax(std::span<DiscContact> contacts, BodyRows<SolverBody> bodies, const SolverSettings& settings);
+void relax(std::span<PointContact> contacts, BodyRows<SolverBody> bodies, const SolverSettings& settings);
 
 /// After the last substep: what contacts learn of what they bear. The points of one face learn as if they
 /// bore alike: each on its own would learn a tower's lean, until it falls, as it stands by what they bear
 /// more or less than one another.
-void learn(std::span<DiscContact> contacts, std::span<const SolverBody> bodies, const Learning& learning);
-void learn(std::span<PointContact> contacts, std::span<const SolverBody> bodies, const Learning& learning);
+void learn(std::span<DiscContact> contacts, BodyRows<const SolverBody> bodies, const Learning& learning);
+void learn(std::span<PointContact> contacts, BodyRows<const SolverBody> bodies, const Learning& learning);
 
 }  // namespace throng

@@ -184,19 +184,20 @@ HWY_EXPORT(relax);
 HWY_EXPORT(learn);
 }  // namespace
 
-void prepare_and_start(std::span<DiscBlock> blocks, std::span<SolverBody> bodies, const Vec* period,
+void prepare_and_start(std::span<DiscBlock> blocks, BodyRows<SolverBody> bodies, const Vec* period,
                        double ahead) {
-  if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(prepare_and_start)(blocks, bodies.data(), period, ahead);
+  if (!blocks.empty())
+    HWY_DYNAMIC_DISPATCH(prepare_and_start)(blocks, bodies.by_place().data(), period, ahead);
 }
-void push_apart(std::span<DiscBlock> blocks, std::span<SolverBody> bodies, const SolverSettings& settings) {
-  if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(push_apart)(blocks, bodies.data(), settings);
+void push_apart(std::span<DiscBlock> blocks, BodyRows<SolverBody> bodies, const SolverSettings& settings) {
+  if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(push_apart)(blocks, bodies.by_place().data(), settings);
 }
-void relax(std::span<DiscBlock> blocks, std::span<SolverBody> bodies, const SolverSettings& settings,
+void relax(std::span<DiscBlock> blocks, BodyRows<SolverBody> bodies, const SolverSettings& settings,
            bool periodic) {
-  if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(relax)(blocks, bodies.data(), settings, periodic);
+  if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(relax)(blocks, bodies.by_place().data(), settings, periodic);
 }
-void learn(std::span<DiscBlock> blocks, std::span<const SolverBody> bodies, const Learning& learning) {
-  if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(learn)(blocks, bodies.data(), learning);
+void learn(std::span<DiscBlock> blocks, BodyRows<const SolverBody> bodies, const Learning& learning) {
+  if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(learn)(blocks, bodies.by_place().data(), learning);
 }
 
 }  // namespace throng

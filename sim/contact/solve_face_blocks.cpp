@@ -239,17 +239,17 @@ HWY_EXPORT(relax);
 HWY_EXPORT(learn);
 }  // namespace
 
-void prepare_and_start(FaceSequence blocks, std::span<SolverBody> bodies) {
-  if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(prepare_and_start)(blocks, bodies.data());
+void prepare_and_start(FaceSequence blocks, BodyRows<SolverBody> bodies) {
+  if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(prepare_and_start)(blocks, bodies.by_place().data());
 }
-void push_apart(FaceSequence blocks, std::span<SolverBody> bodies, const SolverSettings& settings) {
-  if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(push_apart)(blocks, bodies.data(), settings);
+void push_apart(FaceSequence blocks, BodyRows<SolverBody> bodies, const SolverSettings& settings) {
+  if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(push_apart)(blocks, bodies.by_place().data(), settings);
 }
-void relax(FaceSequence blocks, std::span<SolverBody> bodies, const SolverSettings& settings) {
-  if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(relax)(blocks, bodies.data(), settings);
+void relax(FaceSequence blocks, BodyRows<SolverBody> bodies, const SolverSettings& settings) {
+  if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(relax)(blocks, bodies.by_place().data(), settings);
 }
-void learn(FaceSequence blocks, std::span<const SolverBody> bodies, const Learning& learning) {
-  if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(learn)(blocks, bodies.data(), learning);
+void learn(FaceSequence blocks, BodyRows<const SolverBody> bodies, const Learning& learning) {
+  if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(learn)(blocks, bodies.by_place().data(), learning);
 }
 
 }  // namespace throng

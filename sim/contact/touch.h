@@ -7,6 +7,7 @@
 #include "broadphase/pairs.h"
 #include "narrowphase/manifold.h"
 #include "sim/contact/block_order.h"
+#include "sim/contact/body_rows.h"
 #include "sim/contact/candidates.h"
 #include "sim/contact/contact.h"
 #include "sim/contact/contact_key.h"
@@ -22,7 +23,7 @@ namespace throng {
 struct StepStart {
   const Candidates& candidates;
   const State& state;
-  std::span<const SolverBody> bodies;
+  BodyRows<const SolverBody> bodies;
 
   const Colliders& colliders() const { return candidates.colliders(); }
   const Obstacles& obstacles() const { return candidates.obstacles(); }

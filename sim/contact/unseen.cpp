@@ -38,7 +38,7 @@ double deepest(const narrowphase::Manifold& manifold) {
 
 }  // namespace
 
-bool Unseen::met(std::span<const Reached> strays, const State& state, std::span<const SolverBody> bodies,
+bool Unseen::met(std::span<const Reached> strays, const State& state, BodyRows<const SolverBody> bodies,
                  const Contacts& contacts) {
   if (candidates_.repeats() || !candidates_.rows().are_all()) return true;
   if (!std::ranges::all_of(strays, [](const Reached& s) { return s.way < kFarthestPlace; })) return true;

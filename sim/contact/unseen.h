@@ -7,6 +7,7 @@
 #include "broadphase/box_index.h"
 #include "narrowphase/convex.h"
 #include "narrowphase/motion/motion.h"
+#include "sim/contact/body_rows.h"
 #include "sim/contact/candidates.h"
 #include "sim/contact/contacts.h"
 #include "sim/state.h"
@@ -25,13 +26,13 @@ class Unseen {
   /// Of two who are listed at one point of two it is asked whether the other one got in. True, without being
   /// asked, where the domain repeats, where somebody sleeps and wasn't placed, and where a stray got to no
   /// place that a run bears. O(n + strays and whom they came near).
-  bool met(std::span<const Reached> strays, const State& state, std::span<const SolverBody> bodies,
+  bool met(std::span<const Reached> strays, const State& state, BodyRows<const SolverBody> bodies,
            const Contacts& contacts);
 
  private:
   struct Step {
     const State& state;
-    std::span<const SolverBody> bodies;
+    BodyRows<const SolverBody> bodies;
     const Contacts& contacts;
   };
 

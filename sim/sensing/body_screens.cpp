@@ -58,14 +58,14 @@ namespace {
 /// Whether the segment from m - half to m + half may come as near as `radius` to a box. The rounding of what
 /// is compared is far below the slack.
 bool may_touch(const Vec& m, const Vec& half, const ProximityTree::Node& node, std::size_t i, double radius) {
-  constexpr double kSlack = 1.0 + 64.0 * std::numeric_limits<double>::epsilon();
+  constexpr double kRoundedUp = 1.0 + 64.0 * std::numeric_limits<double>::epsilon();
   const double low_x = node.low_x[i] - m.x(), high_x = node.high_x[i] - m.x();
   const double low_y = node.low_y[i] - m.y(), high_y = node.high_y[i] - m.y();
   const double x = 0.5 * (low_x + high_x), y = 0.5 * (low_y + high_y);
   const double wide = 0.5 * (high_x - low_x) + radius, tall = 0.5 * (high_y - low_y) + radius;
   const double half_x = std::abs(half.x()), half_y = std::abs(half.y());
-  return std::abs(x) <= (half_x + wide) * kSlack && std::abs(y) <= (half_y + tall) * kSlack &&
-         std::abs(half.x() * y - half.y() * x) <= (half_x * tall + half_y * wide) * kSlack;
+  return std::abs(x) <= (half_x + wide) * kRoundedUp && std::abs(y) <= (half_y + tall) * kRoundedUp &&
+         std::abs(half.x() * y - half.y() * x) <= (half_x * tall + half_y * wide) * kRoundedUp;
 }
 
 }  // namespace

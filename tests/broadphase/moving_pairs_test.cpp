@@ -69,6 +69,25 @@ TEST(MovingPairs, AreThoseOfTheDefinitionAtEveryStep) {
     }
 }
 
+TEST(MovingPairs, AreTheSameForAnyNumberOfThreads) {
+  for (const bool periodic : {false, true}) {
+    Dance dance(102, 5000, 60.0, 1e-2, periodic);
+    Team team(3);
+    MovingPairs alone, shared(&team);
+    Pairs pairs, same;
+    for (int i = 0, reused = 0; reused < 5; ++i) {
+      ASSERT_LT(i, 100);
+      alone.find(dance.centres, dance.reach, dance.period(), pairs);
+      shared.find(dance.centres, dance.reach, dance.period(), same);
+      ASSERT_GT(shared.list().size(), 5000u);
+      ASSERT_EQ(pairs, same) << i;
+      ASSERT_EQ(alone.reused(), shared.reused());
+      reused += alone.reused();
+      dance.step();
+    }
+  }
+}
+
 // The list knows the pair only by the margin; one step within it brings them together.
 TEST(MovingPairs, SeeADiscThatGrowsOrComesJustAsFarAsTheMargin) {
   const std::vector<double> reach{0.5, 0.5};

@@ -78,7 +78,7 @@ class Blocks : public ::testing::TestWithParam<std::int64_t> {
     for (SolverBody& body : bodies) body.position += 0.0025 * body.velocity, body.turn += 0.0025 * body.spin;
   }
 
-  void expect_same(std::span<const SolverBody> one, std::span<const SolverBody> other) const {
+  void expect_same(BodyRows<const SolverBody> one, BodyRows<const SolverBody> other) const {
     for (std::size_t i = 0; i < one.size(); ++i) {
       EXPECT_EQ(one[i].velocity, other[i].velocity) << "body " << i;
       EXPECT_EQ(one[i].position, other[i].position) << "body " << i;
@@ -158,8 +158,9 @@ class DiscBlocksOnEachTarget : public Blocks {
       blocks.add(odd.back(), other, bodies_[other.a], bodies_[other.b]);
     }
     blocks.finish();
-    EXPECT_TRUE(blocks.take(odd));
-    EXPECT_TRUE(blocks.take(even));
+    Workers alone(1);
+    EXPECT_TRUE(blocks.take(odd, alone));
+    EXPECT_TRUE(blocks.take(even, alone));
     EXPECT_EQ(blocks.size(), contacts.size());
     for (std::size_t i = 0; i < contacts.size(); ++i)
       blocks.set_impulses(i, contacts[i].normal_impulse, contacts[i].tangent_impulse, contacts[i].preload);
@@ -233,12 +234,50 @@ TEST(DiscBlocks, SayWhoHasNoSeat) {
   blocks.start(bodies.size());
   for (const std::uint64_t key : {3, 5}) blocks.add(key, contact, bodies[0], bodies[1]);
   blocks.finish();
+  Workers alone(1);
   const std::vector<std::vector<std::uint64_t>> unknown{{2}, {3, 4}, {4, 5}, {3, 5, 6}};
-  for (const auto& keys : unknown) EXPECT_FALSE(blocks.take(keys));
+  for (const auto& keys : unknown) EXPECT_FALSE(blocks.take(keys, alone));
   const std::vector<std::vector<std::uint64_t>> known{{}, {5}, {3}, {3, 5}};
   for (const auto& keys : known) {
-    EXPECT_TRUE(blocks.take(keys));
+    EXPECT_TRUE(blocks.take(keys, alone));
     EXPECT_EQ(blocks.size(), keys.size());
+  }
+}
+
+TEST(DiscBlocks, TakeTheSameSeatsForAnyNumberOfThreads) {
+  constexpr std::uint64_t kSeats = 4000;
+  std::vector<SolverBody> bodies(2 * kSeats + 1);
+  for (SolverBody& body : bodies) body.inverse_mass = 1.0;
+  DiscBlocks one, two;
+  for (DiscBlocks* blocks : {&one, &two}) {
+    blocks->start(bodies.size());
+    for (std::uint32_t key = 0; key < kSeats; ++key) {
+      DiscContact contact;
+      contact.a = 2 * key, contact.b = 2 * key + 1, contact.normal_mass = 0.5 + key;
+      blocks->add(key, contact, bodies[contact.a], bodies[contact.b]);
+    }
+    blocks->finish();
+  }
+  Workers alone(1), both(2);
+  std::mt19937 random(3);
+  for (const unsigned share : {2u, 7u, 1u}) {
+    std::vector<std::uint64_t> keys;
+    for (std::uint64_t key = 0; key < kSeats; ++key)
+      if (random() % share == 0) keys.push_back(key);
+    ASSERT_TRUE(one.take(keys, alone));
+    ASSERT_TRUE(two.take(keys, both));
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      EXPECT_EQ(two.contact(i).a, 2 * keys[i]);
+      EXPECT_EQ(*two.contact(i).normal_mass, 0.5 + static_cast<double>(keys[i]));
+    }
+    ASSERT_EQ(one.blocks().size(), two.blocks().size());
+    for (std::size_t i = 0; i < one.blocks().size(); ++i)
+      for (std::size_t lane = 0; lane < BlockOrder::kWidth; ++lane) {
+        EXPECT_EQ(one.blocks()[i].a[lane], two.blocks()[i].a[lane]);
+        EXPECT_EQ(one.blocks()[i].normal_mass[lane], two.blocks()[i].normal_mass[lane]);
+      }
+    keys.push_back(kSeats);
+    EXPECT_FALSE(two.take(keys, both)) << "one has no seat";
   }
 }
 

@@ -58,7 +58,8 @@ class Domains : public ::testing::TestWithParam<const char*> {};
 TEST_P(Domains, HoldAllPairsThatMayTouchEachOnceAndNoneThatCannot) {
   const Scene scene = scene_from(crowd(GetParam()));
   const Plan plan = plan_for(scene);
-  Candidates candidates(scene, plan);
+  Workers alone(1);
+  Candidates candidates(scene, plan, alone);
   const State state = initial_state(scene);
   candidates.find(state, scene.time.dt);
   const std::vector<Pair> must = overlapping(candidates, state);
@@ -80,7 +81,8 @@ TEST_P(Domains, HoldAllPairsThatMayTouchEachOnceAndNoneThatCannot) {
 TEST_P(Domains, HoldTheObstaclesThatBodiesMayTouch) {
   const Scene scene = scene_from(crowd(GetParam()));
   const Plan plan = plan_for(scene);
-  Candidates candidates(scene, plan);
+  Workers alone(1);
+  Candidates candidates(scene, plan, alone);
   const State state = initial_state(scene);
   candidates.find(state, scene.time.dt);
   const Obstacles& obstacles = candidates.obstacles();
@@ -118,7 +120,8 @@ TEST(Candidates, AreTheSameWhoeverIsFarAway) {
     const auto pairs_of = [&](const std::string& text) {
       const Scene scene = scene_from(text);
       const Plan plan = plan_for(scene);
-      Candidates candidates(scene, plan);
+      Workers alone(1);
+      Candidates candidates(scene, plan, alone);
       candidates.find(initial_state(scene), 0.2);
       sizes.push_back(candidates.colliders().size());
       return std::vector<Pair>(candidates.pairs().begin(), candidates.pairs().end());
@@ -134,7 +137,8 @@ TEST(Candidates, AreTheSameWhoeverIsFarAway) {
 TEST(Candidates, ReachAsFarAsCornersTurn) {
   Scene scene = scene_from(crowd("{ box = [[0, 0], [20, 20]] }"));
   const Plan plan = plan_for(scene);
-  Candidates candidates(scene, plan);
+  Workers alone(1);
+  Candidates candidates(scene, plan, alone);
   State state = initial_state(scene);
   for (std::size_t i = 0; i < state.spin.size(); ++i) {
     state.velocity[i] = Vec(0.0, 0.0);

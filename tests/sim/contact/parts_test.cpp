@@ -222,6 +222,24 @@ TEST(Parts, NameTheSameBodyThatCantGoOnForAnyNumberOfThreads) {
   }
 }
 
+TEST(Parts, NameTheSameBodyThatReachesTooFarForAnyNumberOfThreads) {
+  const Scene scene =
+      scene_from("gravity = [0, -9.81]\ntime = { dt = 0.01, substeps = 4 }\n" + std::string(kDisc) +
+                 "[[bodies]]\nshape = \"ball\"\nplace = { lattice = { origin = [0, 0], "
+                 "spacing = [2, 2], size = [100, 90] } }\n");
+  for (const int threads : {1, 2}) {
+    Trial run(scene, threads);
+    run.state.velocity[8999] = run.state.velocity[6] = {1e308, 1e308};
+    try {
+      run.steps(1);
+      FAIL() << "went on";
+    } catch (const SimulationError& error) {
+      EXPECT_NE(std::string(error.what()).find("body 7 gets infinitely far"), std::string::npos)
+          << error.what();
+    }
+  }
+}
+
 // Once nobody asked for seats, and then there were blocks of one group alone.
 TEST(Parts, AreThereWhereNobodyMeetsAnybody) {
   Trial run(
