@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -25,17 +26,30 @@ struct ExportOptions {
   bool force = false;
 };
 
+/// a.arrivals.csv beside a.csv; "" where nothing stands beside it, a pipe or a device.
+std::string arrivals_output(const ExportOptions& options) {
+  namespace fs = std::filesystem;
+  std::error_code neither;
+  const fs::path output = options.output;
+  if (options.output == kStandardOutput || fs::is_other(output, neither)) return "";
+  return (output.parent_path() / (output.stem().string() + ".arrivals" + output.extension().string()))
+      .string();
+}
+
+void check_name(const std::string& output, const ExportOptions& options) {
+  if (are_one_file(output, options.file))
+    throw InputError("cannot write " + output + ": it is the recording");
+  std::error_code neither;
+  if (!options.force && std::filesystem::is_regular_file(output, neither))
+    throw InputError("cannot write " + output + ": it exists already; --force overwrites it");
+}
+
 void check_output(const ExportOptions& options) {
   const bool is_lines = options.format == "csv" || options.format == "lammps";
   if (options.output == kStandardOutput && !is_lines)
     throw InputError("-o - writes csv and lammps to the standard output; " + options.format +
                      " needs a file");
-  if (options.output == kStandardOutput) return;
-  if (are_one_file(options.output, options.file))
-    throw InputError("cannot write " + options.output + ": it is the recording");
-  std::error_code neither;
-  if (!options.force && std::filesystem::is_regular_file(options.output, neither))
-    throw InputError("cannot write " + options.output + ": it exists already; --force overwrites it");
+  if (options.output != kStandardOutput) check_name(options.output, options);
 }
 
 void check_contents(const ExportOptions& options, const Recording& recording) {
@@ -67,6 +81,21 @@ bool has_lines(const Recording& recording, std::size_t frame) {
   return std::ranges::any_of(kRecordFields, [&](RecordField field) {
     return field != RecordField::contacts && recording.sample(field, frame);
   });
+}
+
+/// Those of --from to --to; nothing where the format or the recording has none.
+std::optional<Arrivals> select_arrivals(const ExportOptions& options, const Recording& recording) {
+  std::optional<Arrivals> all;
+  if (options.format == "csv") all = recording.arrivals();
+  if (!all) return std::nullopt;
+  const double inf = std::numeric_limits<double>::infinity(), slack = 1e-9 * recording.times().back();
+  Arrivals some;
+  for (std::size_t i = 0; i < all->id.size(); ++i) {
+    const double time = static_cast<double>(all->step[i]) * recording.geometry().time.dt;
+    if (time < options.from.value_or(0.0) - slack || time > options.to.value_or(inf) + slack) continue;
+    some.step.push_back(all->step[i]), some.id.push_back(all->id[i]);
+  }
+  return some;
 }
 
 /// Each --every-th of the frames that the format shows, from the first that is not before --from, up to
@@ -110,7 +139,7 @@ std::string output_name(const ExportOptions& options) {
 }
 
 /// No format has a place for what is not of a body.
-void warn_of_other_things(const ExportOptions& options, const Recording& recording) {
+void warn_of_other_things(const ExportOptions& options, const Recording& recording, bool without_arrivals) {
   const Record& record = recording.geometry().record;
   std::string left_out;
   const auto add = [&](bool is_there, const char* what) {
@@ -119,6 +148,7 @@ void warn_of_other_things(const ExportOptions& options, const Recording& recordi
   add(record.contacts, "contacts");
   add(record.observables > 0, "observables");
   add(!record.sensors.empty(), "what sensors found");
+  add(without_arrivals, "who arrived");
   if (!left_out.empty())
     std::fprintf(stderr, "throng: warning: %s leaves out %s, which throng_read.py reads\n",
                  printable(output_name(options)).c_str(), left_out.c_str());
@@ -141,7 +171,10 @@ int export_recording(const ExportOptions& options) {
   check_contents(options, recording);
   const std::vector<std::size_t> frames = select(options, recording);
   warn_of_velocities(options, recording, frames);
-  warn_of_other_things(options, recording);
+  const std::optional<Arrivals> arrivals = select_arrivals(options, recording);
+  const std::string beside = arrivals ? arrivals_output(options) : "";
+  if (!beside.empty()) check_name(beside, options);
+  warn_of_other_things(options, recording, arrivals && beside.empty());
   const auto write = [&](const std::string& path) {
     write_format(recording, options, frames, {path, options.output});
   };
@@ -149,6 +182,10 @@ int export_recording(const ExportOptions& options) {
     write(options.output);
   else
     replace_file(options.output, write);
+  if (!beside.empty())
+    replace_file(beside, [&](const std::string& path) {
+      export_arrivals_csv(*arrivals, recording.geometry().time.dt, {path, beside});
+    });
   return 0;
 }
 
@@ -173,7 +210,9 @@ void add_export(CLI::App& app, int& exit_code) {
   command->add_flag("--force", options->force, "overwrites the output where it exists");
   command->footer(
       "csv    a line a frame and body: step, time (s), id, and what was recorded of x, y (m), vx, vy (m/s),\n"
-      "       angle (rad), spin (rad/s)\n"
+      "       angle (rad), spin (rad/s); of a crowd also F.arrivals.csv beside F.csv, a line each who "
+      "arrived:\n"
+      "       id, step, time (s)\n"
       "pedpy  HDF5 for pedpy.load_trajectory_from_ped_data_archive_hdf5 and load_walkable_area_from_...: all "
       "bodies\n"
       "       but the static ones; the walkable area is that of the scenario, else the domain, else a "

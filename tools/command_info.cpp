@@ -87,6 +87,19 @@ Json queues(const Crowd& crowd) {
   return all.empty() ? Json(nullptr) : all;
 }
 
+/// s, of the first and the last who arrived.
+Json arrivals(const Recording& recording) {
+  const std::optional<Arrivals> all = recording.arrivals();
+  if (!all) return nullptr;
+  const auto time = [&](std::int64_t step) {
+    return rounded(static_cast<double>(step) * recording.geometry().time.dt);
+  };
+  const bool any = !all->step.empty();
+  return {{"count", all->id.size()},
+          {"first", any ? Json(time(all->step.front())) : Json(nullptr)},
+          {"last", any ? Json(time(all->step.back())) : Json(nullptr)}};
+}
+
 Json region(const Record& record) {
   if (!record.within) return nullptr;
   const Vec &low = record.within->min(), &high = record.within->max();
@@ -125,6 +138,7 @@ Json describe(const Recording& recording) {
           {"walkable", walkable(scene.crowd.walkable)},
           {"areas", areas(scene.crowd)},
           {"queues", queues(scene.crowd)},
+          {"arrivals", arrivals(recording)},
           {"frames", recording.frames()},
           {"every", scene.record.every},
           {"dt", scene.time.dt},
@@ -198,6 +212,13 @@ std::string fields_and_rates(const Json& d) {
   return text.empty() ? "none" : text;
 }
 
+/// "40, from 12.4 s to 31.02 s".
+std::string first_to_last(const Json& arrivals) {
+  const std::string count = arrivals["count"].dump();
+  if (arrivals["count"] == 0) return count;
+  return count + ", from " + readable(arrivals["first"]) + " s to " + readable(arrivals["last"]) + " s";
+}
+
 /// "each step", or "each step that is a multiple of 4 or 10": of which there are frames.
 std::string steps_of_frames(const Record& record) {
   std::vector<int> bases;  // multiples of others say nothing new
@@ -244,6 +265,7 @@ void print_description(const Json& description, const Recording& recording) {
     if (key == "rates" || key == "samples") continue;
     std::string text = readable(value);
     if (key == "walkable" && !value.is_null()) text = readable_entry(value);
+    if (key == "arrivals" && !value.is_null()) text = first_to_last(value);
     if (key == "frames") text += ", of " + steps_of_frames(record);
     if (key == "fields") text = fields_and_rates(description);
     if (key == "observables" && !value.is_null()) text = how_often(value, frames_with(recording, value));

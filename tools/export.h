@@ -15,6 +15,9 @@ namespace throng::tools {
 /// angle, spin. Numbers read back as they were.
 void export_csv(const Recording& recording, std::span<const std::size_t> frames, const ExportTarget& target);
 
+/// A line each who arrived, in the order of their steps, below a line of names: id, step, time.
+void export_arrivals_csv(const Arrivals& arrivals, double dt, const ExportTarget& target);
+
 /// A text dump as LAMMPS writes it, which OVITO and MDAnalysis read: id, type (the number of the shape, from
 /// 1), x, y, z = 0, radius (where a body is no disc, of the circle around it), mass, and what was recorded of
 /// vx, vy, of the orientation, as a unit quaternion about z and as an angle, and of omegaz. SI units; numbers

@@ -51,4 +51,13 @@ void export_csv(const Recording& recording, std::span<const std::size_t> frames,
   out.close();
 }
 
+void export_arrivals_csv(const Arrivals& arrivals, double dt, const ExportTarget& target) {
+  TextFile out(target);
+  out << "id,step,time\n";
+  for (std::size_t i = 0; i < arrivals.id.size(); ++i)
+    out << std::int64_t{arrivals.id[i]} << "," << arrivals.step[i] << ","
+        << static_cast<double>(arrivals.step[i]) * dt << "\n";
+  out.close();
+}
+
 }  // namespace throng::tools

@@ -16,6 +16,7 @@
 #include "sim/recording/output_file.h"
 #include "sim/recording/scene_reader.h"
 #include "sim/recording/scene_tables.h"
+#include "sim/recording/soundness.h"
 
 namespace throng {
 
@@ -340,8 +341,11 @@ std::optional<Arrivals> Recording::arrivals() const {
   try {
     h5::prepare();
     const h5::Handle group = h5::open_group(h5::open_group(impl_->file.handle, "throng"), "arrivals");
-    return Arrivals{h5::read_array<std::int64_t>(impl_->file, group, "step"),
-                    h5::read_array<std::uint32_t>(impl_->file, group, "id")};
+    Arrivals all{h5::read_array<std::int64_t>(impl_->file, group, "step"),
+                 h5::read_array<std::uint32_t>(impl_->file, group, "id")};
+    if (!recording::are_arrivals(all.step, all.id, impl_->scene.time.steps()))
+      throw h5::Error("no run leaves such lists");
+    return all;
   } catch (const h5::Error& error) {
     throw InputError(impl_->path + " is damaged: who arrived: " + error.what());
   }

@@ -70,15 +70,6 @@ bool is_possible(const Collisions& all) {
          std::isfinite(all.equilibrium);
 }
 
-/// One after the other, those of one step by their names, none before the first step.
-bool are_arrivals(const std::vector<std::int64_t>& steps, const std::vector<std::uint32_t>& id,
-                  std::int64_t now) {
-  if (steps.size() != id.size()) return false;
-  for (std::size_t i = 1; i < steps.size(); ++i)
-    if (std::pair(steps[i - 1], id[i - 1]) >= std::pair(steps[i], id[i])) return false;
-  return steps.empty() || (steps.front() > 0 && steps.back() <= now);
-}
-
 bool is_possible(const CrowdState& crowd, std::int64_t step) {
   const auto past = [step](std::int64_t s) { return s >= 0 && s <= step; };
   return std::all_of(crowd.stand.begin(), crowd.stand.end(), is_near) &&
@@ -95,6 +86,13 @@ bool is_possible(const CrowdState& crowd, std::int64_t step) {
 }
 
 }  // namespace
+
+bool are_arrivals(std::span<const std::int64_t> steps, std::span<const std::uint32_t> id, std::int64_t last) {
+  if (steps.size() != id.size()) return false;
+  for (std::size_t i = 1; i < steps.size(); ++i)
+    if (std::pair(steps[i - 1], id[i - 1]) >= std::pair(steps[i], id[i])) return false;
+  return steps.empty() || (steps.front() > 0 && steps.back() <= last);
+}
 
 bool is_sound(const State& state) {
   for (std::size_t row = 0; row < state.id.size(); ++row)

@@ -59,6 +59,68 @@ class Crowd(Program):
         with throng_read.open(self.path("two.h5")) as recording:
             np.testing.assert_array_equal(recording.arrivals, whole)
 
+    def info(self, name="a.h5"):
+        told = json.loads(subprocess.run([PROGRAM, "info", self.path(name), "--json"], capture_output=True, check=True).stdout)
+        (line,) = (line for line in subprocess.run([PROGRAM, "info", self.path(name)], capture_output=True, check=True, text=True)
+                   .stdout.splitlines() if line.startswith("arrivals"))
+        return told["arrivals"], line
+
+    def test_who_arrived_is_counted_by_info(self):
+        self.record("a.h5", "--set", "agents[0].at=[8.31, 1]")
+        told, line = self.info()
+        self.assertEqual((told["count"], told["first"]), (2, 0.7), "without what rounding leaves")
+        self.assertAlmostEqual(told["last"], 3.0, delta=0.021)
+        self.assertEqual(line, f"arrivals      2, from 0.7 s to {told['last']:g} s")
+        self.record("b.h5", "--until", "0.5")
+        self.assertEqual(self.info("b.h5"), ({"count": 0, "first": None, "last": None}, "arrivals      0"))
+        (self.folder / "three.toml").write_text("throng = 1\ntime = { until = 0.1 }\n[shapes]\nball = { disc = { radius = 1 } }\n[[bodies]]\nshape = 'ball'\nat = [0, 0]\n")
+        self.record("c.h5")
+        self.assertEqual(self.info("c.h5"), (None, "arrivals      none"))
+
+    def csv_rows(self, name):
+        with open(self.path(name), newline="") as file:
+            return list(csv.reader(file))
+
+    def test_who_arrived_stands_beside_the_csv(self):
+        with throng_read.open(self.record()) as recording:
+            arrivals = recording.arrivals
+        export = ("export", "a.h5", "--format", "csv", "-o")
+        self.assertEqual(self.throng(*export, "a.csv"), (0, ""))
+        names, *rows = self.csv_rows("a.arrivals.csv")
+        self.assertEqual(names, ["id", "step", "time"])
+        self.assertEqual([int(row[0]) for row in rows], list(arrivals.id))
+        self.assertEqual([int(row[1]) for row in rows], list(arrivals.step))
+        self.assertEqual([float(row[2]) for row in rows], list(arrivals.time), "to the last bit")
+        for options, ids in ((("--to", "2"), ["1"]), (("--from", "2"), ["3"]), (("--to", str(arrivals.time[0])), ["1"]),
+                             (("--from", "4", "--to", "5", "--every", "9"), [])):
+            self.assertEqual(self.throng(*export, "a.csv", "--force", *options), (0, ""))
+            self.assertEqual([row[0] for row in self.csv_rows("a.arrivals.csv")[1:]], ids, options)
+        for name, beside in (("b", "b.arrivals"), ("x.y.txt", "x.y.arrivals.txt")):
+            self.assertEqual(self.throng(*export, name), (0, ""))
+            self.assertEqual(len(self.csv_rows(beside)), 3)
+
+    def test_who_arrived_overwrites_nothing_unasked(self):
+        self.record()
+        (self.folder / "a.arrivals.csv").write_text("mine")
+        self.assertEqual(self.throng("export", "a.h5", "--format", "csv", "-o", "a.csv"),
+                         (2, "throng: cannot write a.arrivals.csv: it exists already; --force overwrites it\n"))
+        self.assertEqual((self.folder / "a.arrivals.csv").read_text(), "mine")
+        self.assertFalse((self.folder / "a.csv").exists())
+        self.assertEqual(self.throng("export", "a.h5", "--format", "pedpy", "-o", "a.csv"), (0, ""), "which has no such file")
+        shutil.move(self.path("a.h5"), self.path("b.arrivals.csv"))
+        self.assertEqual(self.throng("export", "b.arrivals.csv", "--format", "csv", "-o", "b.csv", "--force"),
+                         (2, "throng: cannot write b.arrivals.csv: it is the recording\n"))
+
+    def test_who_arrived_has_no_place_in_a_pipe(self):
+        self.record()
+        done = subprocess.run([PROGRAM, "export", "a.h5", "--format", "csv", "-o", "-"], cwd=self.folder, capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stderr),
+                         (0, "throng: warning: the standard output leaves out who arrived, which throng_read.py reads\n"))
+        self.assertEqual(len(done.stdout.splitlines()), 502)
+        done = subprocess.run([PROGRAM, "export", "a.h5", "--format", "csv", "-o", "/dev/stdout"], cwd=self.folder, capture_output=True, text=True)
+        self.assertIn("leaves out who arrived", done.stderr)
+        self.assertEqual({file.name for file in self.folder.iterdir()}, {"a.h5", "three.toml"})
+
     def test_who_arrived_is_verified(self):
         self.record()
         def verified(change):
@@ -77,8 +139,18 @@ class Crowd(Program):
         def lose_all(arrivals):
             del arrivals["id"]
         self.assertEqual(verified(lambda arrivals: None), (0, "verified: 301 frames\n"))
-        for change in (set_step, lose_one, lose_an_id):
+        def late(arrivals):
+            arrivals["step"][-1] = 301
+        def swap(arrivals):
+            arrivals["step"][:] = arrivals["step"][:][::-1]
+        for change in (set_step, lose_one):
             self.assertEqual(verified(change), (1, "diverged: who arrived, or when, was recorded otherwise than it runs to\n"))
+        for change in (lose_an_id, late, swap):
+            said = "throng: b.h5 is damaged: who arrived: no run leaves such lists\n"
+            self.assertEqual(verified(change), (2, said))
+            for command in (("info", "b.h5"), ("export", "b.h5", "--format", "csv", "-o", "b.csv")):
+                self.assertEqual(self.throng(*command), (2, said), "and nothing is written")
+            self.assertFalse((self.folder / "b.csv").exists())
         self.assertEqual(verified(lose_all), (2, "throng: b.h5 is damaged: who arrived: id is missing\n"))
 
     def test_who_arrived_is_not_known_of_bodies_nor_of_a_run_that_did_not_end(self):
