@@ -9,6 +9,8 @@ namespace throng::scenarios {
 
 namespace {
 
+constexpr double kHalf = 0.5 * (1.0 + 1e-9);  // up to rounding
+
 /// "is 200 s, and the run ends at 100 s (time.until)" of a time.
 std::string after_the_end(double time, const Scene& scene) {
   return to_text(time) + " s, and the run ends at " + to_text(scene.time.until) + " s (time.until)";
@@ -16,10 +18,15 @@ std::string after_the_end(double time, const Scene& scene) {
 
 void warn_of_late_measures(const toml::table& root, const Scene& scene, Report& report) {
   for (std::size_t i = 0; i < scene.crowd.measures.size(); ++i) {
-    const toml::node* from = root["measure"][i]["from"].node();
-    if (!from || scene.crowd.measures[i].after < scene.time.steps()) continue;
-    report.warning(from->source(), "measure[" + std::to_string(i) + "].from",
-                   "is " + after_the_end(number(*from), scene) + ": nothing is measured");
+    const Measure& measure = scene.crowd.measures[i];
+    const toml::node *from = root["measure"][i]["from"].node(), *until = root["measure"][i]["until"].node();
+    const std::string path = "measure[" + std::to_string(i) + "].";
+    if (from && measure.after >= scene.time.steps())
+      report.warning(from->source(), path + "from",
+                     "is " + after_the_end(number(*from), scene) + ": nothing is measured");
+    else if (until && measure.last > scene.time.steps())
+      report.warning(until->source(), path + "until",
+                     "is " + after_the_end(number(*until), scene) + ": measured is up to that");
   }
 }
 
@@ -55,10 +62,20 @@ void warn_of_late_openings(const toml::table& root, const Scene& scene, Report& 
 /// Of several of which agents go to the nearest the others would do, and nobody would know.
 void expect_areas_on_the_floor(const toml::table& root, const Scene& scene, Report& report) {
   const Path root_path, path(root_path, "areas");
-  for (const Area& area : scene.crowd.areas)
-    if (area.use != AreaUse::none && !(common_area(area.region, scene.crowd.walkable) > 0.0))
-      report.error(*root["areas"][area.name].node(), Path(path, area.name).text(),
+  const std::set<std::string> used = areas_in_use(root, scene);
+  for (const Area& area : scene.crowd.areas) {
+    if (!used.contains(area.name)) continue;
+    const toml::node& node = *root["areas"][area.name].node();
+    const double all = common_area(area.region, area.region);
+    const double walkable = common_area(area.region, scene.crowd.walkable);
+    if (area.use != AreaUse::none && !(walkable > 0.0))
+      report.error(node, Path(path, area.name).text(),
                    "has nothing in common with the walkable area, and agents are to go there");
+    else if (walkable <= kHalf * all)
+      report.warning(node.source(), Path(path, area.name).text(),
+                     "is half or more off the floor: of its " + three_digits(all) + " m² " +
+                         three_digits(walkable) + " m² are walkable");
+  }
 }
 
 /// m/s, of which there is one an agent of a group.

@@ -89,6 +89,7 @@ void read_scene(const toml::table& root, Scene& scene, Report& report) {
   check_quantum(root, scene, report);
   read_sensors(root, scene, report);
   warn_of_empty_record(root, scene, report);
+  warn_of_unused(root, scene, report);
   warn_of_idle_rolling(root, scene, report);
   settle_auto_time(root, scene, report);
   settle_soft_contacts(root, scene, report);

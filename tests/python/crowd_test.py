@@ -374,6 +374,7 @@ class Floor(Program):
         text = CROWD.replace("areas = {", f'areas = {{ hall = {hall}, "café" = {cafe},') + "queues = { till = { line = [[7, 1], [5.5, 1], [5.5, 1.7]], service = 2.5 } }\n"
         text += AGENT.format(2.0, 4.0).replace('"exit"', '[{ queue = "till" }, { wait = "café", for = 1 }, "exit"]')
         text += '[[measure]]\nname = "door"\nline = [[8, 0], [8, 5]]\n[[measure]]\nname = "seats"\narea = "café"\n'
+        text += AGENT.split("\n", 2)[0] + "\ncount = 0\nplace.random.within = 'hall'\n" + AGENT.split("\n", 2)[2]  # may come later
         (self.folder / "three.toml").write_text(text)
 
     def test_is_read(self):

@@ -173,7 +173,7 @@ class Pedpy(Export):
         self.record("a.h5", "--set", 'record.fields=["velocity"]')
         self.assertIn("a.h5 holds no positions, which pedpy can't do without", self.refused("a.h5", "--format", "pedpy", "-o", "p"))
         scene = (self.folder / "three.toml").read_text()
-        (self.folder / "three.toml").write_text(scene.replace('material = "ice"', 'kind = "static"').replace("spin = 2.0", ""))
+        (self.folder / "three.toml").write_text(scene.replace('material = "ice"', 'material = "ice"\nkind = "static"').replace("spin = 2.0", ""))
         self.record("b.h5", "--set", "bodies.1.velocity=[0.0,0.0]")
         self.assertIn("all bodies are static", self.refused("b.h5", "--format", "pedpy", "-o", "p"))
 

@@ -193,7 +193,8 @@ class Terminal(Program):
 
     def test_shows_the_floor_of_a_crowd(self):
         (self.folder / "floor.toml").write_text(FLOOR)
-        self.assertEqual(self.throng("run", "floor.toml", "-o", "floor.h5", "--progress", "none"), (0, ""))
+        self.assertEqual(self.throng("run", "floor.toml", "-o", "floor.h5", "--progress", "none"),
+                         (0, "floor.toml:13:10: warning: areas.narrow: is nobody's goal, nobody's place, and not measured: it is only drawn\n"))
         _, played, _ = self.play("floor.h5", "1e6", columns=64, rows=14).end()
         shown = lines(played)
         self.assertEqual(shown[-1].split("   ")[0], "1 body, 2 agents")

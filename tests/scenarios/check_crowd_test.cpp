@@ -18,7 +18,7 @@ std::string said_of(const std::string& rest, const std::string& dt = "0.01") {
                                   "walkable = 'POLYGON ((0 0, 20 0, 20 6, 0 6, 0 0))'\n[areas]\n"
                                   "start = [[0, 0], [4, 0], [4, 6], [0, 6]]\n"
                                   "exit = [[19, 0], [20, 0], [20, 6], [19, 6]]\n" +
-                                  rest);
+                                  rest + "[[measure]]\nname = 'start'\narea = 'start'\n");
   EXPECT_EQ(loaded.errors(), 0) << faults(loaded);
   return faults(loaded);
 }
@@ -39,6 +39,52 @@ TEST(CheckCrowd, WarnsOfWhatIsMeasuredAfterTheEnd) {
   expect_warning(group() + measure + "200\n",
                  "measure[0].from: is 200 s, and the run ends at 100 s (time.until)");
   EXPECT_EQ(said_of(group() + measure + "99.9\n"), "");
+}
+
+TEST(CheckCrowd, WarnsOfMeasuresThatGoOnAfterTheEnd) {
+  const std::string measure = "[[measure]]\nname = 'door'\nline = [[9, 0], [9, 6]]\n";
+  expect_warning(
+      group() + measure + "until = 200\n",
+      "measure[0].until: is 200 s, and the run ends at 100 s (time.until): measured is up to that");
+  EXPECT_EQ(said_of(group() + measure + "until = 100\n"), "") << "which is the end";
+  EXPECT_EQ(said_of(group() + measure + "until = 99.9\n"), "");
+  const std::string late = said_of(group() + measure + "from = 150\nuntil = 200\n");
+  EXPECT_NE(late.find("measure[0].from"), std::string::npos);
+  EXPECT_EQ(late.find("measure[0].until"), std::string::npos) << "said once: " << late;
+}
+
+TEST(CheckCrowd, WarnsOfAreasHalfOrMoreOffTheFloor) {
+  const auto with = [](const std::string& left, const std::string& rest) {
+    return said_of("door = [[" + left + ", 2], [22, 2], [22, 4], [" + left + ", 4]]\n" + rest);
+  };
+  const std::string off = "s.toml:7:8: warning: areas.door: is half or more off the floor: of its ";
+  const std::string goal = "[[agents]]\ngoal = ['exit', 'door']\nmodel = 'orca'\nat = [2, 2]\n";
+  const std::string place = group("place.random.within = 'door'\n");
+  const std::string measure = group() + "[[measure]]\nname = 'door'\narea = 'door'\n";
+  for (const std::string& use : {goal, place, measure}) {
+    EXPECT_EQ(with("19", use), off + "6 m² 2 m² are walkable\n") << use;
+    EXPECT_EQ(with("18", use), off + "8 m² 4 m² are walkable\n") << "half, " << use;
+    EXPECT_EQ(with("17.9", use), "") << use;
+  }
+}
+
+TEST(CheckCrowd, WarnsOfAreasAndQueuesThatNobodyUses) {
+  const std::string hall = "hall = [[5, 0], [9, 0], [9, 6], [5, 6]]\n";
+  EXPECT_EQ(said_of(hall + group()),
+            "s.toml:7:8: warning: areas.hall: is nobody's goal, nobody's place, and not measured: it is only "
+            "drawn\n");
+  for (const char* use : {"[[measure]]\nname = 'm'\narea = 'hall'\n",
+                          "[[agents]]\ngoal = 'hall'\nmodel = 'orca'\nat = [3, 3]\n",
+                          "[[agents]]\ngoal = 'exit'\nmodel = 'orca'\nplace.random.within = 'hall'\n",
+                          "[[agents]]\ngoal = { wait = 'hall' }\nmodel = 'orca'\nat = [3, 3]\n",
+                          "[[agents]]\ngoal = { nearest = ['hall', 'exit'] }\nmodel = 'orca'\nat = [3, 3]\n"})
+    EXPECT_EQ(said_of(hall + group() + use), "") << use;
+  const std::string till = "[queues]\ntill = { line = [[9, 3], [7, 3]], service = 2 }\n";
+  EXPECT_EQ(said_of(group() + till),
+            "s.toml:12:8: warning: queues.till: nobody lines up there: it is only drawn\n");
+  EXPECT_EQ(said_of(group() + till +
+                    "[[agents]]\ngoal = [{ queue = 'till' }, 'exit']\nmodel = 'orca'\nat = [6, 3]\n"),
+            "");
 }
 
 TEST(CheckCrowd, WarnsOfThoseWhoAreDueAfterTheEnd) {

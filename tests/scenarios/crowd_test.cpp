@@ -348,7 +348,8 @@ TEST(Crowd, BlamesAFaultyFloorAlone) {
 TEST(Crowd, IsWarnedOfWhatWontBeAsItSays) {
   const auto said = [](const std::string& fields, const std::string& before = "") {
     return faults(load_text("throng = 1\n" + before + kFloor.substr(11) +
-                            "[[agents]]\ngoal = 'exit'\nat = [1, 1]\n" + fields));
+                            "[[agents]]\ngoal = 'exit'\nat = [1, 1]\n" + fields +
+                            "[[measure]]\nname = 'start'\narea = 'start'\n"));
   };
   const std::string orca = "model = 'orca'\n";
   EXPECT_NE(said(orca + "desired_speed = 3\n")

@@ -48,6 +48,27 @@ TEST(Load, PutsTheDefaultMaterialFirst) {
   EXPECT_EQ(scene.materials[1].rolling_resistance, 0.01);
 }
 
+TEST(Load, WarnsOfMaterialsAndShapesThatNobodyIsOf) {
+  const std::string text =
+      "throng = 1\nmaterials.ice.friction = 0.1\nmaterials.default.friction = 0.2\nshapes.ball.disc.radius = "
+      "1\nshapes.box.polygon = [[0, 0], [1, 0], [1, 1], [0, 1]]\n[[bodies]]\nshape = 'ball'\nat = [0, 0]\n";
+  const std::string ice = "materials.ice: is of no body and no wall\n",
+                    box = "s.toml:5:8: warning: shapes.box: is of no body\n",
+                    other = "materials.default: is of no body and no wall\n";
+  EXPECT_EQ(faults(load_text(text)), "s.toml:2:11: warning: " + ice + box);
+  EXPECT_EQ(faults(load_text(text + "material = 'ice'\n")), "s.toml:3:11: warning: " + other + box);
+  const std::string ice_alone = text + "material = 'ice'\n[[bodies]]\nshape = 'box'\nat = [5, 0]\n";
+  EXPECT_EQ(faults(load_text(ice_alone)), "");
+  const std::string all_ice = ice_alone + "material = 'ice'\n";
+  EXPECT_EQ(faults(load_text(all_ice)), "s.toml:3:11: warning: " + other);
+  EXPECT_EQ(faults(load_text(all_ice, {"domain.box = [[-9, -9], [9, 9]]"})), "") << "its walls";
+  EXPECT_EQ(faults(load_text(all_ice + "[[walls]]\nsegment = [[0, 5], [1, 5]]\n")), "");
+  EXPECT_EQ(faults(load_text(text +
+                             "[[bodies]]\nshape = 'box'\nat = [5, 0]\n[[walls]]\nsegment = [[0, 5], [1, 5]]\n"
+                             "material = 'ice'\n")),
+            "");
+}
+
 TEST(Load, ReadsABodyThatStandsAlone) {
   const Bodies bodies = load_text(kEverything).scene.bodies;
   ASSERT_EQ(bodies.size(), 1u + 20u + 4u + 1u);
