@@ -143,8 +143,10 @@ Table agent_table() {
 Table measure_table() {
   return {{required({"name", text(64), "What the summary calls it."}),
            {"line", tuple({point(), point()}, "two points [[x, y], [x, y]]"),
-            "A line, m: crossings from its left to its right, seen from its first point, and back."},
-           {"area", name_in("areas"), "Name of an area: density and speed of those in it."},
+            "A line, m: crossings from its left to its right, seen from its first point, and back; its flow "
+            "is of both."},
+           {"area", name_in("areas"),
+            "Name of an area: density and speed of those in it, and their product, the flow."},
            {"voronoi",
             table({{{"cutoff", number(1e-2, 1e3, "m"), "How far from its agent a cell ends, m.", "1.0"}}}),
             "Of an area: its density by the Voronoi cells of agents too, as density_voronoi."},
