@@ -9,6 +9,7 @@
 #include "sim/crowd/model.h"
 #include "sim/crowd/sampler.h"
 #include "sim/crowd/walk.h"
+#include "sim/crowd/ways.h"
 
 namespace throng::scenarios {
 
@@ -86,14 +87,6 @@ class AgentPlacer {
   }
 
  private:
-  /// "agent 3 of 20 (id 23, radius 0.2 m)" of its group.
-  std::string which(std::uint32_t row) const {
-    const AgentGroup& group = scene_.crowd.groups[scene_.crowd.group[row - scene_.crowd.first]];
-    return "agent " + std::to_string(row - scene_.crowd.first - group.first + 1) + " of " +
-           std::to_string(group.count) + " (id " + std::to_string(row + 1) + ", radius " +
-           to_text(scene_.bodies.radius[row]) + " m)";
-  }
-
   /// The area's name, or the box.
   static std::string where(const AgentEntry& entry) {
     const toml::node& within = *(*entry.node->as_table())["place"]["random"]["within"].node();
@@ -161,7 +154,7 @@ class AgentPlacer {
     }
     report_.mark_bad(*entry.node);
     report_.error(*entry.node->as_table()->get("place"), entry.path + ".place.random",
-                  which(row) + " found no free place in " + where(entry) +
+                  agent_name(scene_, row) + " found no free place in " + where(entry) +
                       (common_area(entry.within, scene_.crowd.walkable) > 0.0
                            ? ": take a larger `within`, or fewer or smaller agents"
                            : ", which has nothing in common with the walkable area"));

@@ -50,14 +50,14 @@ void expect_memory(const Crowd& crowd, const WaysSize& size) {
                   "times in [open] or radii, or a smaller `walkable`");
 }
 
-/// "agent 3 of 20 (id 23, radius 0.2 m)" of a group.
-std::string which(const Scene& scene, const AgentGroup& group, std::uint32_t agent) {
-  const std::uint32_t row = scene.crowd.first + agent;
+}  // namespace
+
+std::string agent_name(const Scene& scene, std::uint32_t row) {
+  const std::uint32_t agent = row - scene.crowd.first;
+  const AgentGroup& group = scene.crowd.groups[scene.crowd.group[agent]];
   return "agent " + std::to_string(agent - group.first + 1) + " of " + std::to_string(group.count) + " (id " +
          std::to_string(row + 1) + ", radius " + text(scene.bodies.radius[row]) + " m)";
 }
-
-}  // namespace
 
 Ways::Ways(const Scene& scene, const Barriers& barriers)
     : scene_(scene), barriers_(barriers), goals_(scene.crowd.goals.size()) {
@@ -163,11 +163,11 @@ std::string Ways::why(std::uint32_t goal, std::size_t phase, const AgentGroup& g
   const std::string when =
       its.phases.size() > 1 ? ", as it is open from " + text(its.phases[phase].time) + " s on" : "";
   if (!its.phases[phase].fields[its.size(radius)].leads_from_anywhere())
-    return "its goal " + name + when + " is nowhere on the floor that " + which(scene_, group, agent) +
+    return "its goal " + name + when + " is nowhere on the floor that " + agent_name(scene_, row) +
            ", or any other as wide, gets to";
   return "no way wide enough leads from " + text(scene_.bodies.position[row]) + ", where " +
-         which(scene_, group, agent) + (group.entrance ? " may appear" : " stands") + ", to its goal " +
-         name + when;
+         agent_name(scene_, row) + (group.entrance ? " may appear" : " stands") + ", to its goal " + name +
+         when;
 }
 
 void Ways::fail_at(const AgentGroup& group, std::uint32_t agent) const {

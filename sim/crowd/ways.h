@@ -4,6 +4,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "sim/crowd/barriers.h"
@@ -29,6 +30,9 @@ inline Heading straight_to(const Vec& from, const Vec& to, double distance) {
   const double length = (to - from).norm();
   return {length > 0.0 ? Vec((to - from) / length) : Vec(0.0, 0.0), distance};
 }
+
+/// "agent 3 of 20 (id 23, radius 0.2 m)" of its group, for messages; `row` is that of the body.
+std::string agent_name(const Scene& scene, std::uint32_t row);
 
 /// No way leads an agent to a goal of its group's, or there would be too many ways to keep.
 struct NoWay : InputError {
