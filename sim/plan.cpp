@@ -47,21 +47,21 @@ std::string awake_because(const Scene& scene, const Plan& plan) {
   return "";
 }
 
-/// Every surface at which a moving body may bounce keeps all energy.
-bool all_elastic(const Scene& scene, const Plan& plan) {
+/// Those at which bodies may meet: of one who is dynamic and one who is there, a body, a wall or the box.
+std::vector<Surface> meeting_surfaces(const Scene& scene, const Plan& plan) {
   const std::size_t count = scene.materials.size();
-  std::vector<std::uint8_t> moves(count, 0), met(count, 0);
+  std::vector<std::uint8_t> dynamic(count, 0), there(count, 0);
   for (std::size_t row = 0; row < scene.bodies.size(); ++row) {
-    if (scene.bodies.kind[row] != BodyKind::fixed) moves[scene.bodies.material[row]] = 1;
-    met[scene.bodies.material[row]] = 1;
+    if (scene.bodies.kind[row] == BodyKind::dynamic) dynamic[scene.bodies.material[row]] = 1;
+    there[scene.bodies.material[row]] = 1;
   }
-  for (const Wall& wall : scene.walls) met[wall.material] = 1;
-  if (plan.box) met[0] = 1;
+  for (const Wall& wall : scene.walls) there[wall.material] = 1;
+  if (plan.box) there[0] = 1;
+  std::vector<Surface> meeting;
   for (std::size_t a = 0; a < count; ++a)
     for (std::size_t b = 0; b < count; ++b)
-      if (moves[a] && met[b] && (plan.surface(a, b).restitution < 1.0 || plan.surface(a, b).rolling > 0.0))
-        return false;
-  return true;
+      if (dynamic[a] && there[b]) meeting.push_back(plan.surface(a, b));
+  return meeting;
 }
 
 std::string counted(std::size_t n, const std::string& one, const std::string& more) {
@@ -194,17 +194,16 @@ Plan plan_for(const Scene& scene, ContactModel contact) {
       scene, [&](std::size_t row) { return scene.shapes[scene.bodies.shape[row]].parts.size() > 1; });
   plan.materials = scene.materials.size();
   plan.surfaces = surfaces(scene);
-  plan.friction =
-      plan.contacts() && std::ranges::any_of(plan.surfaces, [](const Surface& s) { return s.friction > 0; });
-  plan.rolling = plan.contacts() && any_round(scene) &&
-                 std::ranges::any_of(plan.surfaces, [](const Surface& s) { return s.rolling > 0; });
+  const std::vector<Surface> meeting = meeting_surfaces(scene, plan);
+  const auto some = [&](auto wanted) { return plan.contacts() && std::ranges::any_of(meeting, wanted); };
+  plan.friction = some([](const Surface& s) { return s.friction > 0.0; });
+  plan.rolling = any_round(scene) && some([](const Surface& s) { return s.rolling > 0.0; });
   plan.rotation = spins(scene) || (plan.contacts() && (plan.polygons || plan.friction || plan.rolling));
   plan.soft = plan.contacts() && is_soft(contact) && !plan.crowd;
-  plan.restitution = plan.contacts() && !plan.soft &&
-                     std::ranges::any_of(plan.surfaces, [](const Surface& s) { return s.restitution > 0; });
-  plan.elastic = plan.restitution &&
-                 std::ranges::any_of(plan.surfaces, [](const Surface& s) { return s.restitution >= 1.0; });
-  plan.flights = plan.elastic && !plan.gravity && !plan.polygons && all_elastic(scene, plan);
+  plan.restitution = !plan.soft && some([](const Surface& s) { return s.restitution > 0.0; });
+  plan.elastic = plan.restitution && some([](const Surface& s) { return s.restitution >= 1.0; });
+  plan.flights = plan.elastic && !plan.gravity && !plan.polygons &&
+                 !some([](const Surface& s) { return s.restitution < 1.0 || s.rolling > 0.0; });
   plan.sleep = awake_because(scene, plan).empty();
   plan.stages = stages(scene, plan);
   return plan;

@@ -133,6 +133,34 @@ TEST(Plan, PairsTakeTheGeometricMeanOfFrictionAndTheLargerRestitution) {
   EXPECT_DOUBLE_EQ(plan.surfaces[2].friction, 0.2);
 }
 
+/// It happened: friction ran where the default material alone rubs, of which nobody was.
+TEST(Plan, LooksAtSurfacesThatMayMeetAlone) {
+  const std::string smooth =
+      "[materials.default]\nfriction = 0.5\nrestitution = 0.4\nrolling_resistance = 0.1\n"
+      "[materials.ice]\nfriction = 0\n"
+      "[materials.rubber]\nfriction = 0.5\nrestitution = 0.4\nrolling_resistance = 0.1\n"
+      "[shapes]\nball = { disc = { radius = 0.5 } }\n"
+      "[[bodies]]\nshape = 'ball'\nmaterial = 'ice'\nat = [0, 0]\n"
+      "[[bodies]]\nshape = 'ball'\nmaterial = 'ice'\nat = [3, 0]\n";
+  const std::string ice_floor = "[[walls]]\nsegment = [[-9, -5], [9, -5]]\nmaterial = 'ice'\n";
+  const std::string mill =
+      "[[bodies]]\nshape = 'ball'\nmaterial = 'rubber'\nat = [0, 8]\nkind = 'kinematic'\n";
+  const auto bounces = [](const std::string& text) { return plan_for(scene_from(text)).restitution; };
+  const auto rolls = [](const std::string& text) { return plan_for(scene_from(text)).rolling; };
+  for (const std::string& text : {smooth, smooth + ice_floor}) {
+    EXPECT_FALSE(runs(plan_for(scene_from(text)), "friction")) << text;
+    EXPECT_FALSE(bounces(text) || rolls(text)) << text;
+  }
+  const std::string box = "domain.box = [[-9, -9], [9, 9]]\n";
+  EXPECT_TRUE(bounces(box + smooth) && rolls(box + smooth)) << "its walls are of the default";
+  EXPECT_FALSE(runs(plan_for(scene_from(box + smooth)), "friction")) << "ice is smooth to all";
+  EXPECT_TRUE(bounces(smooth + mill) && rolls(smooth + mill)) << "ice meets it";
+  EXPECT_FALSE(runs(plan_for(scene_from(smooth + mill)), "friction")) << "rubber doesn't meet rubber";
+  EXPECT_TRUE(runs(
+      plan_for(scene_from(smooth + mill + "[[bodies]]\nshape = 'ball'\nmaterial = 'rubber'\nat = [5, 8]\n")),
+      "friction"));
+}
+
 TEST(Plan, LetsBodiesSleepWhereSomethingPullsThemOntoSomething) {
   const std::string pulls = "gravity = [0, -9.81]\n";
   EXPECT_TRUE(runs(plan_for(scene_from(pulls + kTwoDiscs)), "sleep"));
