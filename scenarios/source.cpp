@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "scenarios/source.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <string_view>
 
 #include "scenarios/limits.h"
+#include "scenarios/report.h"
 #include "scenarios/scan.h"
 
 namespace throng::scenarios {
@@ -18,6 +22,37 @@ constexpr std::string_view kHdf5 = "\x89HDF\r\n\x1a\n";  // as its files begin
 /// The diagnosis of a file that is no TOML.
 Diagnostic fault(int line, int column, std::string message) {
   return {Diagnostic::Severity::error, line, column, "", std::move(message), ""};
+}
+
+bool goes_on(char c) {
+  return (c & 0xC0) == 0x80;  // a character that another byte began
+}
+
+/// What is written there, with no blank and no sign of TOML's in it; columns count characters, from 1.
+std::string_view word_at(std::string_view text, std::size_t line, std::size_t column) {
+  constexpr std::string_view kEnds = " \t\r\n,=[]{}#\"'";
+  for (; line > 1 && !text.empty(); --line)
+    text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+  text = text.substr(0, text.find('\n'));
+  std::size_t at = 0;
+  for (; at < text.size() && (column > 1 || goes_on(text[at])); ++at) column -= goes_on(text[at]) ? 0 : 1;
+  const std::size_t begin = text.substr(0, at).find_last_of(kEnds) + 1;  // 0 where there is none
+  return text.substr(begin, text.find_first_of(kEnds, at) - begin);
+}
+
+/// What the parser says; of a word without quotes, and of what begins as nothing does, what a value is.
+std::string why(const toml::parse_error& error, std::string_view text) {
+  const std::string_view said = error.description();
+  const bool no_value = said.ends_with("could not determine value type");
+  if (!no_value && !said.starts_with("Error while parsing boolean") &&
+      !said.starts_with("Error while parsing floating-point"))
+    return std::string(said);
+  const auto& place = error.source().begin;
+  const std::string_view word = word_at(text, place.line, place.column);
+  const bool is_word = !word.empty() && (std::isalpha(static_cast<unsigned char>(word[0])) || word[0] & 0x80);
+  if (!no_value && !is_word) return std::string(said);
+  return "a value is a text in quotes, as in " + in_quotes(is_word ? word : "pile") +
+         ", a number, as in 0.5 or 1e-3, true, false, a list [a, b] or a table { key = a }";
 }
 
 }  // namespace
@@ -59,7 +94,7 @@ std::optional<toml::table> parse(const std::string& text, const std::string& nam
   } catch (const toml::parse_error& error) {
     const auto& place = error.source().begin;
     diagnostics = {fault(static_cast<int>(place.line), static_cast<int>(place.column),
-                         "this is no TOML: " + std::string(error.description()))};
+                         "this is no TOML: " + why(error, text))};
     return std::nullopt;
   }
 }
