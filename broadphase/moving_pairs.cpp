@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cassert>
-#include <cmath>
 #include <limits>
 
 namespace throng::broadphase {
@@ -50,7 +48,7 @@ bool MovingPairs::holds(std::span<const Point> centres, std::span<const double> 
   if (period && (period->origin != period_.origin || period->size != period_.size)) return false;
   const double slack = period ? 16.0 * std::numeric_limits<double>::epsilon() * period->size.maxCoeff() : 0.0;
   std::atomic<bool> all = true;
-  for_ranges(reach.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+  team_.for_ranges(reach.size(), kGrain, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row) {
       const double room = reach_[row] * (1.0 - kRounding) - reach[row] - slack;
       if (room >= 0.0 && squared_distance(centres[row], centre_[row], period) <= room * room) continue;
@@ -59,15 +57,6 @@ bool MovingPairs::holds(std::span<const Point> centres, std::span<const double> 
     }
   });
   return all;
-}
-
-/// Calls f(i, begin, end) for the i-th of ranges that cover 0 to n.
-template <class F>
-void MovingPairs::for_ranges(std::size_t n, F f) const {
-  const std::size_t ranges =
-      team_ && team_->threads() > 1 ? std::max<std::size_t>((n + kGrain - 1) / kGrain, 1) : 1;
-  if (ranges == 1) return f(0, 0, n);
-  team_->for_each(ranges, [&](std::size_t i) { f(i, i * kGrain, std::min(n, (i + 1) * kGrain)); });
 }
 
 void MovingPairs::renew(std::span<const Point> centres, std::span<const double> reach, const Period* period,
@@ -92,7 +81,7 @@ void MovingPairs::select(std::span<const Point> centres, std::span<const double>
                          std::vector<Pair>& pairs) {
   pairs.resize(list_.size()), kept_.assign(list_.size() / kGrain + 1, 0);
   const auto keep = [&](const auto& metric) {
-    for_ranges(list_.size(), [&](std::size_t i, std::size_t begin, std::size_t end) {
+    team_.for_ranges(list_.size(), kGrain, [&](std::size_t i, std::size_t begin, std::size_t end) {
       Pair* out = pairs.data() + begin;
       for (const Pair& pair : std::span(list_).subspan(begin, end - begin)) {
         const double most = reach[pair.a] + reach[pair.b];

@@ -16,7 +16,7 @@ namespace throng::broadphase {
 
 class MovingPairs {
  public:
-  explicit MovingPairs(Team* team = nullptr) : team_(team) {}  ///< shares out the work, if there is one
+  explicit MovingPairs(Team& team) : team_(team) {}  ///< shares out the work
 
   /// As `DiscPairs::find`. Expects the same rows to be the same discs as in the last call; where their
   /// number, the period or `movable` differ, starts anew. O(n + pairs of the list) while the list holds: its
@@ -38,10 +38,8 @@ class MovingPairs {
              std::span<const std::uint8_t> movable);
   void select(std::span<const Point> centres, std::span<const double> reach, const Period* period,
               std::vector<Pair>& pairs);
-  template <class F>
-  void for_ranges(std::size_t n, F f) const;
 
-  Team* team_;
+  Team& team_;
   DiscPairs search_;
   std::vector<Pair> list_;     // ascending: all that are near for the reaches below
   std::vector<Point> centre_;  // m, as the list was made

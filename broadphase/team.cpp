@@ -6,11 +6,16 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <optional>
+#include <thread>
+
 namespace throng::broadphase {
 
 struct Team::Arena {
-  explicit Arena(std::size_t threads)
-      : control(tbb::global_control::max_allowed_parallelism, threads), arena(static_cast<int>(threads)) {}
+  explicit Arena(std::size_t threads) : arena(static_cast<int>(threads)) {
+    if (threads > std::thread::hardware_concurrency())
+      more.emplace(tbb::global_control::max_allowed_parallelism, threads);
+  }
 
   template <class Partitioner>
   void run(std::size_t n, Call call, void* context, const Partitioner& partitioner) {
@@ -24,7 +29,7 @@ struct Team::Arena {
     });
   }
 
-  tbb::global_control control;  // else there are no more than the machine has
+  std::optional<tbb::global_control> more;  // than the machine has
   tbb::task_arena arena;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <type_traits>
@@ -22,8 +23,16 @@ class Team {
     run(n, call_of<F>, &f);
   }
 
-  /// The same for few of them, each worth handing over: with as many threads as there are, each tends to go
-  /// to the one where it went before.
+  /// Calls f(i, begin, end) for the i-th of ranges that cover 0 to n, each `grain` long but the last: one
+  /// alone, all of it, where there is one thread or no more to do.
+  template <class F>
+  void for_ranges(std::size_t n, std::size_t grain, F&& f) {
+    if (threads_ == 1 || n <= grain) return f(std::size_t{0}, std::size_t{0}, n);
+    for_each((n + grain - 1) / grain, [&](std::size_t i) { f(i, i * grain, std::min(n, (i + 1) * grain)); });
+  }
+
+  /// The same as for_each() for few of them, each worth handing over: with as many threads as there are, each
+  /// tends to go to the one where it went before.
   template <class F>
   void for_few(std::size_t n, F&& f) {
     run_few(n, call_of<F>, &f);

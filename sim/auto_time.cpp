@@ -12,6 +12,7 @@
 #include "sim/engine_event_driven.h"
 #include "sim/lone_ways.h"
 #include "sim/may_meet.h"
+#include "sim/meeting_materials.h"
 #include "sim/observe.h"
 #include "sim/plan.h"
 #include "sim/soft_timing.h"
@@ -105,7 +106,8 @@ AutoTime alone(const Scene& scene, double impact) {
   const double longest = std::min(0.1, time_of_a_radius(scene));
   if (impact == 0.0) return falling(scene, longest);
   double restitution = 0.0;
-  for (const Material& material : scene.materials) restitution = std::max(restitution, material.restitution);
+  for (const auto& [a, b] : meeting_materials(scene))
+    restitution = std::max({restitution, scene.materials[a].restitution, scene.materials[b].restitution});
   const double speed = kLateBounces * scene.gravity.norm() * scene.time.until + (1.0 + restitution) * impact;
   return falling(scene, longest, speed, "who hits a wall is off by 3 g h t / 2 + (1 + e) v h, and ");
 }
@@ -254,8 +256,8 @@ std::string instead(const Scene& scene) {
   const std::string look = ": give dt, and look how results change with it";
   if (scene.engine != Engine::native || !event_driven_refusal(scene).empty()) return look;
   const Plan plan = plan_for(scene);
-  const bool rests = plan.gravity &&
-                     std::ranges::any_of(plan.surfaces, [](const Surface& s) { return s.restitution < 1.0; });
+  const bool rests =
+      plan.gravity && std::ranges::any_of(plan.meeting, [](const Surface& s) { return s.restitution < 1.0; });
   return look + ", or take engine event_driven" + (rests ? ", which stops where discs come to rest" : "");
 }
 

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "sim/input_error.h"
+#include "sim/meeting_materials.h"
 #include "sim/sensing/sensing.h"
 #include "sim/stage_clock.h"
 
@@ -252,9 +253,10 @@ std::string box2d_refusal(const Scene& scene) {
   if (scene.contact == ContactModel::none) return "contact.model = \"none\": Box2D always handles contacts";
   if (is_soft(scene.contact))
     return "contact.model: Box2D's contacts are rigid; \"spring\" and \"hertz\" need native";
-  for (const Material& material : scene.materials)
-    if (material.rolling_resistance > 0.0)
-      return "materials." + material.name + ".rolling_resistance: Box2D 2.4.1 knows none";
+  for (const auto& [a, b] : meeting_materials(scene))
+    for (const std::size_t row : {a, b})
+      if (scene.materials[row].rolling_resistance > 0.0)
+        return "materials." + scene.materials[row].name + ".rolling_resistance: Box2D 2.4.1 knows none";
   std::vector<bool> used(scene.shapes.size());
   for (std::uint32_t shape : scene.bodies.shape) used[shape] = true;
   for (std::size_t i = 0; i < used.size(); ++i)

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <span>
 
 #include "sim/contact/first_loads.h"
 #include "sim/contact/learning.h"
@@ -16,11 +15,11 @@ namespace {
 /// How high the highest of some bodies stands above the lowest, and which they are.
 struct Height {
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;  // m
-  std::uint32_t low = 0, high = 0;
+  std::uint32_t lowest_body = 0, highest_body = 0;
 
   void add(std::uint32_t body, double at) {
-    if (at < lowest) lowest = at, low = body;
-    if (at > highest) highest = at, high = body;
+    if (at < lowest) lowest = at, lowest_body = body;
+    if (at > highest) highest = at, highest_body = body;
   }
   double layers(double radius) const { return 1.0 + std::max(highest - lowest, 0.0) / (2.0 * radius); }
 };
@@ -42,7 +41,7 @@ Learning learning(const Scene& scene, const State& state, Workspace& work) {
   const Colliders& colliders = work.candidates.colliders();
   Height all = height(scene, work, [](std::uint32_t) { return true; });
   const bool matters = all.layers(work.mean_radius) > kFewLayers && state.step > 0;
-  if (matters && !(is_pressed(state, colliders, all.high) && is_pressed(state, colliders, all.low))) {
+  if (matters && !are_pressed(state, colliders, all.highest_body, all.lowest_body)) {
     find_pressed(state, colliders, work.pressed);
     all = height(scene, work, [&](std::uint32_t i) { return work.pressed[i] != 0; });
   }
@@ -65,7 +64,7 @@ void prepare_to_learn(const Scene& scene, const Plan& plan, const State& state, 
 }
 
 void learn_loads(Workspace& work) {
-  work.workers.for_each(work.finder.parts().groups(), [&](std::size_t group) {
+  work.workers.for_few(work.finder.parts().groups(), [&](std::size_t group) {
     learn(work.contacts.discs.blocks(group), work.bodies, work.solver.learning);
     learn(work.contacts.faces.blocks(group), work.bodies, work.solver.learning);
   });

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "sim/meeting_materials.h"
 #include "sim/soft_timing.h"
 
 namespace throng {
@@ -47,23 +48,6 @@ std::string awake_because(const Scene& scene, const Plan& plan) {
   return "";
 }
 
-/// Those at which bodies may meet: of one who is dynamic and one who is there, a body, a wall or the box.
-std::vector<Surface> meeting_surfaces(const Scene& scene, const Plan& plan) {
-  const std::size_t count = scene.materials.size();
-  std::vector<std::uint8_t> dynamic(count, 0), there(count, 0);
-  for (std::size_t row = 0; row < scene.bodies.size(); ++row) {
-    if (scene.bodies.kind[row] == BodyKind::dynamic) dynamic[scene.bodies.material[row]] = 1;
-    there[scene.bodies.material[row]] = 1;
-  }
-  for (const Wall& wall : scene.walls) there[wall.material] = 1;
-  if (plan.box) there[0] = 1;
-  std::vector<Surface> meeting;
-  for (std::size_t a = 0; a < count; ++a)
-    for (std::size_t b = 0; b < count; ++b)
-      if (dynamic[a] && there[b]) meeting.push_back(plan.surface(a, b));
-  return meeting;
-}
-
 std::string counted(std::size_t n, const std::string& one, const std::string& more) {
   return std::to_string(n) + " " + (n == 1 ? one : more);
 }
@@ -96,7 +80,7 @@ std::string why_it_turns(const Scene& scene, const Plan& plan) {
   if (!plan.contacts()) return "nobody spins, and nothing touches";
   if (plan.polygons) return "some body isn't a disc: what touches it turns it";
   if (plan.rotation) return "surfaces that rub or resist rolling turn discs";
-  return "nobody spins, all are discs, and no surface rubs";
+  return "nobody spins, all are discs, and no surfaces that meet rub";
 }
 
 std::vector<Stage> stages(const Scene& scene, const Plan& plan) {
@@ -136,20 +120,20 @@ std::vector<Stage> stages(const Scene& scene, const Plan& plan) {
        plan.soft ? "springs throw back what meets"
        : plan.flights
            ? "all surfaces keep all energy and nothing pulls: one by one, in the order of their times"
-       : plan.restitution ? "some surface bounces"
-       : hits             ? "no surface bounces; what is hit is stopped together with all that touches it"
-                          : "no surface bounces"},
+       : plan.restitution ? "surfaces that meet bounce"
+       : hits ? "no surfaces that meet bounce; what is hit is stopped together with all that touches it"
+              : "no surfaces that meet bounce"},
       {"solve", plan.contacts(),
        plan.soft         ? soft_solve(scene, plan, substeps)
        : plan.flights    ? "contacts, " + substeps + ", in steps that begin with overlaps only"
        : plan.contacts() ? "contacts, " + substeps
                          : (off ? no_contact : "nothing to touch")},
-      {"friction", plan.friction, plan.friction ? "some surface rubs" : "no surface rubs"},
+      {"friction", plan.friction, plan.friction ? "surfaces that meet rub" : "no surfaces that meet rub"},
       {"sleep", plan.sleep,
        plan.sleep ? "bodies at rest leave the loop, island by island" : awake_because(scene, plan)},
       {"rolling", plan.rolling,
-       plan.rolling       ? "some surface resists the rolling of discs"
-       : any_round(scene) ? "no surface resists rolling"
+       plan.rolling       ? "surfaces that meet resist the rolling of discs"
+       : any_round(scene) ? "no surfaces that meet resist rolling"
                           : "no body is a disc"},
       {"crowd", plan.crowd,
        plan.crowd ? counted(scene.crowd.size(), "agent") +
@@ -194,8 +178,9 @@ Plan plan_for(const Scene& scene, ContactModel contact) {
       scene, [&](std::size_t row) { return scene.shapes[scene.bodies.shape[row]].parts.size() > 1; });
   plan.materials = scene.materials.size();
   plan.surfaces = surfaces(scene);
-  const std::vector<Surface> meeting = meeting_surfaces(scene, plan);
-  const auto some = [&](auto wanted) { return plan.contacts() && std::ranges::any_of(meeting, wanted); };
+  if (plan.contacts())
+    for (const auto& [a, b] : meeting_materials(scene)) plan.meeting.push_back(plan.surface(a, b));
+  const auto some = [&](auto wanted) { return std::ranges::any_of(plan.meeting, wanted); };
   plan.friction = some([](const Surface& s) { return s.friction > 0.0; });
   plan.rolling = any_round(scene) && some([](const Surface& s) { return s.rolling > 0.0; });
   plan.rotation = spins(scene) || (plan.contacts() && (plan.polygons || plan.friction || plan.rolling));

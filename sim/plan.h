@@ -34,12 +34,12 @@ struct Plan {
   bool composites = false;        ///< some moving body has several parts
   bool polygons = false;          ///< some moving body is not a disc: manifolds, and angles turn shapes
   bool rotation = false;          ///< something turns, or may come to
-  bool friction = false;          ///< some surface rubs
-  bool rolling = false;           ///< some surface resists the rolling of discs
-  bool restitution = false;       ///< some surface bounces
-  bool elastic = false;           ///< some surface keeps all energy
+  bool friction = false;          ///< surfaces that meet rub
+  bool rolling = false;           ///< some that meet resist the rolling of discs
+  bool restitution = false;       ///< some that meet bounce
+  bool elastic = false;           ///< some that meet keep all energy
   bool soft = false;              ///< discs that give way where they touch: springs and dashpots
-  bool flights = false;           ///< discs alone, all surfaces keep all energy, and nothing pulls
+  bool flights = false;           ///< discs alone, all that meet keep all energy, and nothing pulls
   bool sleep = false;             ///< bodies at rest leave the loop
   bool crowd = false;             ///< there are agents
   bool entrances = false;         ///< some agents appear in the course of time
@@ -47,6 +47,7 @@ struct Plan {
   bool sensors = false;           ///< somebody senses others
   std::size_t materials = 0;      ///< how many the scene has
   std::vector<Surface> surfaces;  ///< of each two of them: see surface()
+  std::vector<Surface> meeting;   ///< of those of them at which bodies may meet
   std::vector<Stage> stages;      ///< in the order of the step, those that are skipped too
 
   /// Of two materials: the row of their surface, and the surface.

@@ -42,7 +42,7 @@ class Native : public Simulation {
   }
   void list_contacts(std::vector<ContactRow>& rows) const override {
     if (plan_.soft)
-      work_.soft.list(state_, work_.bodies.rows().by_place(), rows);
+      work_.soft.list(state_, work_.bodies.in_order(), rows);
     else
       throng::list_contacts(scene_, work_.contacts, state_, work_.bodies, rows);
     if (plan_.sleep) with_sleeping(scene_, state_, rows);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/contact/soft_law.h"
+#include "sim/meeting_materials.h"
 
 namespace throng {
 
@@ -53,18 +54,9 @@ double first_speed(const Scene& scene) {
 
 /// The least restitution of what a dynamic body may meet.
 double least_restitution(const Scene& scene) {
-  std::vector<std::uint8_t> moves(scene.materials.size(), 0), met = moves;
-  for (std::size_t row = 0; row < scene.bodies.size(); ++row) {
-    if (scene.bodies.kind[row] == BodyKind::dynamic) moves[scene.bodies.material[row]] = 1;
-    met[scene.bodies.material[row]] = 1;
-  }
-  for (const Wall& wall : scene.walls) met[wall.material] = 1;
-  if (scene.domain.kind == DomainKind::box) met[0] = 1;
   double least = 1.0;
-  for (std::size_t a = 0; a < moves.size(); ++a)
-    for (std::size_t b = 0; b < met.size(); ++b)
-      if (moves[a] && met[b])
-        least = std::min(least, std::max(scene.materials[a].restitution, scene.materials[b].restitution));
+  for (const auto& [a, b] : meeting_materials(scene))
+    least = std::min(least, std::max(scene.materials[a].restitution, scene.materials[b].restitution));
   return least;
 }
 

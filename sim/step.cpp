@@ -219,7 +219,7 @@ void step_soft(const Scene& scene, const Plan& plan, State& state, Workspace& wo
     work.candidates.find(state, scene.time.dt);
     clock.lap(work.times.find_pairs);
     load(plan, state, all, work.bodies);
-    work.soft.run(work.candidates, state, work.bodies.rows().by_place());
+    work.soft.run(work.candidates, state, work.bodies.in_order());
     clock.lap(work.times.solve);
     const std::span<const Reached> strays = work.candidates.strays(work.bodies, work.soft.farthest());
     if (!work.candidates.widen(strays, attempt >= kLocalAttempts)) break;

@@ -107,29 +107,20 @@ void start_and_push_apart(Workspace& work, const Vec* period) {
   warm_start(work.contacts.disc_rolls, work.bodies);
   warm_start(work.contacts.point_rolls, work.bodies);
   if (joined) start(work, parts, period);
-  work.workers.for_each(parts, [&](std::size_t part) { start(work, part, period), push_apart(work, part); });
+  work.workers.for_few(parts, [&](std::size_t part) { start(work, part, period), push_apart(work, part); });
   if (joined) push_apart(work, parts);
   resist_rolling(work);
 }
 
-void relax_joints(Workspace& work, bool periodic) {
+/// Of parts whose bodies have moved, or move now; what joins parts after.
+void relax(Workspace& work, const Plan& plan, bool moving) {
   const std::size_t parts = work.finder.parts().count();
-  if (parts > 1) relax(work, parts, periodic);
-  resist_rolling(work);
-}
-
-/// Of parts whose bodies have moved; what joins them after.
-void relax(Workspace& work, bool periodic) {
-  work.workers.for_each(work.finder.parts().count(), [&](std::size_t part) { relax(work, part, periodic); });
-  relax_joints(work, periodic);
-}
-/// The same, as bodies move where nothing hits them on their way.
-void move_and_relax(Workspace& work, const Plan& plan) {
-  work.workers.for_each(work.finder.parts().count(), [&](std::size_t part) {
-    move(work.bodies, rows_of(work, part), work.solver.h, plan.rotation);
+  work.workers.for_few(parts, [&](std::size_t part) {
+    if (moving) move(work.bodies, rows_of(work, part), work.solver.h, plan.rotation);
     relax(work, part, plan.periodic);
   });
-  relax_joints(work, plan.periodic);
+  if (parts > 1) relax(work, parts, plan.periodic);
+  resist_rolling(work);
 }
 
 }  // namespace
@@ -148,10 +139,7 @@ void substep(const Scene& scene, const Plan& plan, const State& state, Workspace
     by_parts(work, [&](Rows rows) { move(work.bodies, rows, work.solver.h, plan.rotation); });
   stop(work, period);
   work.solver.backward = !way.backward;
-  if (at_once)
-    move_and_relax(work, plan);
-  else if (plan.contacts())
-    relax(work, plan.periodic);
+  if (plan.contacts()) relax(work, plan, at_once);
 }
 
 }  // namespace throng

@@ -33,7 +33,7 @@ inline Rows rows_of(const Workspace& work, std::size_t part) {
 /// bodies at hand.
 template <class F>
 void by_parts(Workspace& work, F f) {
-  work.workers.for_each(work.finder.parts().count(), [&](std::size_t part) { f(rows_of(work, part)); });
+  work.workers.for_few(work.finder.parts().count(), [&](std::size_t part) { f(rows_of(work, part)); });
 }
 
 }  // namespace throng

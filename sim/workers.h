@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <numeric>
 #include <utility>
@@ -23,14 +22,13 @@ class Workers {
   /// Calls f(begin, end) for ranges that cover 0 to n. Allocates nothing with one thread.
   template <class F>
   void for_ranges(std::size_t n, F&& f) {
-    if (is_one_range(n)) return f(std::size_t{0}, n);
-    team_.for_each(ranges(n), [&](std::size_t i) { f(i * kGrain, std::min(n, (i + 1) * kGrain)); });
+    team_.for_ranges(n, kGrain, [&](std::size_t, std::size_t begin, std::size_t end) { f(begin, end); });
   }
 
   /// Calls f(i) for i = 0 to n - 1, few and each worth handing over; with as many threads as there are, each
   /// tends to go to the one where it went before.
   template <class F>
-  void for_each(std::size_t n, F&& f) {
+  void for_few(std::size_t n, F&& f) {
     team_.for_few(n, std::forward<F>(f));
   }
 
@@ -40,37 +38,34 @@ class Workers {
   void gather(std::size_t n, std::vector<std::vector<T>>& lists, std::vector<T>& all, F&& f) {
     if (is_one_range(n)) return f(std::size_t{0}, n, all);
     if (lists.size() < ranges(n)) lists.resize(ranges(n));
-    team_.for_each(ranges(n), [&](std::size_t i) {
+    team_.for_ranges(n, kGrain, [&](std::size_t i, std::size_t begin, std::size_t end) {
       lists[i].clear();
-      f(i * kGrain, std::min(n, (i + 1) * kGrain), lists[i]);
+      f(begin, end, lists[i]);
     });
     for (std::size_t i = 0; i < ranges(n); ++i) all.insert(all.end(), lists[i].begin(), lists[i].end());
   }
 
-  /// Replaces `all` by what write(begin, end, out) writes from `out` on, and returns the end of, for ranges
-  /// that cover 0 to n, at most one for each round; count(begin, end) tells how many. `counts`: a buffer, to
-  /// be kept.
+  /// Replaces `all` by what write(begin, end, out) writes from `out` on for ranges that cover 0 to n, as much
+  /// as count(begin, end) tells. `counts`: a buffer, to be kept.
   template <class T, class Count, class Write>
   void select(std::size_t n, std::vector<std::size_t>& counts, std::vector<T>& all, Count&& count,
               Write&& write) {
-    if (is_one_range(n)) {
-      all.resize(n);
-      all.resize(static_cast<std::size_t>(write(std::size_t{0}, n, all.data()) - all.data()));
-      return;
-    }
-    const auto end = [n](std::size_t i) { return std::min(n, (i + 1) * kGrain); };
     counts.assign(ranges(n) + 1, 0);
-    team_.for_each(ranges(n), [&](std::size_t i) { counts[i + 1] = count(i * kGrain, end(i)); });
+    team_.for_ranges(n, kGrain, [&](std::size_t i, std::size_t begin, std::size_t end) {
+      counts[i + 1] = count(begin, end);
+    });
     std::partial_sum(counts.begin(), counts.end(), counts.begin());
     all.resize(counts.back());
-    team_.for_each(ranges(n), [&](std::size_t i) { write(i * kGrain, end(i), all.data() + counts[i]); });
+    team_.for_ranges(n, kGrain, [&](std::size_t i, std::size_t begin, std::size_t end) {
+      write(begin, end, all.data() + counts[i]);
+    });
   }
 
  private:
   static constexpr std::size_t kGrain = 512;  // rounds a range: enough work to pay for handing it over
 
   bool is_one_range(std::size_t n) const { return team_.threads() == 1 || n <= kGrain; }
-  static std::size_t ranges(std::size_t n) { return (n + kGrain - 1) / kGrain; }
+  std::size_t ranges(std::size_t n) const { return is_one_range(n) ? 1 : (n + kGrain - 1) / kGrain; }
 
   broadphase::Team team_;
 };

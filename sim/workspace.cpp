@@ -32,7 +32,7 @@ Workspace::Workspace(const Scene& scene, const Plan& plan, int threads)
       crowd(scene),
       sensing(scene, threads) {
   if (plan.contacts() && !plan.crowd && !plan.soft) guard.emplace(scene, plan, candidates);
-  for (SolverBody& body : bodies.rows().by_place()) body = {Vec(0.0, 0.0), 0.0, 0.0, Vec(0.0, 0.0), 0.0, 0.0};
+  for (SolverBody& body : bodies.rows().by_slot()) body = {Vec(0.0, 0.0), 0.0, 0.0, Vec(0.0, 0.0), 0.0, 0.0};
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     if (scene.bodies.kind[i] != BodyKind::dynamic) continue;
     bodies[i].inverse_mass = 1.0 / mass(scene, i);

@@ -48,7 +48,7 @@ struct Workspace {
   Contacts contacts;
   BounceQueue bounces;
   SolverBodies bodies;  ///< a row per body, and one for all obstacles for each group of contacts
-  std::vector<std::uint8_t> pressed;  ///< of each body, in the last step; where much stands high
+  std::vector<std::uint8_t> pressed;  ///< a buffer of what learns
   Unseen unseen;
   double mean_radius;  ///< m, of what may touch
   SolverSettings solver;

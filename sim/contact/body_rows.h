@@ -1,69 +1,58 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "sim/contact/contact.h"
 
 namespace throng {
 
-/// Bodies by their rows, wherever they stand: `Body` is SolverBody, const or not. A view, to be passed by
+/// Where in memory the body of each row stands, and whose slot it is: at its own, where nothing is said.
+class BodySlots {
+ public:
+  BodySlots() = default;
+  /// Expects each slot once.
+  explicit BodySlots(std::vector<std::uint32_t> slots) : slots_(std::move(slots)), rows_(slots_.size()) {
+    for (std::uint32_t row = 0; row < slots_.size(); ++row) rows_[slots_[row]] = row;
+  }
+
+  std::uint32_t slot(std::uint32_t row) const { return slots_.empty() ? row : slots_[row]; }
+  std::uint32_t row(std::uint32_t slot) const { return rows_.empty() ? slot : rows_[slot]; }
+
+ private:
+  std::vector<std::uint32_t> slots_, rows_;
+};
+
+/// Each row in its own slot.
+inline const BodySlots kOwnSlots;
+
+/// Bodies by their rows, in whatever slots: `Body` is SolverBody, const or not. A view, to be passed by
 /// value.
 template <class Body>
 class BodyRows {
  public:
   BodyRows() = default;
-
-  /// Each stands where its row says.
-  BodyRows(std::span<Body> bodies) : bodies_(bodies) {}
+  BodyRows(std::span<Body> bodies, const BodySlots& slots = kOwnSlots) : bodies_(bodies), slots_(&slots) {}
   BodyRows(std::vector<std::remove_const_t<Body>>& bodies) : bodies_(bodies) {}
-  BodyRows(const std::vector<SolverBody>& bodies)
-    requires std::is_const_v<Body>
-      : bodies_(bodies) {}
-
-  /// Row i stands at places[i]; nowhere else, where that is empty.
-  BodyRows(std::span<Body> bodies, std::span<const std::uint32_t> places)
-      : bodies_(bodies), places_(places) {
-    assert(places.empty() || places.size() == bodies.size());
-  }
+  BodyRows(const std::vector<SolverBody>& bodies) requires std::is_const_v<Body> : bodies_(bodies) {}
   template <class Other>
-    requires(std::is_const_v<Body> && !std::is_const_v<Other>)
-  BodyRows(BodyRows<Other> other) : BodyRows(other.by_place(), other.places()) {}
+  requires(std::is_const_v<Body> && !std::is_const_v<Other>) BodyRows(BodyRows<Other> other)
+      : BodyRows(other.by_slot(), other.slots()) {}
 
   std::size_t size() const { return bodies_.size(); }
-  Body& operator[](std::size_t row) const { return bodies_[place(row)]; }
+  Body& operator[](std::size_t row) const { return bodies_[slots_->slot(static_cast<std::uint32_t>(row))]; }
 
-  std::uint32_t place(std::size_t row) const {
-    return places_.empty() ? static_cast<std::uint32_t>(row) : places_[row];
-  }
-  std::span<Body> by_place() const { return bodies_; }
-  std::span<const std::uint32_t> places() const { return places_; }
+  std::span<Body> by_slot() const { return bodies_; }
+  const BodySlots& slots() const { return *slots_; }
 
  private:
   std::span<Body> bodies_;
-  std::span<const std::uint32_t> places_;
-};
-
-/// Both ways: where each row stands, and whose place it is.
-class BodyPlaces {
- public:
-  /// `places`: as in BodyRows, for as long as they are asked for. O(places).
-  void start(std::span<const std::uint32_t> places) {
-    places_ = places, rows_.resize(places.size());
-    for (std::uint32_t row = 0; row < places.size(); ++row) rows_[places[row]] = row;
-  }
-
-  std::uint32_t place(std::uint32_t row) const { return places_.empty() ? row : places_[row]; }
-  std::uint32_t row(std::uint32_t place) const { return rows_.empty() ? place : rows_[place]; }
-
- private:
-  std::span<const std::uint32_t> places_;
-  std::vector<std::uint32_t> rows_;
+  const BodySlots* slots_ = &kOwnSlots;
 };
 
 }  // namespace throng

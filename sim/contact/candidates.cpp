@@ -62,7 +62,7 @@ Candidates::Candidates(const Scene& scene, const Plan& plan, Workers& workers)
       plan_(plan),
       workers_(workers),
       colliders_(throng::colliders(scene, plan)),
-      disc_pairs_(&workers.team()),
+      disc_pairs_(workers.team()),
       rows_(Rows::all(0)) {
   period_ = {scene.domain.min, scene.domain.max - scene.domain.min};
   if (!plan.obstacles && !plan.box) return;
@@ -147,10 +147,15 @@ void Candidates::place_more(const State& state, Rows colliders) {
   if (!all_near) colliders.for_each([&](std::uint32_t row) { check_reach(state, row); });
 }
 
+bool Candidates::reaches_too_far(std::uint32_t i) const {
+  return !std::isfinite(reach_[i]) || (plan_.periodic && 4.0 * reach_[i] > period_.size.minCoeff());
+}
+
 /// Throws of a collider that reaches too far, whoever placed it.
 void Candidates::check_reach(const State& state, std::uint32_t i) const {
+  if (!reaches_too_far(i)) return;
   if (!std::isfinite(reach_[i])) fail_at_infinity(state, colliders_.body[i]);
-  if (plan_.periodic && 4.0 * reach_[i] > period_.size.minCoeff()) fail_at_period(state, colliders_.body[i]);
+  fail_at_period(state, colliders_.body[i]);
 }
 
 /// False where it reaches too far.
@@ -175,10 +180,8 @@ bool Candidates::place_one(const State& state, std::uint32_t i) {
   }
   if (!widened_.empty()) margin_[i] = std::max(margin_[i], widened_[body]);
   reach_[i] = radius + margin_[i];
-  if (!std::isfinite(reach_[i])) return false;
-  if (!plan_.periodic) return true;
-  if (4.0 * reach_[i] > period_.size.minCoeff()) return false;
-  if (!wrap_.empty()) wrap_centre(i);
+  if (reaches_too_far(i)) return false;
+  if (plan_.periodic && !wrap_.empty()) wrap_centre(i);
   return true;
 }
 
@@ -221,27 +224,25 @@ std::span<const Reached> Candidates::strays(BodyRows<const SolverBody> bodies,
   strays_.clear();
   workers_.gather(rows_.size(), stray_lists_, strays_,
                   [&](std::size_t begin, std::size_t end, std::vector<Reached>& strays) {
-                    Reached reached;
-                    for (std::size_t i = begin; i < end; ++i) {
-                      const std::uint32_t row = rows_[i], body = colliders_.body[row];
+                    for (std::size_t k = begin; k < end; ++k) {
+                      const std::uint32_t i = rows_[k], body = colliders_.body[i];
                       const double before = farthest.empty() ? 0.0 : farthest[body];
-                      if (is_astray(row, bodies[body], before, reached)) strays.push_back(reached);
+                      if (const auto way = way_astray(i, bodies[body], before)) strays.push_back({i, *way});
                     }
                   });
   if (!strays_.empty()) farthest_way_ = kUnbounded;
   return strays_;
 }
 
-/// Whether it got farther than find() looked, and how far.
-bool Candidates::is_astray(std::uint32_t i, const SolverBody& body, double before, Reached& reached) const {
-  if (!colliders_.movable[i]) return false;
+/// How far it got (m), where that is farther than find() looked.
+std::optional<double> Candidates::way_astray(std::uint32_t i, const SolverBody& body, double before) const {
+  if (!colliders_.movable[i]) return {};
   const double turned = colliders_.centre.empty() ? 0.0 : std::abs(body.turn) * colliders_.centre[i].norm();
   const double aside = turned + swung(i, body.turn);
   const double looked = margin_[i] * (1.0 + 1e-9) - aside;
   const double moved = squared_way(colliders_.body[i], body.position);
-  if (looked >= before && moved <= looked * looked) return false;
-  reached = {i, std::max(std::sqrt(moved), before) + aside};
-  return true;
+  if (looked >= before && moved <= looked * looked) return {};
+  return std::max(std::sqrt(moved), before) + aside;
 }
 
 bool Candidates::widen(std::span<const Reached> reached, bool all) {
@@ -277,8 +278,8 @@ void Candidates::find_obstacle_pairs() {
   obstacle_pairs_.clear();
   workers_.gather(rows_.size(), pair_lists_, obstacle_pairs_,
                   [&](std::size_t begin, std::size_t end, std::vector<broadphase::Pair>& pairs) {
-                    for (std::size_t row = begin; row < end; ++row) {
-                      const std::uint32_t i = rows_[row];
+                    for (std::size_t k = begin; k < end; ++k) {
+                      const std::uint32_t i = rows_[k];
                       if (!colliders_.movable[i]) continue;
                       if (plan_.box && nears_box(i)) add_box_sides(i, pairs);
                       if (!plan_.obstacles) continue;

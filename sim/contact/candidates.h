@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -126,6 +127,7 @@ class Candidates {
 
  private:
   bool place_one(const State& state, std::uint32_t collider);
+  bool reaches_too_far(std::uint32_t collider) const;
   void check_reach(const State& state, std::uint32_t collider) const;
   void wrap_centre(std::uint32_t collider);
   void find_pairs_of(Rows colliders);
@@ -144,7 +146,7 @@ class Candidates {
   double swung(std::uint32_t collider, double turn) const;
   bool nears_box(std::uint32_t collider) const;
   void add_box_sides(std::uint32_t collider, std::vector<broadphase::Pair>& pairs) const;
-  bool is_astray(std::uint32_t collider, const SolverBody& body, double before, Reached& reached) const;
+  std::optional<double> way_astray(std::uint32_t collider, const SolverBody& body, double before) const;
 
   const Scene& scene_;
   const Plan& plan_;

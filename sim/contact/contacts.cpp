@@ -35,7 +35,6 @@ void save_pressing(const Blocks& contacts, std::vector<ContactImpulse>& kept,
       const auto [key, feature] = name(i);
       *out++ = {key, feature, normal, tangent, 0.0, preload};
     }
-    return out;
   };
   workers.select(contacts.size(), counts, kept, count, write);
 }

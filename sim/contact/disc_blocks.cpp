@@ -30,12 +30,12 @@ void fill_lane(DiscBlock& block, std::size_t lane, const DiscContact& contact, c
 
 }  // namespace
 
-void DiscBlocks::start(std::size_t bodies, std::size_t groups, std::span<const std::uint32_t> places) {
-  places_.start(places);
+void DiscBlocks::start(std::size_t bodies, std::size_t groups, const BodySlots& slots) {
+  slots_ = &slots;
   groups_.resize(groups);
   for (std::size_t i = 0; i < groups; ++i) {
     groups_[i].order.start(bodies);
-    groups_[i].nobody = places_.place(static_cast<std::uint32_t>(bodies - groups + i));
+    groups_[i].nobody = slots_->slot(static_cast<std::uint32_t>(bodies - groups + i));
   }
   key_.clear(), seat_lane_.clear(), taken_.clear(), owner_.clear(), lane_.clear();
 }
@@ -46,7 +46,7 @@ void DiscBlocks::add(std::uint64_t key, const DiscContact& contact, const Solver
   const std::uint32_t lane =
       own.order.place(contact.a, a.inverse_mass > 0.0, contact.b, b.inverse_mass > 0.0);
   key_.push_back(key), taken_.push_back(1);
-  owner_.push_back({places_.place(contact.a), places_.place(contact.b), contact.normal_mass});
+  owner_.push_back({slots_->slot(contact.a), slots_->slot(contact.b), contact.normal_mass});
   seat_lane_.push_back({static_cast<std::uint32_t>(group), lane});
   lane_.push_back(seat_lane_.back());
   if (own.blocks.size() < own.order.blocks()) own.blocks.resize(own.order.blocks());
@@ -118,7 +118,7 @@ void DiscBlocks::set_impulses(std::size_t i, double normal, double tangent, doub
 BlockContact DiscBlocks::contact(std::size_t i) {
   DiscBlock& block = this->block(lane_[i]);
   const std::size_t lane = lane_[i].lane % BlockOrder::kWidth;
-  return {places_.row(block.a[lane]),  places_.row(block.b[lane]),   &block.normal_mass[lane],
+  return {slots_->row(block.a[lane]),  slots_->row(block.b[lane]),   &block.normal_mass[lane],
           &block.normal_impulse[lane], &block.tangent_impulse[lane], &block.preload[lane]};
 }
 
@@ -126,7 +126,7 @@ DiscContact DiscBlocks::operator[](std::size_t i) const {
   const DiscBlock& block = this->block(lane_[i]);
   const std::size_t lane = lane_[i].lane % BlockOrder::kWidth;
   DiscContact contact;
-  contact.a = places_.row(block.a[lane]), contact.b = places_.row(block.b[lane]);
+  contact.a = slots_->row(block.a[lane]), contact.b = slots_->row(block.b[lane]);
   contact.normal = {block.normal_x[lane], block.normal_y[lane]};
   contact.radius_a = block.radius_a[lane], contact.radius_b = block.radius_b[lane];
   contact.normal_impulse = block.normal_impulse[lane], contact.tangent_impulse = block.tangent_impulse[lane];

@@ -18,7 +18,7 @@ namespace throng {
 struct alignas(64) DiscBlock {
   using Row = double[BlockOrder::kWidth];
 
-  std::uint32_t a[BlockOrder::kWidth], b[BlockOrder::kWidth];  ///< places of the bodies
+  std::uint32_t a[BlockOrder::kWidth], b[BlockOrder::kWidth];  ///< slots of the bodies
   Row normal_x, normal_y;
   Row image;       ///< m, along the normal, from b to its image that is nearest to a; in domains that repeat
   Row separation;  ///< m, before bodies move
@@ -33,9 +33,9 @@ struct alignas(64) DiscBlock {
 /// the keys whichever of the seats are taken, so the bits don't depend on which are there.
 class DiscBlocks {
  public:
-  /// Forgets all seats. `bodies`: how many rows there are, of which the last `groups` never move; `places`:
-  /// as in BodyRows, for as long as there are seats.
-  void start(std::size_t bodies, std::size_t groups = 1, std::span<const std::uint32_t> places = {});
+  /// Forgets all seats. `bodies`: how many rows there are, of which the last `groups` never move; `slots`:
+  /// where they stand, for as long as there are seats.
+  void start(std::size_t bodies, std::size_t groups = 1, const BodySlots& slots = kOwnSlots);
 
   /// Makes a seat, and takes it, for a contact between those bodies, whose key is above all before. Blocks
   /// hold contacts of one group. Allocates only to grow.
@@ -82,7 +82,7 @@ class DiscBlocks {
  private:
   /// What a seat that nobody takes has forgotten.
   struct Owner {
-    std::uint32_t a, b;  // places
+    std::uint32_t a, b;  // slots
     double normal_mass;
   };
 
@@ -93,7 +93,7 @@ class DiscBlocks {
   struct Group {
     BlockOrder order;
     std::vector<DiscBlock> blocks;  // never shrinks
-    std::uint32_t nobody = 0;       // whose place a lane without a contact has
+    std::uint32_t nobody = 0;       // whose slot a lane without a contact has
   };
 
   bool take(std::span<const std::uint64_t> keys, std::size_t begin, std::size_t end);
@@ -104,7 +104,7 @@ class DiscBlocks {
     return groups_[lane.group].blocks[lane.lane / BlockOrder::kWidth];
   }
 
-  BodyPlaces places_;
+  const BodySlots* slots_ = &kOwnSlots;
   std::vector<Group> groups_{1};
   std::vector<std::uint64_t> key_;  // of each seat, ascending
   std::vector<Lane> seat_lane_;     // and where it is

@@ -45,13 +45,13 @@ void fill_point(FaceBlock::Point& point, std::size_t lane, const PointContact& c
 
 }  // namespace
 
-void FaceBlocks::start(std::size_t bodies, std::size_t groups, std::span<const std::uint32_t> places) {
-  places_.start(places);
+void FaceBlocks::start(std::size_t bodies, std::size_t groups, const BodySlots& slots) {
+  slots_ = &slots;
   groups_.resize(groups);
   for (std::size_t i = 0; i < groups; ++i) {
     groups_[i].order.start(bodies);
     groups_[i].room.clear(), groups_[i].sequence.clear(), groups_[i].first = 0;
-    groups_[i].nobody = places_.place(static_cast<std::uint32_t>(bodies - groups + i));
+    groups_[i].nobody = slots_->slot(static_cast<std::uint32_t>(bodies - groups + i));
   }
   seat_.clear(), room_.clear(), taken_.clear(), rank_.clear(), squeezed_.clear(), all_room_ = 0;
 }
@@ -118,8 +118,7 @@ std::uint32_t FaceBlocks::add_squeezed(std::size_t points, std::size_t group, st
 
 void FaceBlocks::name(std::uint32_t lane, std::uint32_t a, std::uint32_t b) {
   FaceBlock& block = blocks_[lane / BlockOrder::kWidth];
-  block.a[lane % BlockOrder::kWidth] = places_.place(a),
-                 block.b[lane % BlockOrder::kWidth] = places_.place(b);
+  block.a[lane % BlockOrder::kWidth] = slots_->slot(a), block.b[lane % BlockOrder::kWidth] = slots_->slot(b);
 }
 
 void FaceBlocks::take(std::uint32_t lane, std::size_t points) {
@@ -166,7 +165,7 @@ BlockContact FaceBlocks::contact(std::size_t i) {
   FaceBlock& block = this->block(i);
   FaceBlock::Point& point = block.points[seat_[i].point];
   const std::size_t lane = at(i);
-  return {places_.row(block.a[lane]),  places_.row(block.b[lane]),   &point.normal_mass[lane],
+  return {slots_->row(block.a[lane]),  slots_->row(block.b[lane]),   &point.normal_mass[lane],
           &point.normal_impulse[lane], &point.tangent_impulse[lane], &point.preload[lane]};
 }
 
@@ -175,7 +174,7 @@ PointContact FaceBlocks::operator[](std::size_t i) const {
   const FaceBlock::Point& p = point(i);
   const std::size_t lane = at(i);
   PointContact contact;
-  contact.a = places_.row(block.a[lane]), contact.b = places_.row(block.b[lane]);
+  contact.a = slots_->row(block.a[lane]), contact.b = slots_->row(block.b[lane]);
   contact.normal = {block.normal_x[lane], block.normal_y[lane]};
   contact.arm_a = {p.arm_ax[lane], p.arm_ay[lane]}, contact.arm_b = {p.arm_bx[lane], p.arm_by[lane]};
   contact.normal_impulse = p.normal_impulse[lane], contact.tangent_impulse = p.tangent_impulse[lane];

@@ -28,7 +28,7 @@ struct alignas(64) FaceBlock {
     Row first_ax, first_ay, first_bx, first_by, gap;  ///< m, as in PointContact
   };
 
-  std::uint32_t a[BlockOrder::kWidth], b[BlockOrder::kWidth];  ///< places of the bodies
+  std::uint32_t a[BlockOrder::kWidth], b[BlockOrder::kWidth];  ///< slots of the bodies
   Row normal_x, normal_y, friction;
   Row round_a, round_b;  ///< m, as in PointContact
   std::size_t count;     ///< points of each face, at most
@@ -54,8 +54,8 @@ class FaceSequence {
 /// come with a velocity of -0, which becomes 0 where no impulse acts on it.)
 class FaceBlocks {
  public:
-  /// Forgets all seats. `bodies`, `places`: as in DiscBlocks.
-  void start(std::size_t bodies, std::size_t groups = 1, std::span<const std::uint32_t> places = {});
+  /// Forgets all seats. `bodies`, `slots`: as in DiscBlocks.
+  void start(std::size_t bodies, std::size_t groups = 1, const BodySlots& slots = kOwnSlots);
 
   /// Makes a seat for a face of one or two points between those rows, behind all those of its group. Of
   /// different groups at the same time, if need be. Returns which lane of the group it is. Allocates only to
@@ -145,7 +145,7 @@ class FaceBlocks {
     std::vector<std::uint8_t> room;       // of each block: points of its faces
     std::size_t first = 0;                // its first block among all
     std::vector<std::uint32_t> sequence;  // of blocks among all
-    std::uint32_t nobody = 0;             // whose place a lane without a face has
+    std::uint32_t nobody = 0;             // whose slot a lane without a face has
   };
 
   std::size_t at(std::size_t i) const { return seat_[i].lane % BlockOrder::kWidth; }
@@ -161,7 +161,7 @@ class FaceBlocks {
   std::uint32_t add_squeezed(std::size_t points, std::size_t group, std::size_t rank);
   void set_ranks(const Group& group, std::size_t first);
 
-  BodyPlaces places_;
+  const BodySlots* slots_ = &kOwnSlots;
   std::vector<Group> groups_{1};
   std::vector<Squeezed> squeezed_;
   std::vector<FaceBlock> blocks_;    // of all groups, then those to be squeezed in; never shrinks

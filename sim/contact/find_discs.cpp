@@ -76,7 +76,7 @@ void DiscFinder::choose(const Candidates& candidates) {
 
 void DiscFinder::seat(const Colliders& colliders, BodyRows<const SolverBody> bodies, const Parts& parts,
                       DiscBlocks& discs) {
-  discs.start(bodies.size(), parts.groups(), bodies.places());
+  discs.start(bodies.size(), parts.groups(), bodies.slots());
   for (const Pair& pair : seated_) {
     const DiscContact contact = contact_of(colliders, pair, bodies);
     discs.add(key_of(pair, false), contact, bodies[contact.a], bodies[contact.b],

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <span>
-
 #include "sim/contact/body_rows.h"
 #include "sim/contact/candidates.h"
 #include "sim/contact/contacts.h"

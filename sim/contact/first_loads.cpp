@@ -45,14 +45,14 @@ SolverSettings rigid(SolverSettings settings) {
 
 template <class F>
 void for_each_group(const Parts& parts, Workers& workers, F f) {
-  workers.for_each(parts.count(), [&](std::size_t part) { f(part); });
+  workers.for_few(parts.count(), [&](std::size_t part) { f(part); });
   if (parts.count() > 1) f(parts.count());
 }
 
 /// A sweep over all contacts and one back, from the impulses that they have.
 void sweep_both_ways(Contacts& contacts, const Parts& parts, BodyRows<SolverBody> bodies,
                      SolverSettings settings, const Vec& kick, const Vec* period, Workers& workers) {
-  for (SolverBody& body : bodies.by_place()) {
+  for (SolverBody& body : bodies.by_slot()) {
     body.velocity = body.inverse_mass > 0.0 ? kick : Vec(0.0, 0.0);
     body.spin = 0.0;
   }
@@ -120,9 +120,9 @@ void take_as_preload(LoadedContact& load, const Learning& learning) {
 
 void find_first_loads(Contacts& contacts, const Parts& parts, BodyRows<SolverBody> bodies,
                       const SolverSettings& settings, const Vec& kick, const Vec* period, Workers& workers) {
-  const std::span<SolverBody> all = bodies.by_place();
+  const std::span<SolverBody> all = bodies.by_slot();
   const std::vector<SolverBody> kept(all.begin(), all.end());
-  const BodyRows<const SolverBody> given(kept, bodies.places());
+  const BodyRows<const SolverBody> given(kept, bodies.slots());
   const double weight = kick.norm();
   std::vector<LoadedContact> loads = list(contacts);
   double weights = 0.0;

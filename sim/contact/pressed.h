@@ -13,7 +13,7 @@ namespace throng {
 /// 0. O(contacts).
 void find_pressed(const State& state, const Colliders& colliders, std::vector<std::uint8_t>& pressed);
 
-/// Whether one body was. O(contacts).
-bool is_pressed(const State& state, const Colliders& colliders, std::uint32_t body);
+/// Whether two bodies were. O(contacts).
+bool are_pressed(const State& state, const Colliders& colliders, std::uint32_t one, std::uint32_t two);
 
 }  // namespace throng

@@ -132,8 +132,8 @@ void ContactFinder::seat_anew(BodyRows<const SolverBody> bodies, FaceBlocks& fac
   for (auto& touches : seated_) touches.clear();
   for (std::uint32_t i = 0; i < touches_.size(); ++i)
     if (points_[i] > 0) seated_[group_of(touches_[i])].push_back(i);
-  faces.start(bodies.size(), parts_.groups(), bodies.places());
-  workers.for_each(parts_.groups(), [&](std::size_t group) { seat_group(group, faces); });
+  faces.start(bodies.size(), parts_.groups(), bodies.slots());
+  workers.for_few(parts_.groups(), [&](std::size_t group) { seat_group(group, faces); });
   faces.finish();
   for (std::size_t group = 0; group < seated_.size(); ++group)
     for (const std::uint32_t i : seated_[group]) {

@@ -27,7 +27,7 @@ struct SolverSettings {
   Softness softness;  ///< of the biased sweep
   Learning learning;
   double push_out;  ///< m/s, the fastest that overlapping bodies are driven apart, whatever they bear
-  bool friction;    ///< some surface rubs
+  bool friction;    ///< surfaces that meet rub
   /// m: what has a preload may open by so much and stays a spring. As rigid gaps, closed one after the other,
   /// the contacts of what stands high and has hardly sunk would shake each other open.
   double ajar;

@@ -187,17 +187,17 @@ HWY_EXPORT(learn);
 void prepare_and_start(std::span<DiscBlock> blocks, BodyRows<SolverBody> bodies, const Vec* period,
                        double ahead) {
   if (!blocks.empty())
-    HWY_DYNAMIC_DISPATCH(prepare_and_start)(blocks, bodies.by_place().data(), period, ahead);
+    HWY_DYNAMIC_DISPATCH(prepare_and_start)(blocks, bodies.by_slot().data(), period, ahead);
 }
 void push_apart(std::span<DiscBlock> blocks, BodyRows<SolverBody> bodies, const SolverSettings& settings) {
-  if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(push_apart)(blocks, bodies.by_place().data(), settings);
+  if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(push_apart)(blocks, bodies.by_slot().data(), settings);
 }
 void relax(std::span<DiscBlock> blocks, BodyRows<SolverBody> bodies, const SolverSettings& settings,
            bool periodic) {
-  if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(relax)(blocks, bodies.by_place().data(), settings, periodic);
+  if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(relax)(blocks, bodies.by_slot().data(), settings, periodic);
 }
 void learn(std::span<DiscBlock> blocks, BodyRows<const SolverBody> bodies, const Learning& learning) {
-  if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(learn)(blocks, bodies.by_place().data(), learning);
+  if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(learn)(blocks, bodies.by_slot().data(), learning);
 }
 
 }  // namespace throng

@@ -240,16 +240,16 @@ HWY_EXPORT(learn);
 }  // namespace
 
 void prepare_and_start(FaceSequence blocks, BodyRows<SolverBody> bodies) {
-  if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(prepare_and_start)(blocks, bodies.by_place().data());
+  if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(prepare_and_start)(blocks, bodies.by_slot().data());
 }
 void push_apart(FaceSequence blocks, BodyRows<SolverBody> bodies, const SolverSettings& settings) {
-  if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(push_apart)(blocks, bodies.by_place().data(), settings);
+  if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(push_apart)(blocks, bodies.by_slot().data(), settings);
 }
 void relax(FaceSequence blocks, BodyRows<SolverBody> bodies, const SolverSettings& settings) {
-  if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(relax)(blocks, bodies.by_place().data(), settings);
+  if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(relax)(blocks, bodies.by_slot().data(), settings);
 }
 void learn(FaceSequence blocks, BodyRows<const SolverBody> bodies, const Learning& learning) {
-  if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(learn)(blocks, bodies.by_place().data(), learning);
+  if (!blocks.empty()) HWY_DYNAMIC_DISPATCH(learn)(blocks, bodies.by_slot().data(), learning);
 }
 
 }  // namespace throng

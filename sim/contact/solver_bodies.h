@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "sim/contact/body_rows.h"
@@ -15,6 +17,8 @@ namespace throng {
 class SolverBodies {
  public:
   explicit SolverBodies(std::size_t n) : bodies_(n) {}
+  SolverBodies(const SolverBodies&) = delete;  // views know where the slots are
+  SolverBodies& operator=(const SolverBodies&) = delete;
 
   std::size_t size() const { return bodies_.size(); }
   SolverBody& operator[](std::size_t row) { return rows()[row]; }
@@ -22,18 +26,22 @@ class SolverBodies {
 
   operator BodyRows<SolverBody>() { return rows(); }
   operator BodyRows<const SolverBody>() const { return rows(); }
-  BodyRows<SolverBody> rows() { return {bodies_, places_}; }
-  BodyRows<const SolverBody> rows() const { return {bodies_, places_}; }
+  BodyRows<SolverBody> rows() { return {bodies_, slots_}; }
+  BodyRows<const SolverBody> rows() const { return {bodies_, slots_}; }
 
-  /// Brings those of each part together, in the order of their rows, with the row that stands for obstacles
-  /// among the part's contacts, where they aren't nearly so. Returns whether somebody stands elsewhere now.
+  /// By rows, where there are no parts and so nobody is arranged.
+  std::span<SolverBody> in_order() { return assert(part_.empty()), bodies_; }
+  std::span<const SolverBody> in_order() const { return assert(part_.empty()), bodies_; }
+
+  /// Brings those of each part together, in the order of their rows, and behind them the one that stands for
+  /// obstacles among the part's contacts, where many stand elsewhere. Who keeps slots must ask for them anew.
   /// O(bodies).
-  bool arrange(const Parts& parts);
+  void arrange(const Parts& parts);
 
  private:
   std::vector<SolverBody> bodies_, old_;
-  std::vector<std::uint32_t> places_, old_places_;  // of each row; empty where each stands at its own
-  std::vector<std::uint8_t> part_;                  // of each row, when they were arranged
+  BodySlots slots_;
+  std::vector<std::uint8_t> part_;  // of each row, when they were arranged
 };
 
 }  // namespace throng

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 
 #include "broadphase/pairs.h"
 #include "narrowphase/manifold.h"

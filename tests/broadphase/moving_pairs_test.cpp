@@ -54,7 +54,8 @@ TEST(MovingPairs, AreThoseOfTheDefinitionAtEveryStep) {
   for (const double step : {0.0, 1e-9, 1e-3, 1e-2, 0.05, 0.5})
     for (const bool periodic : {false, true}) {
       Dance dance(101, 200, 9.0, step, periodic);
-      MovingPairs moving;
+      Team alone(1);
+      MovingPairs moving(alone);
       Pairs pairs;
       int reused = 0;
       for (int i = 0; i < 60; ++i) {
@@ -72,8 +73,8 @@ TEST(MovingPairs, AreThoseOfTheDefinitionAtEveryStep) {
 TEST(MovingPairs, AreTheSameForAnyNumberOfThreads) {
   for (const bool periodic : {false, true}) {
     Dance dance(102, 5000, 60.0, 1e-2, periodic);
-    Team team(3);
-    MovingPairs alone, shared(&team);
+    Team one(1), three(3);
+    MovingPairs alone(one), shared(three);
     Pairs pairs, same;
     for (int i = 0, reused = 0; reused < 5; ++i) {
       ASSERT_LT(i, 100);
@@ -92,7 +93,8 @@ TEST(MovingPairs, AreTheSameForAnyNumberOfThreads) {
 TEST(MovingPairs, SeeADiscThatGrowsOrComesJustAsFarAsTheMargin) {
   const std::vector<double> reach{0.5, 0.5};
   for (double gap = 1.0; gap < 1.4; gap += 0.001) {
-    MovingPairs moving;
+    Team alone(1);
+    MovingPairs moving(alone);
     Pairs pairs;
     moving.find(std::vector<Point>{{0, 0}, {gap, 0}}, reach, nullptr, pairs);
     EXPECT_EQ(pairs.size(), gap <= 1.0 ? 1u : 0u);
@@ -107,7 +109,8 @@ TEST(MovingPairs, SeeADiscThatGrowsOrComesJustAsFarAsTheMargin) {
 }
 
 TEST(MovingPairs, StartAnewForOtherDiscs) {
-  MovingPairs moving;
+  Team alone(1);
+  MovingPairs moving(alone);
   Pairs pairs;
   const Period torus{{0, 0}, {8, 8}};
   for (const std::size_t n : {100u, 99u, 0u, 100u}) {

@@ -184,6 +184,17 @@ TEST(AutoTime, LetsAPileOverlapByNoMore) {
   }
 }
 
+TEST(AutoTime, LooksAtMaterialsThatMeetAlone) {
+  const auto substep = [](const std::string& materials) {
+    const Scene scene = scene_from(wanted(0.01, 2) + kFalls + materials +
+                                   "[materials.clay]\nrestitution = 0.1\n[[walls]]\nsegment = [[-9, 0], [9, "
+                                   "0]]\nmaterial = \"clay\"\n" +
+                                   kDisc + ball(0, 3, 0, 0) + "material = \"clay\"\n");
+    return scene.time.dt / scene.time.substeps;
+  };
+  EXPECT_EQ(substep(material(0.9, 0.5)), substep("")) << "nobody is of the default";
+}
+
 // It happened: what a fall adds to a body's speed was counted half.
 TEST(AutoTime, LetsNobodyMoveByMoreThanARadiusInAStep) {
   const Scene scene = scene_from(wanted(0.5, 2) + kFalls + "[[walls]]\nsegment = [[-9, 0], [9, 0]]\n" +

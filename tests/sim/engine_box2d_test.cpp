@@ -19,8 +19,12 @@ TEST(Box2dEngine, RefusesWhatBox2dCannotDoAndSaysWhy) {
   EXPECT_THAT(
       engine_refusal(Engine::box2d, std::string("domain = { periodic = [[-9, -9], [9, 9]] }\n") + kOneBall),
       HasSubstr("periodic"));
-  EXPECT_THAT(engine_refusal(Engine::box2d,
-                             std::string("[materials.default]\nrolling_resistance = 0.1\n") + kOneBall),
+  const std::string rolling = "[materials.default]\nrolling_resistance = 0.1\n";
+  EXPECT_THAT(engine_refusal(Engine::box2d, rolling + kOneBall),
+              HasSubstr("materials.default.rolling_resistance"));
+  const std::string ice = "[materials.ice]\nfriction = 0\n" + std::string(kOneBall) + "material = \"ice\"\n";
+  EXPECT_EQ(engine_refusal(Engine::box2d, rolling + ice), "") << "nobody is of the default";
+  EXPECT_THAT(engine_refusal(Engine::box2d, "domain = { box = [[-9, -9], [9, 9]] }\n" + rolling + ice),
               HasSubstr("materials.default.rolling_resistance"));
   EXPECT_THAT(engine_refusal(Engine::box2d, std::string("contact = { model = \"none\" }\n") + kOneBall),
               HasSubstr("contact.model"));

@@ -45,8 +45,9 @@ TEST(Plan, SaysThatWhatHitsIsStopped) {
     const Plan plan = plan_for(scene_from(
         "[materials.default]\nrestitution = " + std::string(bounces ? "0.5\n" : "0\n") + kTwoDiscs));
     EXPECT_EQ(std::ranges::find(plan.stages, "collide", &Stage::name)->reason,
-              bounces ? "some surface bounces"
-                      : "no surface bounces; what is hit is stopped together with all that touches it");
+              bounces
+                  ? "surfaces that meet bounce"
+                  : "no surfaces that meet bounce; what is hit is stopped together with all that touches it");
   }
 }
 

@@ -20,7 +20,7 @@ TEST(Workers, GoThroughAllOnce) {
       workers.for_ranges(n, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) ++ranged[i];
       });
-      workers.for_each(n, [&](std::size_t i) { ++each[i]; });
+      workers.for_few(n, [&](std::size_t i) { ++each[i]; });
       for (std::size_t i = 0; i < n; ++i) EXPECT_TRUE(ranged[i] == 1 && each[i] == 1) << i << " of " << n;
     }
 }
@@ -65,7 +65,6 @@ TEST(Workers, SelectInOrder) {
       workers.select(n, counts, all, count, [](std::size_t begin, std::size_t end, std::size_t* out) {
         for (std::size_t i = begin; i < end; ++i)
           if (chosen(i)) *out++ = i;
-        return out;
       });
       std::vector<std::size_t> expected;
       for (std::size_t i = 0; i < n; ++i)

@@ -124,7 +124,8 @@ void race_moving(std::size_t n, bool spatial, const Pace& pace, const Options& o
   MovingCloud cloud(n, spatial, pace.part);
   AllPairs search;
   broadphase::DiscPairs anew;
-  broadphase::MovingPairs moving;
+  broadphase::Team alone(1);
+  broadphase::MovingPairs moving(alone);
   PairList found;
   PlainGrid plain;
   PairBuffer plain_found;

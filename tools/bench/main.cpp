@@ -40,6 +40,8 @@ Of motion, where a query is a pair in motion, a figure is for one query, and the
   asked, first_ns  the share of queries that a slow engine was asked, and the first engine's time of a query on
                    these alone, which ratio is to)";
 
+constexpr int kAccuracyBlocks = 5;  // so that all of it takes a quarter of an hour
+
 void refuse_what_does_nothing(const std::string& name, const throng::bench::Options& options) {
   if (name != "broadphase" && name != "recording" && options.large)
     throw throng::InputError(name + ": --large is for broadphase and recording");
@@ -173,9 +175,10 @@ int main(int argc, char** argv) {
   app.add_option("--set", options.set,
                  "validation: a field of all agents, such as social_force.mass=70; may be repeated")
       ->allow_extra_args(false);
-  app.add_option("--blocks", options.blocks, "figures a row")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
+  const CLI::Option* blocks =
+      app.add_option("--blocks", options.blocks, "figures a row; where it isn't given 5 of accuracy")
+          ->check(CLI::Range(1, 1000))
+          ->capture_default_str();
   app.add_flag("--quick", options.quick, "short settling and small clouds, to see that all of it runs");
   app.add_flag("--large", options.large,
                "broadphase: ten million points too; recording: seeks in a file of 10 GB, in the folder of "
@@ -194,6 +197,7 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     refuse_what_does_nothing(name, options);
+    if (name == "accuracy" && blocks->empty()) options.blocks = kAccuracyBlocks;
     if (!target.empty()) hwy::SetSupportedTargetsForTest(targets().at(target));
     JsonRows rows(json);
     run(name, benchmarks.at(name), options, json != "-", rows);

@@ -64,7 +64,7 @@ std::string bouncing_heap(double restitution) {
 /// The heap's bodies, thrown about as it rests.
 std::vector<SolverBody> in_new_haste(const Trial& run, std::mt19937& random) {
   std::normal_distribution<double> speed(0.0, 1.0);
-  const std::span<const SolverBody> at_rest = run.work.bodies.rows().by_place();
+  const std::span<const SolverBody> at_rest = run.work.bodies.in_order();
   std::vector<SolverBody> bodies(at_rest.begin(), at_rest.end());
   for (SolverBody& body : bodies)
     if (body.inverse_mass > 0.0 && random() % 4 == 0)

@@ -313,7 +313,7 @@ TEST(SoftRest, AColumnBearsItsWeight) {
   for (const ContactImpulse& contact : trial.state.point_contacts) impulse += contact.normal;
   EXPECT_NEAR(impulse, 5.0 * kMass * 9.81 * 1e-4, 1e-9) << "per substep";
   std::vector<ContactRow> rows;
-  trial.work.soft.list(trial.state, trial.work.bodies.rows().by_place(), rows);
+  trial.work.soft.list(trial.state, trial.work.bodies.in_order(), rows);
   ASSERT_EQ(rows.size(), 5u);
   EXPECT_EQ(rows.back().b, 0u);
   EXPECT_NEAR(rows.back().point.y(), 0.0, 1e-9);
