@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <iterator>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -46,10 +47,11 @@ class Workers {
   }
 
   /// Replaces `all` by what write(begin, end, out) writes from `out` on for ranges that cover 0 to n, as much
-  /// as count(begin, end) tells. `counts`: a buffer, to be kept.
+  /// as count(begin, end) tells; `out` is an iterator. `counts`: a buffer, to be kept.
   template <class T, class Count, class Write>
   void select(std::size_t n, std::vector<std::size_t>& counts, std::vector<T>& all, Count&& count,
               Write&& write) {
+    if (is_one_range(n)) return all.clear(), write(std::size_t{0}, n, std::back_inserter(all));
     counts.assign(ranges(n) + 1, 0);
     team_.for_ranges(n, kGrain, [&](std::size_t i, std::size_t begin, std::size_t end) {
       counts[i + 1] = count(begin, end);

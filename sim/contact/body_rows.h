@@ -24,6 +24,9 @@ class BodySlots {
   std::uint32_t slot(std::uint32_t row) const { return slots_.empty() ? row : slots_[row]; }
   std::uint32_t row(std::uint32_t slot) const { return rows_.empty() ? slot : rows_[slot]; }
 
+  /// The slot of each row; null where each stands at its own.
+  const std::uint32_t* of_rows() const { return slots_.empty() ? nullptr : slots_.data(); }
+
  private:
   std::vector<std::uint32_t> slots_, rows_;
 };
@@ -37,7 +40,8 @@ template <class Body>
 class BodyRows {
  public:
   BodyRows() = default;
-  BodyRows(std::span<Body> bodies, const BodySlots& slots = kOwnSlots) : bodies_(bodies), slots_(&slots) {}
+  BodyRows(std::span<Body> bodies, const BodySlots& slots = kOwnSlots)
+      : bodies_(bodies), slots_(&slots), slot_(slots.of_rows()) {}
   BodyRows(std::vector<std::remove_const_t<Body>>& bodies) : bodies_(bodies) {}
   BodyRows(const std::vector<SolverBody>& bodies) requires std::is_const_v<Body> : bodies_(bodies) {}
   template <class Other>
@@ -45,7 +49,7 @@ class BodyRows {
       : BodyRows(other.by_slot(), other.slots()) {}
 
   std::size_t size() const { return bodies_.size(); }
-  Body& operator[](std::size_t row) const { return bodies_[slots_->slot(static_cast<std::uint32_t>(row))]; }
+  Body& operator[](std::size_t row) const { return bodies_[slot_ ? slot_[row] : row]; }
 
   std::span<Body> by_slot() const { return bodies_; }
   const BodySlots& slots() const { return *slots_; }
@@ -53,6 +57,7 @@ class BodyRows {
  private:
   std::span<Body> bodies_;
   const BodySlots* slots_ = &kOwnSlots;
+  const std::uint32_t* slot_ = nullptr;  // of each row, as in slots_
 };
 
 }  // namespace throng

@@ -28,12 +28,12 @@ void save_pressing(const Blocks& contacts, std::vector<ContactImpulse>& kept,
     for (std::size_t i = begin; i < end; ++i) pressing += contacts.normal_impulse(i) > 0.0;
     return pressing;
   };
-  const auto write = [&](std::size_t begin, std::size_t end, ContactImpulse* out) {
+  const auto write = [&](std::size_t begin, std::size_t end, auto out) {
     for (std::size_t i = begin; i < end; ++i) {
       const auto [normal, tangent, preload] = contacts.impulses(i);
       if (!(normal > 0.0)) continue;
       const auto [key, feature] = name(i);
-      *out++ = {key, feature, normal, tangent, 0.0, preload};
+      *out++ = ContactImpulse{key, feature, normal, tangent, 0.0, preload};
     }
   };
   workers.select(contacts.size(), counts, kept, count, write);

@@ -9,7 +9,7 @@ namespace throng {
 
 namespace {
 
-/// Two parts of so many polygons, at rest, gain 28 % of a step with two threads; of discs 9 %.
+/// With two threads two parts of 5,000 polygons each, at rest, gain 38 % of a step; of discs 29 %.
 constexpr std::size_t kFewestBodies = 4096, kMostParts = 16;
 
 Eigen::Index widest_axis(const Scene& scene) {

@@ -62,7 +62,7 @@ TEST(Workers, SelectInOrder) {
         for (std::size_t i = begin; i < end; ++i) some += chosen(i);
         return some;
       };
-      workers.select(n, counts, all, count, [](std::size_t begin, std::size_t end, std::size_t* out) {
+      workers.select(n, counts, all, count, [](std::size_t begin, std::size_t end, auto out) {
         for (std::size_t i = begin; i < end; ++i)
           if (chosen(i)) *out++ = i;
       });

@@ -11,13 +11,12 @@ namespace throng {
 namespace {
 
 TEST(Pressed, AreTwoWhereBothAreAmongThem) {
-  Trial run(
-      "gravity = [0, -9.81]\ntime = { dt = 0.01, substeps = 4 }\nsleep = false\n" + std::string(kDisc) +
-      "box = { polygon = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]] }\n"
-      "[[walls]]\nsegment = [[-9, 0], [9, 0]]\n"
-      "[[bodies]]\nshape = \"box\"\nat = [0, 0.5]\n[[bodies]]\nshape = \"box\"\nat = [0, 1.5]\n"
-      "[[bodies]]\nshape = \"ball\"\nat = [0, 2.5]\n[[bodies]]\nshape = \"ball\"\nat = [3, 8]\n"
-      "[[bodies]]\nshape = \"ball\"\nat = [5, 0.5]\n[[bodies]]\nshape = \"ball\"\nat = [5, 1.5]\n");
+  Trial run("gravity = [0, -9.81]\ntime = { dt = 0.01, substeps = 4 }\nsleep = false\n" + std::string(kDisc) +
+            "box = { polygon = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]] }\n"
+            "[[walls]]\nsegment = [[-9, 0], [9, 0]]\n"
+            "[[bodies]]\nshape = \"box\"\nat = [0, 0.5]\n[[bodies]]\nshape = \"box\"\nat = [0, 1.5]\n"
+            "[[bodies]]\nshape = \"ball\"\nat = [0, 2.5]\n[[bodies]]\nshape = \"ball\"\nat = [3, 8]\n"
+            "[[bodies]]\nshape = \"ball\"\nat = [5, 0.5]\n[[bodies]]\nshape = \"ball\"\nat = [5, 1.5]\n");
   run.steps(20);
   const Colliders& colliders = run.work.candidates.colliders();
   std::vector<std::uint8_t> pressed;
