@@ -30,7 +30,8 @@ bool goes_on(char c) {
 
 /// What is written there, with no blank and no sign of TOML's in it; columns count characters, from 1.
 std::string_view word_at(std::string_view text, std::size_t line, std::size_t column) {
-  constexpr std::string_view kEnds = " \t\r\n,=[]{}#\"'";
+  constexpr std::string_view kEnds = " \t\r\n,=[]{}#\"'", kByteOrderMark = "\xef\xbb\xbf";
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   for (; line > 1 && !text.empty(); --line)
     text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
   text = text.substr(0, text.find('\n'));
@@ -38,6 +39,14 @@ std::string_view word_at(std::string_view text, std::size_t line, std::size_t co
   for (; at < text.size() && (column > 1 || goes_on(text[at])); ++at) column -= goes_on(text[at]) ? 0 : 1;
   const std::size_t begin = text.substr(0, at).find_last_of(kEnds) + 1;  // 0 where there is none
   return text.substr(begin, text.find_first_of(kEnds, at) - begin);
+}
+
+/// What other languages call true and false.
+bool is_truth(std::string_view word) {
+  constexpr std::string_view kTruths[] = {"true", "false", "yes", "no", "on", "off"};
+  std::string small(word);
+  for (char& c : small) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return std::ranges::find(kTruths, small) != std::end(kTruths);
 }
 
 /// What the parser says; of a word without quotes, and of what begins as nothing does, what a value is.
@@ -51,6 +60,7 @@ std::string why(const toml::parse_error& error, std::string_view text) {
   const std::string_view word = word_at(text, place.line, place.column);
   const bool is_word = !word.empty() && (std::isalpha(static_cast<unsigned char>(word[0])) || word[0] & 0x80);
   if (!no_value && !is_word) return std::string(said);
+  if (is_truth(word)) return in_quotes(word) + " is no value: say true or false";
   return "a value is a text in quotes, as in " + in_quotes(is_word ? word : "pile") +
          ", a number, as in 0.5 or 1e-3, true, false, a list [a, b] or a table { key = a }";
 }

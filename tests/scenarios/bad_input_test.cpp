@@ -39,8 +39,10 @@ const FaultyScenario kFaultyScenarios[] = {
      "error: this is no TOML: a value is a text in quotes, as in \"none\", a number"},
     {"engine = native", "this is no TOML: a value is a text in quotes, as in \"native\", a number"},
     {"seed = 1\nname = t", "s.toml:3:9: error: this is no TOML: a value is a text in quotes, as in \"t\", a"},
-    {"sleep = True",
-     "s.toml:2:9: error: this is no TOML: a value is a text in quotes, as in \"True\", a number"},
+    {"sleep = True", "s.toml:2:9: error: this is no TOML: \"True\" is no value: say true or false\n"},
+    {"sleep = no", "s.toml:2:10: error: this is no TOML: \"no\" is no value: say true or false\n"},
+    {"sleep = OFF # now", "error: this is no TOML: \"OFF\" is no value: say true or false\n"},
+    {"sleep = nope", "this is no TOML: a value is a text in quotes, as in \"nope\", a number"},
     {"x = 'é' # é\na = [1, \"é\", straße]",
      "s.toml:3:14: error: this is no TOML: a value is a text in quotes, as in \"straße\", a"},
     {"name = (1, 2)",
@@ -355,6 +357,14 @@ TEST_P(BadInput, IsFoundAtItsPlaceAndNamed) {
   EXPECT_GE(loaded.errors(), 1);
   EXPECT_NE(faults(loaded).find(GetParam().fault), std::string::npos)
       << GetParam().text << "\nsays: " << faults(loaded) << "wanted: " << GetParam().fault;
+}
+
+// It happened: the advice was of another word, three bytes farther left.
+TEST(BadInputFile, IsFoundBehindAByteOrderMark) {
+  const std::string abc =
+      "s.toml:1:8: error: this is no TOML: a value is a text in quotes, as in \"abc\", a number";
+  EXPECT_EQ(faults(load_text("\xef\xbb\xbfname = abc\nthrong = 1\n")).rfind(abc, 0), 0u);
+  EXPECT_EQ(faults(load_text("name = abc\nthrong = 1\n")).rfind(abc, 0), 0u);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, BadInput, ::testing::ValuesIn(kFaultyScenarios));
