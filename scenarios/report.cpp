@@ -66,8 +66,7 @@ void Report::error_of_override(const std::string& override_, std::string path, s
 }
 
 void Report::warning(const toml::source_region& place, std::string path, std::string message) {
-  if (warnings_ >= kMostWarnings) return;
-  ++warnings_;
+  if (++warnings_ > kMostWarnings) return;
   add(Diagnostic::Severity::warning, place, std::move(path), std::move(message));
 }
 
@@ -75,6 +74,9 @@ std::vector<Diagnostic> Report::take() {
   std::stable_sort(diagnostics_.begin(), diagnostics_.end(), [](const Diagnostic& a, const Diagnostic& b) {
     return std::pair(a.line, a.column) < std::pair(b.line, b.column);
   });
+  if (const int more = warnings_ - kMostWarnings; more > 0)
+    add(Diagnostic::Severity::warning, {}, "",
+        more == 1 ? "there is 1 more warning" : "there are " + std::to_string(more) + " more warnings");
   return std::move(diagnostics_);
 }
 

@@ -35,7 +35,8 @@ class Report {
   int errors() const { return errors_; }
   bool full() const { return errors_ >= kMostErrors; }
 
-  /// All of it in the order of the text; what has no place in it, as overrides have none, comes first.
+  /// All of it in the order of the text; what has no place in it, as overrides have none, comes first, and
+  /// last how many warnings more there are than `kMostWarnings`.
   std::vector<Diagnostic> take();
 
  private:
@@ -45,7 +46,7 @@ class Report {
   toml::source_path_ptr file_;
   std::vector<Diagnostic> diagnostics_;
   std::set<const toml::node*> bad_;
-  int errors_ = 0, warnings_ = 0;
+  int errors_ = 0, warnings_ = 0;  // said or not
 };
 
 /// A stranger's text fit for a message: in double quotes, shortened, without control characters.

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/scenarios/scenario_texts.h"
 
 namespace throng::scenarios {
@@ -10,6 +12,21 @@ namespace throng::scenarios {
 using throng::testing::faults;
 using throng::testing::kEverything;
 using throng::testing::load_text;
+
+namespace {
+
+/// So many warnings, of lines from the 4th on.
+std::string with_standers(int groups) {
+  std::string text =
+      "throng = 1\nwalkable = 'POLYGON ((0 0, 99 0, 99 9, 0 9, 0 0))'\nareas.exit = [[90, 0], [99, 0], [99, "
+      "9]]\n";
+  for (int i = 0; i < groups; ++i)
+    text += "[[agents]]\nmodel = 'orca'\ngoal = 'exit'\ndesired_speed = 0\nat = [" + std::to_string(i + 1) +
+            ", 2]\n";
+  return text;
+}
+
+}  // namespace
 
 TEST(Report, NamesAllFaultsInTheOrderOfTheText) {
   const Loaded loaded = load_text("nmae = 1\nthrong = 2\nengine = 'x'\ntime = { until = -1, dt = 0 }\n");
@@ -92,6 +109,20 @@ TEST(Report, WarnsOfRollingThatNobodyDoes) {
   EXPECT_EQ(said("discs = [[0, 0, 1], [1, 0, 1]]"), "");
   const std::string empty = "throng = 1\nmaterials.m.rolling_resistance = 0.5\n";
   EXPECT_EQ(faults(load_text(empty)), "") << "nobody is there yet";
+}
+
+// It happened: all behind the 20th were dropped without a word.
+TEST(Report, SaysHowManyWarningsItKeepsToItself) {
+  const auto last_line = [](const std::string& said) {
+    return said.substr(said.rfind('\n', said.size() - 2) + 1);
+  };
+  const std::string twenty = faults(load_text(with_standers(20)));
+  EXPECT_EQ(std::ranges::count(twenty, '\n'), 20) << twenty;
+  EXPECT_EQ(last_line(twenty).rfind("s.toml:102:17: warning: agents[19].desired_speed: ", 0), 0u) << twenty;
+  EXPECT_EQ(last_line(faults(load_text(with_standers(21)))), "s.toml: warning: there is 1 more warning\n");
+  const std::string more = faults(load_text(with_standers(25)));
+  EXPECT_EQ(std::ranges::count(more, '\n'), 21) << more;
+  EXPECT_EQ(last_line(more), "s.toml: warning: there are 5 more warnings\n");
 }
 
 TEST(Report, RefusesOverridesThatLeadNowhere) {
