@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "scenarios/check.h"
+#include "scenarios/check_use.h"
 #include "scenarios/override.h"
 #include "scenarios/place.h"
 #include "scenarios/print.h"
@@ -89,12 +90,12 @@ void read_scene(const toml::table& root, Scene& scene, Report& report) {
   check_quantum(root, scene, report);
   read_sensors(root, scene, report);
   warn_of_empty_record(root, scene, report);
-  warn_of_unused(root, scene, report);
   warn_of_idle_rolling(root, scene, report);
   settle_auto_time(root, scene, report);
   settle_soft_contacts(root, scene, report);
   if (report.errors() == 0) check_engine(root, scene, report);
   if (report.errors() == 0) check_observe(root, scene, report);
+  warn_of_unused(root, scene, report);
 }
 
 /// What was chosen stands in the resolved scenario, so that it makes the same run wherever it ends.

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -63,16 +62,10 @@ void add_bodies_to_floor(std::span<const Entry> entries, Scene& scene, Report& r
 void check_queues(const toml::table& root, const Scene& scene, Report& report);
 
 /// Warns of what won't happen as the file says it: measures, agents and openings after the end, agents who
-/// never set out, areas half of which nobody gets to, bodies that never move and yet are no walls. Expects
-/// all in the scene.
+/// never set out, goals and places that hardly have any floor, bodies that never move and yet are no walls.
+/// Expects all in the scene.
 void check_crowd(const toml::table& root, std::span<const Entry> bodies, std::span<const AgentEntry> agents,
                  const Scene& scene, Report& report);
-
-/// Names of the areas that are goals, places of agents, or measured. Call it after `read_agents`.
-std::set<std::string> areas_in_use(const toml::table& root, const Scene& scene);
-
-/// Warns of materials, shapes, areas and queues that nothing in the file asks for. Expects all in the scene.
-void warn_of_unused(const toml::table& root, const Scene& scene, Report& report);
 
 /// Row of the area of this name; behind the last one where there is none.
 std::uint32_t area_row(const std::string& name, const Scene& scene);

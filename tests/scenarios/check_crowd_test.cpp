@@ -53,19 +53,26 @@ TEST(CheckCrowd, WarnsOfMeasuresThatGoOnAfterTheEnd) {
   EXPECT_EQ(late.find("measure[0].until"), std::string::npos) << "said once: " << late;
 }
 
-TEST(CheckCrowd, WarnsOfAreasHalfOrMoreOffTheFloor) {
+TEST(CheckCrowd, WarnsOfAreasLessThanATenthOfWhichIsWalkable) {
   const auto with = [](const std::string& left, const std::string& rest) {
     return said_of("door = [[" + left + ", 2], [22, 2], [22, 4], [" + left + ", 4]]\n" + rest);
   };
-  const std::string off = "s.toml:7:8: warning: areas.door: is half or more off the floor: of its ";
   const std::string goal = "[[agents]]\ngoal = ['exit', 'door']\nmodel = 'orca'\nat = [2, 2]\n";
-  const std::string place = group("place.random.within = 'door'\n");
-  const std::string measure = group() + "[[measure]]\nname = 'door'\narea = 'door'\n";
-  for (const std::string& use : {goal, place, measure}) {
-    EXPECT_EQ(with("19", use), off + "6 m² 2 m² are walkable\n") << use;
-    EXPECT_EQ(with("18", use), off + "8 m² 4 m² are walkable\n") << "half, " << use;
-    EXPECT_EQ(with("17.9", use), "") << use;
+  const std::string place = group("place.random.within = 'door'\nradius = 0.05\n");
+  for (const std::string& use : {goal, place}) {
+    EXPECT_EQ(with("19.8", use), "s.toml:7:8: warning: areas.door: 0.4 of its 4.4 m² are walkable\n") << use;
+    EXPECT_EQ(with("19.75", use), "") << "a ninth, " << use;
+    EXPECT_EQ(with("18", use), "") << "astride the wall, " << use;
   }
+  const std::string tenth = "door = [[19.8, 2], [21.8, 2], [21.8, 4], [19.8, 4]]\n";
+  EXPECT_EQ(said_of(tenth + goal), "") << "up to rounding";
+}
+
+// Density and speed are over what is walkable: nothing is lost.
+TEST(CheckCrowd, LetsAreasThatAreOnlyMeasuredLieOffTheFloor) {
+  EXPECT_EQ(said_of("door = [[19.8, 2], [22, 2], [22, 4], [19.8, 4]]\n" + group() +
+                    "[[measure]]\nname = 'door'\narea = 'door'\n"),
+            "");
 }
 
 TEST(CheckCrowd, WarnsOfAreasAndQueuesThatNobodyUses) {
@@ -79,9 +86,12 @@ TEST(CheckCrowd, WarnsOfAreasAndQueuesThatNobodyUses) {
                           "[[agents]]\ngoal = { wait = 'hall' }\nmodel = 'orca'\nat = [3, 3]\n",
                           "[[agents]]\ngoal = { nearest = ['hall', 'exit'] }\nmodel = 'orca'\nat = [3, 3]\n"})
     EXPECT_EQ(said_of(hall + group() + use), "") << use;
+  EXPECT_EQ(said_of(hall + "bar = [[9, 0], [12, 0], [12, 6], [9, 6]]\n" + group()),
+            "s.toml:7:8: warning: areas: hall and bar are nobody's goals, nobody's places, and not measured: "
+            "they are only drawn\n");
   const std::string till = "[queues]\ntill = { line = [[9, 3], [7, 3]], service = 2 }\n";
   EXPECT_EQ(said_of(group() + till),
-            "s.toml:12:8: warning: queues.till: nobody lines up there: it is only drawn\n");
+            "s.toml:12:8: warning: queues.till: is where nobody lines up: it is only drawn\n");
   EXPECT_EQ(said_of(group() + till +
                     "[[agents]]\ngoal = [{ queue = 'till' }, 'exit']\nmodel = 'orca'\nat = [6, 3]\n"),
             "");

@@ -44,6 +44,18 @@ TEST(Gallery, LoadsWithoutAWarning) {
   }
 }
 
+// It happened: ring.toml's goals, a tenth of which is walkable by design, were warned of.
+TEST(Gallery, BenchmarksValidateByScenesWithoutAWarning) {
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(THRONG_SOURCE_DIR "/tools/bench/validation")) {
+    if (entry.path().extension() != ".toml") continue;
+    ++files;
+    const Loaded loaded = load_scenario(entry.path().string());
+    EXPECT_EQ(to_string(loaded.diagnostics, entry.path().string()), "");
+  }
+  EXPECT_GT(files, 15u);
+}
+
 TEST(Gallery, ResolvesToTheSameScenes) {
   for (const auto& [name, bodies] : kBodies) {
     SCOPED_TRACE(name);

@@ -125,6 +125,25 @@ TEST(Report, SaysHowManyWarningsItKeepsToItself) {
   EXPECT_EQ(last_line(more), "s.toml: warning: there are 5 more warnings\n");
 }
 
+// It happened: 21 shapes that nothing is of left no room for what matters.
+TEST(Report, WarnsOfUnusedNamesLastAndInOneLine) {
+  const auto with = [](const std::string& text, int shapes, int from = 0) {
+    std::string all = text + "[shapes]\n";
+    for (int i = 0; i < shapes; ++i) all += "s" + std::to_string(from + i) + ".disc.radius = 1\n";
+    return faults(load_text(all));
+  };
+  const std::string one = with_standers(1), is = "s.toml:10:1: warning: shapes";
+  const auto behind_the_first = [](const std::string& said) { return said.substr(said.find('\n') + 1); };
+  EXPECT_EQ(behind_the_first(with(one, 1)), is + ".s0: is of no body\n");
+  EXPECT_EQ(behind_the_first(with(one, 2)), is + ": s0 and s1 are of no body\n");
+  EXPECT_EQ(behind_the_first(with(one, 3, 9)), is + ": s9, s10 and s11 are of no body\n") << "as they stand";
+  EXPECT_EQ(behind_the_first(with(one, 21)), is + ": s0, s1 and 19 more are of no body\n");
+  EXPECT_NE(with(one, 21).find("agents[0].desired_speed: is 0"), std::string::npos);
+  const std::string full = with(with_standers(20), 21);
+  EXPECT_NE(full.find("agents[19].desired_speed: is 0"), std::string::npos) << full;
+  EXPECT_NE(full.find("there is 1 more warning"), std::string::npos) << full;
+}
+
 TEST(Report, RefusesOverridesThatLeadNowhere) {
   for (const char* bad :
        {"", "time.dt", "=1", "time..dt=1", ".time=1", "time.=1", "bodies[9].spin=1", "bodies[x].spin=1",
