@@ -74,6 +74,7 @@ struct Recording::Impl {
   void check_rows() const;
   void open_fields();
   void choose(FrameChoice choice);
+  AgentIds agent_ids() const;
   std::size_t in_file(std::size_t i) const { return chosen.empty() ? i : chosen[i]; }
   template <class Work>
   void read_frame(std::size_t i, Work work) const;
@@ -335,6 +336,15 @@ std::vector<double> Recording::masses() const {
   }
 }
 
+/// As far as the file tells: they are the last of the run, behind all recorded bodies that are none.
+AgentIds Recording::Impl::agent_ids() const {
+  AgentIds agents{1, static_cast<std::uint32_t>(bodies_of_run)};
+  const auto ids = reader.ids();
+  for (std::size_t row = 0; row < ids.size(); ++row)
+    if (scene.bodies.kind[row] != BodyKind::agent) agents.first = std::max(agents.first, ids[row] + 1);
+  return agents;
+}
+
 std::optional<Arrivals> Recording::arrivals() const {
   const bool agents = !impl_->scene.crowd.walkable.empty();
   if (!agents || !impl_->complete || impl_->origin.minor < 10) return std::nullopt;
@@ -343,7 +353,7 @@ std::optional<Arrivals> Recording::arrivals() const {
     const h5::Handle group = h5::open_group(h5::open_group(impl_->file.handle, "throng"), "arrivals");
     Arrivals all{h5::read_array<std::int64_t>(impl_->file, group, "step"),
                  h5::read_array<std::uint32_t>(impl_->file, group, "id")};
-    if (!recording::are_arrivals(all.step, all.id, impl_->scene.time.steps()))
+    if (!recording::are_arrivals(all.step, all.id, impl_->scene.time.steps(), impl_->agent_ids()))
       throw h5::Error("no run leaves such lists");
     return all;
   } catch (const h5::Error& error) {

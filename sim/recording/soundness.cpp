@@ -70,6 +70,15 @@ bool is_possible(const Collisions& all) {
          std::isfinite(all.equilibrium);
 }
 
+/// Steps from 1 to `last`, ascending, those who arrive in one by their ids.
+bool are_in_order(std::span<const std::int64_t> steps, std::span<const std::uint32_t> id, std::int64_t last) {
+  if (steps.size() != id.size()) return false;
+  for (std::size_t i = 1; i < steps.size(); ++i)
+    if (std::pair(steps[i - 1], id[i - 1]) >= std::pair(steps[i], id[i])) return false;
+  return steps.empty() || (steps.front() > 0 && steps.back() <= last);
+}
+
+/// Who arrived is for `are_names` to say.
 bool is_possible(const CrowdState& crowd, std::int64_t step) {
   const auto past = [step](std::int64_t s) { return s >= 0 && s <= step; };
   return std::all_of(crowd.stand.begin(), crowd.stand.end(), is_near) &&
@@ -78,7 +87,7 @@ bool is_possible(const CrowdState& crowd, std::int64_t step) {
          std::all_of(crowd.halt.begin(), crowd.halt.end(), is_near) &&
          std::all_of(crowd.halt_step.begin(), crowd.halt_step.end(), past) &&
          std::all_of(crowd.since.begin(), crowd.since.end(), past) &&
-         are_arrivals(crowd.arrivals, crowd.arrived_id, step) && is_count(crowd.wall_corrections) &&
+         are_in_order(crowd.arrivals, crowd.arrived_id, step) && is_count(crowd.wall_corrections) &&
          is_count(crowd.squeezed) &&
          std::all_of(crowd.measured.begin(), crowd.measured.end(),
                      [&](const Measured& measured) { return is_possible(measured, step); }) &&
@@ -87,11 +96,12 @@ bool is_possible(const CrowdState& crowd, std::int64_t step) {
 
 }  // namespace
 
-bool are_arrivals(std::span<const std::int64_t> steps, std::span<const std::uint32_t> id, std::int64_t last) {
-  if (steps.size() != id.size()) return false;
-  for (std::size_t i = 1; i < steps.size(); ++i)
-    if (std::pair(steps[i - 1], id[i - 1]) >= std::pair(steps[i], id[i])) return false;
-  return steps.empty() || (steps.front() > 0 && steps.back() <= last);
+bool are_arrivals(std::span<const std::int64_t> steps, std::span<const std::uint32_t> id, std::int64_t last,
+                  AgentIds agents) {
+  std::vector<std::uint32_t> all(id.begin(), id.end());
+  std::sort(all.begin(), all.end());
+  return are_in_order(steps, id, last) && std::adjacent_find(all.begin(), all.end()) == all.end() &&
+         (all.empty() || (all.front() >= agents.first && all.back() <= agents.last));
 }
 
 bool is_sound(const State& state) {

@@ -143,15 +143,35 @@ class Crowd(Program):
             arrivals["step"][-1] = 301
         def swap(arrivals):
             arrivals["step"][:] = arrivals["step"][:][::-1]
+        def twice(arrivals):
+            arrivals["id"][:] = 3
+        def nobody(arrivals):
+            arrivals["id"][0] = 0
+        def beyond(arrivals):
+            arrivals["id"][-1] = 4
         for change in (set_step, lose_one):
             self.assertEqual(verified(change), (1, "diverged: who arrived, or when, was recorded otherwise than it runs to\n"))
-        for change in (lose_an_id, late, swap):
+        for change in (lose_an_id, late, swap, twice, nobody, beyond):
             said = "throng: b.h5 is damaged: who arrived: no run leaves such lists\n"
             self.assertEqual(verified(change), (2, said))
             for command in (("info", "b.h5"), ("export", "b.h5", "--format", "csv", "-o", "b.csv")):
                 self.assertEqual(self.throng(*command), (2, said), "and nothing is written")
             self.assertFalse((self.folder / "b.csv").exists())
+            with throng_read.open(self.path("b.h5")) as recording, self.assertRaisesRegex(OSError, "b.h5 is damaged: arrivals: "):
+                recording.arrivals
         self.assertEqual(verified(lose_all), (2, "throng: b.h5 is damaged: who arrived: id is missing\n"))
+
+    def test_bodies_that_are_no_agents_never_arrive(self):
+        ball = "[shapes]\nball = { disc = { radius = 0.2 } }\n[[bodies]]\nshape = 'ball'\nat = [7, 4]\nkind = 'static'\n"
+        with open(self.folder / "three.toml", "a") as file:
+            file.write(ball)
+        with throng_read.open(self.record()) as recording:
+            self.assertEqual(list(recording.arrivals.id), [2, 4])
+        with h5py.File(self.path("a.h5"), "r+") as file:
+            file["throng/arrivals/id"][0] = 1
+        self.assertEqual(self.throng("info", "a.h5"), (2, "throng: a.h5 is damaged: who arrived: no run leaves such lists\n"))
+        with throng_read.open(self.path("a.h5")) as recording, self.assertRaisesRegex(OSError, "a.h5 is damaged: arrivals: "):
+            recording.arrivals
 
     def test_who_arrived_is_not_known_of_bodies_nor_of_a_run_that_did_not_end(self):
         self.record()

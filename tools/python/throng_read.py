@@ -527,6 +527,11 @@ class Recording:
             return Sensed(f"{self._path}: frame {i}, {what}", *self._ids(group, "offset", ("who", "count"), sample),
                           *self._ids(group, "whom_offset", ("whom",), sample))
 
+    def _steps(self):
+        """The fewest steps that reach the end of the run, up to rounding."""
+        steps = self.parameters["until"] / self.parameters["dt"]
+        return int(np.ceil(steps - max(1e-9, 4 * np.finfo(float).eps * steps)))
+
     @functools.cached_property
     def arrivals(self):
         """Who got to their goals and left, as Arrivals; of a run that has ended."""
@@ -537,6 +542,12 @@ class Recording:
             id, step = self._all("throng/arrivals/id"), self._all("throng/arrivals/step")
             if not (id.ndim == step.ndim == 1 and id.dtype == np.uint32 and step.dtype == np.int64 and len(id) == len(step)):
                 raise ValueError("their lists are wrong")
+            ascends = (step[1:] > step[:-1]) | (step[1:] == step[:-1]) & (id[1:] > id[:-1])
+            others = self.ids[self.bodies.kind != "agent"]  # agents have the last ids of the run
+            first, last = int(others.max(initial=0)) + 1, int(self.parameters["bodies"])
+            if not ascends.all() or len(np.unique(id)) < len(id) or len(id) and not (
+                    step[0] > 0 and step[-1] <= self._steps() and id.min() >= first and id.max() <= last):
+                raise ValueError("no run leaves such lists")
             return Arrivals(id, step, step * self.parameters["dt"])
 
     @functools.cached_property
