@@ -87,10 +87,12 @@ Json queues(const Crowd& crowd) {
   return all.empty() ? Json(nullptr) : all;
 }
 
-/// s, of the first and the last who arrived.
+/// How many arrived, and s, of the first and the last who did: none of it known where the file doesn't say
+/// it, null where nobody could.
 Json arrivals(const Recording& recording) {
+  if (recording.geometry().crowd.walkable.empty()) return nullptr;
   const std::optional<Arrivals> all = recording.arrivals();
-  if (!all) return nullptr;
+  if (!all) return {{"count", nullptr}, {"first", nullptr}, {"last", nullptr}};
   const auto time = [&](std::int64_t step) {
     return rounded(static_cast<double>(step) * recording.geometry().time.dt);
   };
@@ -213,7 +215,10 @@ std::string fields_and_rates(const Json& d) {
 }
 
 /// "40, from 12.4 s to 31.02 s".
-std::string first_to_last(const Json& arrivals) {
+std::string first_to_last(const Json& arrivals, const Recording& recording) {
+  if (arrivals["count"].is_null())
+    return recording.complete() ? "not known: an older throng wrote the file"
+                                : "not known: the run has not ended";
   const std::string count = arrivals["count"].dump();
   if (arrivals["count"] == 0) return count;
   return count + ", from " + readable(arrivals["first"]) + " s to " + readable(arrivals["last"]) + " s";
@@ -265,7 +270,7 @@ void print_description(const Json& description, const Recording& recording) {
     if (key == "rates" || key == "samples") continue;
     std::string text = readable(value);
     if (key == "walkable" && !value.is_null()) text = readable_entry(value);
-    if (key == "arrivals" && !value.is_null()) text = first_to_last(value);
+    if (key == "arrivals" && !value.is_null()) text = first_to_last(value, recording);
     if (key == "frames") text += ", of " + steps_of_frames(record);
     if (key == "fields") text = fields_and_rates(description);
     if (key == "observables" && !value.is_null()) text = how_often(value, frames_with(recording, value));

@@ -175,13 +175,18 @@ class Crowd(Program):
 
     def test_who_arrived_is_not_known_of_bodies_nor_of_a_run_that_did_not_end(self):
         self.record()
+        unknown = {"count": None, "first": None, "last": None}
         with h5py.File(self.path("a.h5"), "r+") as file:
+            finished = file["throng/finished"][()]
             file["throng/finished"][()] = 0
         with throng_read.open(self.path("a.h5")) as recording, self.assertRaisesRegex(throng_read.NotRecorded, "the run hasn't ended"):
             recording.arrivals
+        self.assertEqual(self.info(), (unknown, "arrivals      not known: the run has not ended"))
         with h5py.File(self.path("a.h5"), "r+") as file:
-            file["throng/finished"][()] = 1
+            file["throng/finished"][()] = finished
+            file["throng"].attrs.modify("version", np.array([1, 9], np.int32))
             del file["throng/arrivals"]
+        self.assertEqual(self.info(), (unknown, "arrivals      not known: an older throng wrote the file"))
         with throng_read.open(self.path("a.h5")) as recording, self.assertRaisesRegex(throng_read.NotRecorded, "no agents are in it"):
             recording.arrivals
 
