@@ -26,12 +26,22 @@ struct ExportOptions {
   bool force = false;
 };
 
-/// a.arrivals.csv beside a.csv; "" where nothing stands beside it, a pipe or a device.
-std::string arrivals_output(const ExportOptions& options) {
+/// As /dev/stdout and /proc/self/fd/1 do, whatever they stand for.
+bool names_open_file(const std::filesystem::path& output) {
   namespace fs = std::filesystem;
   std::error_code neither;
-  const fs::path output = options.output;
-  if (options.output == kStandardOutput || fs::is_other(output, neither)) return "";
+  const fs::path folder = fs::weakly_canonical(fs::absolute(output, neither).parent_path(), neither);
+  return folder == "/dev" || folder.string().starts_with("/proc/");
+}
+
+/// a.arrivals.csv beside a.csv; "" where nothing stands beside it, as of a pipe or a device, or in formats
+/// that don't tell who arrived.
+std::string arrivals_output(const ExportOptions& options) {
+  std::error_code neither;
+  const std::filesystem::path output = options.output;
+  if (options.format != "csv" || options.output == kStandardOutput ||
+      std::filesystem::is_other(output, neither) || names_open_file(output))
+    return "";
   return (output.parent_path() / (output.stem().string() + ".arrivals" + output.extension().string()))
       .string();
 }
@@ -40,6 +50,8 @@ void check_name(const std::string& output, const ExportOptions& options) {
   if (are_one_file(output, options.file))
     throw InputError("cannot write " + output + ": it is the recording");
   std::error_code neither;
+  if (std::filesystem::is_directory(output, neither))
+    throw InputError("cannot write " + output + ": it is a folder");
   if (!options.force && std::filesystem::is_regular_file(output, neither))
     throw InputError("cannot write " + output + ": it exists already; --force overwrites it");
 }
@@ -163,6 +175,21 @@ void write_format(const Recording& recording, const ExportOptions& options,
   if (options.format == "lammps") export_lammps(recording, frames, target);
 }
 
+/// Those of another recording would be taken for this one's.
+void remove_arrivals(const std::string& beside, const ExportOptions& options) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(beside, error) || are_one_file(beside, options.file)) return;
+  if (!std::filesystem::remove(beside, error) && error)
+    throw InputError("cannot remove " + beside + ": " + error.message());
+}
+
+/// `beside` is the name of their file.
+void write_arrivals(const Arrivals& arrivals, const Recording& recording, const std::string& beside) {
+  replace_file(beside, [&](const std::string& path) {
+    export_arrivals_csv(arrivals, recording.geometry().time.dt, {path, beside});
+  });
+}
+
 int export_recording(const ExportOptions& options) {
   check_output(options);
   const Recording recording(options.file,
@@ -172,8 +199,8 @@ int export_recording(const ExportOptions& options) {
   const std::vector<std::size_t> frames = select(options, recording);
   warn_of_velocities(options, recording, frames);
   const std::optional<Arrivals> arrivals = select_arrivals(options, recording);
-  const std::string beside = arrivals ? arrivals_output(options) : "";
-  if (!beside.empty()) check_name(beside, options);
+  const std::string beside = arrivals_output(options);
+  if (arrivals && !beside.empty()) check_name(beside, options);
   warn_of_other_things(options, recording, arrivals && beside.empty());
   const auto write = [&](const std::string& path) {
     write_format(recording, options, frames, {path, options.output});
@@ -182,10 +209,11 @@ int export_recording(const ExportOptions& options) {
     write(options.output);
   else
     replace_file(options.output, write);
-  if (!beside.empty())
-    replace_file(beside, [&](const std::string& path) {
-      export_arrivals_csv(*arrivals, recording.geometry().time.dt, {path, beside});
-    });
+  if (beside.empty()) return 0;
+  if (arrivals)
+    write_arrivals(*arrivals, recording, beside);
+  else if (options.force)
+    remove_arrivals(beside, options);
   return 0;
 }
 
@@ -207,7 +235,9 @@ void add_export(CLI::App& app, int& exit_code) {
       ->check(real_number());
   command->add_option("--every", options->every, "exports each Nth of the frames that the format shows")
       ->transform(whole_number(1, std::int64_t{1} << 40));
-  command->add_flag("--force", options->force, "overwrites the output where it exists");
+  command->add_flag(
+      "--force", options->force,
+      "overwrites the output where it exists; F.arrivals.csv goes where the recording has none");
   command->footer(
       "csv    a line a frame and body: step, time (s), id, and what was recorded of x, y (m), vx, vy (m/s),\n"
       "       angle (rad), spin (rad/s); of a crowd also F.arrivals.csv beside F.csv, a line each who "

@@ -2,6 +2,7 @@
 """Recordings of agents, who leave: as the program, its exports and throng_read.py know them."""
 import csv
 import json
+import pathlib
 import shutil
 import subprocess
 import unittest
@@ -111,6 +112,34 @@ class Crowd(Program):
         self.assertEqual(self.throng("export", "b.arrivals.csv", "--format", "csv", "-o", "b.csv", "--force"),
                          (2, "throng: cannot write b.arrivals.csv: it is the recording\n"))
 
+    def test_who_arrived_is_no_folder(self):
+        """It happened: a.csv was written, and then the export failed."""
+        self.record()
+        (self.folder / "a.arrivals.csv").mkdir()
+        for force in ((), ("--force",)):
+            self.assertEqual(self.throng("export", "a.h5", "--format", "csv", "-o", "a.csv", *force),
+                             (2, "throng: cannot write a.arrivals.csv: it is a folder\n"))
+            self.assertEqual(self.throng("export", "a.h5", "--format", "csv", "-o", "a.arrivals.csv", *force),
+                             (2, "throng: cannot write a.arrivals.csv: it is a folder\n"))
+            self.assertEqual({file.name for file in self.folder.iterdir()}, {"a.h5", "three.toml", "a.arrivals.csv"})
+
+    def test_who_arrived_in_another_run_goes(self):
+        self.record()
+        export = ("export", "a.h5", "--format", "csv", "-o")
+        self.assertEqual(self.throng(*export, "a.csv"), (0, ""))
+        with h5py.File(self.path("a.h5"), "r+") as file:
+            file["throng/finished"][()] = 0
+        (self.folder / "b.arrivals.csv").write_text("mine")
+        self.assertEqual(self.throng(*export, "b.csv")[0], 0)
+        self.assertEqual((self.folder / "b.arrivals.csv").read_text(), "mine", "unasked, nothing goes")
+        self.assertEqual(self.throng("export", "a.h5", "--format", "pedpy", "-o", "b.csv", "--force")[0], 0)
+        self.assertEqual((self.folder / "b.arrivals.csv").read_text(), "mine", "of another format")
+        self.assertEqual(self.throng(*export, "a.csv", "--force")[0], 0)
+        self.assertFalse((self.folder / "a.arrivals.csv").exists())
+        shutil.copy(self.path("a.h5"), self.path("c.arrivals.csv"))
+        self.assertEqual(self.throng("export", "c.arrivals.csv", "--format", "csv", "-o", "c.csv", "--force")[0], 0)
+        self.assertTrue((self.folder / "c.arrivals.csv").exists(), "it is the recording")
+
     def test_who_arrived_has_no_place_in_a_pipe(self):
         self.record()
         done = subprocess.run([PROGRAM, "export", "a.h5", "--format", "csv", "-o", "-"], cwd=self.folder, capture_output=True, text=True)
@@ -120,6 +149,15 @@ class Crowd(Program):
         done = subprocess.run([PROGRAM, "export", "a.h5", "--format", "csv", "-o", "/dev/stdout"], cwd=self.folder, capture_output=True, text=True)
         self.assertIn("leaves out who arrived", done.stderr)
         self.assertEqual({file.name for file in self.folder.iterdir()}, {"a.h5", "three.toml"})
+        for name in ("/dev/stdout", "/dev/../dev/stdout", "/dev/fd/1", "/proc/self/fd/1"):  # it happened: /dev/stdout.arrivals
+            with open(self.path("out.csv"), "w") as file:
+                done = subprocess.run([PROGRAM, "export", "a.h5", "--format", "csv", "--force", "-o", name], cwd=self.folder,
+                                      stdout=file, stderr=subprocess.PIPE, text=True)
+            self.assertEqual((done.returncode, done.stderr),
+                             (0, f"throng: warning: {name} leaves out who arrived, which throng_read.py reads\n"))
+            self.assertEqual(len(self.csv_rows("out.csv")), 502)
+            self.assertEqual({file.name for file in self.folder.iterdir()}, {"a.h5", "three.toml", "out.csv"})
+            self.assertFalse(pathlib.Path("/dev/stdout.arrivals").exists())
 
     def test_who_arrived_is_verified(self):
         self.record()
