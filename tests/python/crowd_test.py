@@ -179,6 +179,8 @@ class Crowd(Program):
         self.assertEqual(verified(lambda arrivals: None), (0, "verified: 301 frames\n"))
         def late(arrivals):
             arrivals["step"][-1] = 301
+        def early(arrivals):
+            arrivals["step"][0] = 0
         def swap(arrivals):
             arrivals["step"][:] = arrivals["step"][:][::-1]
         def twice(arrivals):
@@ -189,7 +191,7 @@ class Crowd(Program):
             arrivals["id"][-1] = 4
         for change in (set_step, lose_one):
             self.assertEqual(verified(change), (1, "diverged: who arrived, or when, was recorded otherwise than it runs to\n"))
-        for change in (lose_an_id, late, swap, twice, nobody, beyond):
+        for change in (lose_an_id, late, early, swap, twice, nobody, beyond):
             said = "throng: b.h5 is damaged: who arrived: no run leaves such lists\n"
             self.assertEqual(verified(change), (2, said))
             for command in (("info", "b.h5"), ("export", "b.h5", "--format", "csv", "-o", "b.csv")):
