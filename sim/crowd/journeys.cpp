@@ -37,9 +37,9 @@ Journeys::Journeys(const Scene& scene, const Barriers& barriers)
     }
 }
 
-/// Whether it hasn't set out at all yet.
-bool Journeys::stands_yet(const State& state, Row row) const {
-  return static_cast<double>(state.step) * scene_.time.dt < scene_.crowd.start[agent(state, row)];
+/// Whether it hasn't set out at all by then.
+bool Journeys::stands_at(const State& state, Row row, std::int64_t step) const {
+  return static_cast<double>(step) * scene_.time.dt < scene_.crowd.start[agent(state, row)];
 }
 
 std::uint32_t Journeys::choice(const State& state, Row row) {
@@ -48,7 +48,8 @@ std::uint32_t Journeys::choice(const State& state, Row row) {
   return least_crowded_.choose(its, agent(state, row), position(state, row));
 }
 
-/// By weight, of the options that are open, of all where none is.
+/// By weight, of the options that are open, of all where none is. Premovement changes nothing in what is
+/// drawn first, but for what is open then.
 std::uint32_t Journeys::drawn(const State& state, Row row) const {
   const Leg& its = leg(state, row);
   std::vector<double> weights = its.weights;  // added up
@@ -57,7 +58,8 @@ std::uint32_t Journeys::drawn(const State& state, Row row) const {
     weights[i] = (i > 0 ? weights[i - 1] : 0.0) + (is_open(its, i) ? its.weights[i] - before : 0.0);
   }
   if (!(weights.back() > 0.0)) weights = its.weights;
-  const auto again = static_cast<std::uint64_t>(ways_.change() ? state.step : 0);
+  const std::int64_t step = stands_at(state, row, state.step - 1) ? state.crowd.since[row] : state.step;
+  const auto again = static_cast<std::uint64_t>(ways_.change() ? step : 0);
   Random random(scene_.seed, again << 16 | state.crowd.stage[row], state.id[scene_.crowd.first + row],
                 Purpose::journey);
   const double drawn = random.uniform() * weights.back();
@@ -87,7 +89,7 @@ void Journeys::look(State& state) {
   std::vector<std::uint32_t>& option = state.crowd.option;
   bool counted = false;
   for (Row row = 0; row < option.size(); ++row) {
-    if (is_decided(state, row) || (leg(state, row).weights.empty() && stands_yet(state, row))) continue;
+    if (is_decided(state, row) || stands_yet(state, row)) continue;
     if (!counted) least_crowded_.count(state);
     counted = true;
     option[row] = choice(state, row);

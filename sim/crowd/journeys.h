@@ -24,9 +24,9 @@ class Journeys {
 
   const Ways& ways() const { return ways_; }
 
-  /// Lets those choose who begin a leg of several options, or whose goal has closed while another is open, of
-  /// the open ones: by weight at random by (seed, stage, id), later also by the step, else, once they walk,
-  /// as LeastCrowded; and looks who stands in the queues. O(agents) where there are choices or queues.
+  /// Lets those choose who begin a leg of several options, once they set out, or whose goal has closed while
+  /// another is open, of the open ones: by weight at random by (seed, stage, id), later also by the step,
+  /// else as LeastCrowded; and looks who stands in the queues. O(agents) where there are choices or queues.
   void look(State& state);
 
   /// Of the agent in this row of the crowd's state, who is of that group. Expects that `look` saw the state.
@@ -99,7 +99,8 @@ class Journeys {
     return static_cast<double>(state.step - step) * scene_.time.dt;
   }
 
-  bool stands_yet(const State& state, Row row) const;
+  bool stands_at(const State& state, Row row, std::int64_t step) const;
+  bool stands_yet(const State& state, Row row) const { return stands_at(state, row, state.step); }
   std::uint32_t choice(const State& state, Row row);
   std::uint32_t drawn(const State& state, Row row) const;
   void heed_openings(State& state) const;

@@ -175,6 +175,39 @@ TEST(Opening, IsDrawnAnewByTheWeightsOfWhatIsOpen) {
   EXPECT_NEAR(count("\"low\"") - low, 0.75 * 500, 0.08 * 500) << "three of four of those who change";
 }
 
+/// A thousand who draw one of two exits by 9 to 1 when they set out.
+std::string drawers(const std::string& more) {
+  return hall(
+      "count = 0\ngoal = 'low'\n[[agents]]\nmodel = 'constant_velocity'\ncount = 1000\nradius = 0.02\n"
+      "place.random.within = 'start'\ngoal.weights = { low = 9, high = 1 }\n" +
+      more);
+}
+
+// It happened: who set out after 3 s to what had opened after 2 s drew at the start, when it was closed.
+TEST(Opening, IsHeededByWhoDrawsWhenHeSetsOut) {
+  Trial run(drawers("premovement = 3\n[open]\nlow = { from = 2 }\n"));
+  run.steps(149);
+  for (const std::uint32_t option : run.state.crowd.option) EXPECT_EQ(option, kUndecided);
+  EXPECT_TRUE(fits(run.state, run.scene)) << "it can be resumed";
+  run.steps(2);
+  const Leg& leg = run.scene.crowd.groups[1].journey[0];
+  const auto low = std::ranges::count_if(run.state.crowd.option, [&](std::uint32_t option) {
+    return run.scene.crowd.goals[leg.options.at(option)].name == "\"low\"";
+  });
+  EXPECT_NEAR(static_cast<double>(low), 900, 3 * std::sqrt(1000 * 0.09));
+}
+
+TEST(Opening, LetsThemDrawTheSameWhenTheySetOutWhereNothingIsClosed) {
+  Trial run(drawers(""));
+  run.steps(1);
+  for (const char* more : {"premovement = 3\n", "premovement = 3\n[open]\nlow = { until = 900 }\n",
+                           "[open]\nlow = { until = 900 }\n"}) {
+    Trial later(drawers(more));
+    later.steps(151);
+    EXPECT_EQ(later.state.crowd.option, run.state.crowd.option) << more;
+  }
+}
+
 TEST(Opening, IsResumedToTheSameBits) {
   const Scene scene = scene_from(
       hall("count = 30\nradius = 0.2\ngoal.weights = { low = 1, high = 1 }\n[open]\nlow = { until = 10 }\n"
