@@ -238,7 +238,7 @@ bool Journeys::is_behind_one(const State& state, Row row) {
 bool Journeys::is_kept_out(const State& state, Row row) {
   const bool gets_nowhere = since(state, state.crowd.stand_step[row]) >= kPatience ||
                             since(state, state.crowd.halt_step[row]) >= kJostled;
-  if (!gets_nowhere || stands_yet(state, row)) return false;
+  if (!gets_nowhere) return false;
   return (is_among(state, row, goal(state, row)) || is_among_several(state, row)) &&
          !is_behind_one(state, row);
 }
@@ -308,9 +308,8 @@ void Journeys::wait_for_opening(State& state, Row row) {
   if (state.crowd.place[row] > 0) {
     if (is_off_spot(state, row) && since(state, state.crowd.stand_step[row]) >= kPatience)
       state.crowd.spot[row] = p;
-  } else if (!stands_yet(state, row) &&
-             (way(state, row, goal(state, row)).distance(p) <= radius(state, row) ||
-              is_among(state, row, goal(state, row)) || is_kept_out(state, row))) {
+  } else if (way(state, row, goal(state, row)).distance(p) <= radius(state, row) ||
+             is_among(state, row, goal(state, row)) || is_kept_out(state, row)) {
     stay(state, row, p);
   }
   state.crowd.since[row] = state.step;
@@ -338,11 +337,12 @@ void Journeys::begin_leg(State& state, Row row) const {
   state.crowd.halt[row] = position(state, row);
 }
 
-/// Whether `is_there` is to be asked of him: not of who is on his way to an open goal and hasn't reached it.
+/// Whether `is_there` is to be asked of him: not of who hasn't set out, wherever he stands, nor of who is on
+/// his way to an open goal and hasn't reached it.
 bool Journeys::may_be_there(const State& state, Row row) const {
   if (!is_decided(state, row)) return false;
-  if (leg(state, row).kind != Leg::Kind::pass) return true;
-  return !ways_.is_open(goal(state, row)) || has_reached(state, row);
+  const bool is_under_way = leg(state, row).kind == Leg::Kind::pass && ways_.is_open(goal(state, row));
+  return (!is_under_way || has_reached(state, row)) && !stands_yet(state, row);
 }
 
 void Journeys::advance(State& state, Workers& workers, std::vector<std::uint8_t>& leaves) {

@@ -287,6 +287,43 @@ TEST(Journeys, ReachWhatIsThinnerThanAStep) {
   }
 }
 
+// It happened: who stood in his exit left in the first step, and who stood where he was to wait, or at the
+// end of a queue, waited and was served during his premovement.
+TEST(Journeys, BeginWithNothingBeforeTheySetOut) {
+  for (const char* model : kModels)
+    for (const auto& [at, goal] : {std::pair("[29.5, 1]", "'low'"),
+                                   {"[29.5, 1]", "{ nearest = ['low', 'high'] }"},
+                                   {"[29.5, 1]", "['low', 'high']"},
+                                   {"[14, 1]", "[{ wait = 'platform', for = 1 }, 'low']"},
+                                   {"[20, 5]", "[{ queue = 'gate' }, 'low']"}}) {
+      SCOPED_TRACE(model + std::string(goal));
+      Trial run(
+          hall("count = 0\ngoal = 'low'\n[[agents]]\nradius = 0.2\ndesired_speed = 1\npremovement = "
+               "3\nat = " +
+               std::string(at) + "\ngoal = " + goal + "\nmodel = '" + model + "'\n"));
+      run.steps(149);
+      ASSERT_EQ(run.state.crowd.arrived, 0);
+      EXPECT_EQ(run.state.crowd.stage[0], 0u);
+      EXPECT_EQ(run.state.crowd.place[0], 0u);
+      EXPECT_TRUE(fits(run.state, run.scene));
+      run.steps(2);
+      EXPECT_EQ(run.state.crowd.arrived +
+                    (run.state.id.empty() ? 0 : run.state.crowd.stage[0] + run.state.crowd.place[0]),
+                1);
+    }
+}
+
+// As a stranger had it: 20 s of premovement, 5 s in the area, 9 m at 1 m/s.
+TEST(Waiting, LastsAsLongAsItIsToFromWhenTheySetOut) {
+  Trial run(
+      hall("count = 0\ngoal = 'low'\n[[agents]]\nat = [14, 1]\ndesired_speed = 1\npremovement = 20\n"
+           "model = 'constant_velocity'\ngoal = [{ wait = 'platform', for = 5 }, 'low']\n"));
+  run.steps(50 * 38);
+  EXPECT_EQ(run.state.crowd.arrived, 0);
+  run.steps(50 * 4);
+  EXPECT_EQ(run.state.crowd.arrived, 1) << "13 to 16.6 m from where it waits";
+}
+
 TEST(Journeys, AreResumedToTheSameBitsFromAnyStep) {
   const Scene scene = scene_from(everything());
   Trial whole(scene), three(scene, 3);
