@@ -3,6 +3,7 @@
 
 #include "scenarios/path.h"
 #include "scenarios/read_crowd.h"
+#include "sim/crowd/crowd_cells.h"
 #include "sim/crowd/inside.h"
 #include "sim/crowd/queue_line.h"
 #include "sim/crowd/walk.h"
@@ -10,6 +11,8 @@
 namespace throng::scenarios {
 
 namespace {
+
+constexpr double kRounding = 1e-6;  // of an agent's width, in which places may lie far from the origin
 
 /// m, of the largest agent that lines up there.
 double largest_radius(const Scene& scene, std::uint32_t queue) {
@@ -38,6 +41,30 @@ std::string fault(const QueueLine& line, const Inside& is_floor, const Barriers&
   return "";
 }
 
+/// The first place of the line that is nearer to an earlier one than that (m, above 0), as where a line bends
+/// back on itself, in words; "" where none is. O(places), as long as few are near one another.
+std::string crowded(const QueueLine& line, double width) {
+  std::vector<Vec> places;
+  for (std::uint32_t number = 1; number <= line.places(); ++number) places.push_back(line.place(number));
+  CrowdCells cells;
+  cells.sort(places, width);
+  const double least = width * (1.0 - kRounding);
+  for (std::size_t place = 0; place < places.size(); ++place) {
+    std::size_t other = place;
+    cells.for_each_stretch(places[place], width, [&](std::size_t first, std::size_t end) {
+      for (std::size_t i = first; i < end; ++i)
+        if (const std::size_t near = cells.row()[i]; (places[near] - places[place]).norm() < least)
+          other = std::min(other, near);
+    });
+    if (other < place)
+      return "its places " + std::to_string(other + 1) + " at " + to_text(places[other]) + " and " +
+             std::to_string(place + 1) + " at " + to_text(places[place]) + " are " +
+             to_text((places[place] - places[other]).norm()) + " m apart, and must be at least " +
+             to_text(width) + " m, as wide as one who lines up there";
+  }
+  return "";
+}
+
 }  // namespace
 
 void check_queues(const toml::table& root, const Scene& scene, Report& report) {
@@ -51,13 +78,19 @@ void check_queues(const toml::table& root, const Scene& scene, Report& report) {
     const std::string why = fault(QueueLine(queue), is_floor, barriers);
     const toml::node &line = *root["queues"][queue.name]["line"].node(),
                      *spacing = root["queues"][queue.name]["spacing"].node();
+    const auto refuse_line = [&](const std::string& reason) {
+      report.error(line, Path(path, queue.name).text() + ".line", reason);
+    };
     if (!why.empty())
-      report.error(line, Path(path, queue.name).text() + ".line", why);
+      refuse_line(why);
     else if (queue.spacing < 2.0 * radius)
       report.error(spacing ? *spacing : line, Path(path, queue.name).text() + ".spacing",
                    "must be at least " + to_text(2.0 * radius) +
                        " m, as wide as one who lines up there, and is " + to_text(queue.spacing) +
                        " m: nobody would stand at his place");
+    else if (const std::string both = radius > 0.0 ? crowded(QueueLine(queue), 2.0 * radius) : "";
+             !both.empty())
+      refuse_line(both);
   }
 }
 

@@ -617,6 +617,22 @@ TEST(Crowd, IsRefusedWhereItsJourneyMakesNoSense) {
       "queues.long.line: has places for 1e+08 agents, must have at most 1e+06");
 }
 
+TEST(Crowd, IsRefusedWhereAQueueComesBackToItself) {
+  const auto queue = [](const std::string& line, const std::string& more = "") {
+    return kFloor + "[queues]\ngate = { service = 1, line = " + line + more + " }\n" +
+           kGroup.substr(0, kGroup.find("goal")) + kRandom +
+           "radius = 0.2\ngoal = [{ queue = 'gate' }, 'exit']\n";
+  };
+  // It happened: seven places between two of which were 0.2 m were taken for a queue.
+  expect_fault(queue("[[8, 1], [6, 1], [8, 1.1]]"), "queues.gate.line: its places 4 at [6.2, 1] and 5 at [");
+  expect_fault(queue("[[8, 1], [6, 1], [6, 1.3], [8, 1.3]]"), "queues.gate.line: its places ");
+  expect_fault(queue("[[8, 1], [6, 1], [6, 0.5], [7, 0.5], [7, 2]]"), "and must be at least 0.4 m");
+  for (const char* line :
+       {"[[8, 1], [6, 1], [6, 1.4], [8, 1.4]]", "[[8, 1], [6.2, 1], [6.2, 1.6], [8, 1.6]]"})
+    EXPECT_EQ(load_text(queue(line)).errors(), 0) << line << faults(load_text(queue(line)));
+  EXPECT_EQ(load_text(queue("[[9, 1], [7.1, 1.7]]", ", spacing = 0.4")).errors(), 0) << "as wide as they are";
+}
+
 TEST(Opening, IsReadAsPhasesOfItsGoals) {
   const std::string two =
       kFloor + "other = [[0, 0], [1, 0], [1, 1], [0, 1]]\n" +
