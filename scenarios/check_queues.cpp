@@ -12,7 +12,7 @@ namespace throng::scenarios {
 
 namespace {
 
-constexpr double kRounding = 1e-6;  // of an agent's width, in which places may lie far from the origin
+constexpr double kPlaceRounding = 1e-6;  // of an agent's width, in which places may lie far from the origin
 
 /// m, of the largest agent that lines up there.
 double largest_radius(const Scene& scene, std::uint32_t queue) {
@@ -48,7 +48,7 @@ std::string crowded(const QueueLine& line, double width) {
   for (std::uint32_t number = 1; number <= line.places(); ++number) places.push_back(line.place(number));
   CrowdCells cells;
   cells.sort(places, width);
-  const double least = width * (1.0 - kRounding);
+  const double least = width * (1.0 - kPlaceRounding);
   for (std::size_t place = 0; place < places.size(); ++place) {
     std::size_t other = place;
     cells.for_each_stretch(places[place], width, [&](std::size_t first, std::size_t end) {
