@@ -6,12 +6,12 @@
 #include <hwy/targets.h>
 
 #include <rapidcheck/gtest.h>
-#include <chrono>
 #include <limits>
 
 #include "broadphase/brute_force.h"
 #include "broadphase/cell_order.h"
 #include "tests/broadphase/clouds.h"
+#include "tests/broadphase/least_seconds.h"
 #include "tests/broadphase/list.h"
 #include "tests/less_when_watched.h"
 
@@ -169,19 +169,14 @@ TEST(AllLists, DontMeetAllPairsOfAHeapThatLooksNowhere) {
   }
   AllLists search;
   NeighbourLists lists;
-  const auto seconds = [&](auto&& work) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  };
   NeighbourSearch walk;
   ProximityTree tree;
-  const double usual = seconds([&] {
+  const double usual = least_seconds([&] {
     tree.build(points);
     walk.find(tree, {.at = points, .radius = radius, .own = 0}, {}, lists);
   });
   const NeighbourLists expected = lists;
-  EXPECT_LT(seconds([&] { search.find(points, radius, nullptr, lists); }), 5.0 * usual + 0.05);
+  EXPECT_LT(least_seconds([&] { search.find(points, radius, nullptr, lists); }), 5.0 * usual + 0.05);
   expect_equal(lists, expected);
   EXPECT_GT(lists.row.size(), kHalf);
 }

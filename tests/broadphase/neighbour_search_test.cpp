@@ -4,11 +4,11 @@
 #include <hwy/targets.h>
 
 #include <rapidcheck/gtest.h>
-#include <chrono>
 #include <limits>
 
 #include "broadphase/brute_force.h"
 #include "tests/broadphase/clouds.h"
+#include "tests/broadphase/least_seconds.h"
 #include "tests/broadphase/list.h"
 
 namespace throng::broadphase {
@@ -219,13 +219,6 @@ TEST(NeighbourSearch, GivesThePermutedRowsOfPermutedPoints) {
   }
 }
 
-template <class F>
-double seconds(F&& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 // Each once met all that is as near as its last answer, though only those of lower rows could be among the
 // nearest: of n points in one place n² in all, of which every question kept n.
 TEST(NeighbourSearch, FindsTheFewNearestOfManyInOnePlace) {
@@ -241,9 +234,9 @@ TEST(NeighbourSearch, FindsTheFewNearestOfManyInOnePlace) {
   NeighbourSearch search;
   NeighbourLists lists;
   for (const std::size_t most : {std::size_t{3}, std::size_t{100}}) {
-    const double usual = seconds([&] { search.find(even, {.at = points}, {.most = most}, lists); });
+    const double usual = least_seconds([&] { search.find(even, {.at = points}, {.most = most}, lists); });
     const auto expect_few = [&](const ProximityTree& heaps, const auto& things) {
-      EXPECT_LT(seconds([&] { search.find(heaps, {.at = points, .own = 0}, {.most = most}, lists); }),
+      EXPECT_LT(least_seconds([&] { search.find(heaps, {.at = points, .own = 0}, {.most = most}, lists); }),
                 30.0 * usual + 0.1);
       for (const std::uint32_t row : {0U, 1U, 777U, 19999U})
         EXPECT_EQ(list(lists, row),
@@ -252,7 +245,7 @@ TEST(NeighbourSearch, FindsTheFewNearestOfManyInOnePlace) {
     expect_few(tree, std::span<const Point>(points));
     expect_few(boxed, std::span<const Box>(boxes));
     std::vector<Neighbour> one;
-    EXPECT_LT(seconds([&] {
+    EXPECT_LT(least_seconds([&] {
                 for (const Point& p : points) find_near(tree, {p}, {.most = most}, one);
               }),
               30.0 * usual + 0.1);
