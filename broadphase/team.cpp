@@ -3,17 +3,17 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <optional>
-#include <thread>
 
 namespace throng::broadphase {
 
 struct Team::Arena {
   explicit Arena(std::size_t threads) : arena(static_cast<int>(threads)) {
-    if (threads > std::thread::hardware_concurrency())
+    if (threads > static_cast<std::size_t>(tbb::info::default_concurrency()))
       more.emplace(tbb::global_control::max_allowed_parallelism, threads);
   }
 
@@ -29,7 +29,7 @@ struct Team::Arena {
     });
   }
 
-  std::optional<tbb::global_control> more;  // than the machine has
+  std::optional<tbb::global_control> more;  // than there are cores to run on
   tbb::task_arena arena;
 };
 
