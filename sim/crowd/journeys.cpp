@@ -90,8 +90,7 @@ void Journeys::look(State& state) {
   bool counted = false;
   for (Row row = 0; row < option.size(); ++row) {
     if (is_decided(state, row) || stands_yet(state, row)) continue;
-    if (!counted) least_crowded_.count(state);
-    counted = true;
+    if (!counted && leg(state, row).weights.empty()) least_crowded_.count(state), counted = true;
     option[row] = choice(state, row);
   }
 }
@@ -236,8 +235,10 @@ bool Journeys::is_behind_one(const State& state, Row row) {
 /// one who waits for it, or beside several who wait for whatever it is: they won't make way. In a jam they do
 /// so to the foremost alone: to others they may be bystanders.
 bool Journeys::is_kept_out(const State& state, Row row) {
-  const bool gets_nowhere = since(state, state.crowd.stand_step[row]) >= kPatience ||
-                            since(state, state.crowd.halt_step[row]) >= kJostled;
+  const double under_way =
+      static_cast<double>(state.step) * scene_.time.dt - scene_.crowd.start[agent(state, row)];
+  const bool gets_nowhere = std::min(since(state, state.crowd.stand_step[row]), under_way) >= kPatience ||
+                            std::min(since(state, state.crowd.halt_step[row]), under_way) >= kJostled;
   if (!gets_nowhere) return false;
   return (is_among(state, row, goal(state, row)) || is_among_several(state, row)) &&
          !is_behind_one(state, row);
@@ -316,7 +317,6 @@ void Journeys::wait_for_opening(State& state, Row row) {
 }
 
 bool Journeys::is_there(State& state, Row row) {
-  if (!is_decided(state, row)) return false;
   switch (leg(state, row).kind) {
     case Leg::Kind::pass:
       if (ways_.is_open(goal(state, row))) return has_reached(state, row);
@@ -337,23 +337,25 @@ void Journeys::begin_leg(State& state, Row row) const {
   state.crowd.halt[row] = position(state, row);
 }
 
-/// Whether `is_there` is to be asked of him: not of who hasn't set out, wherever he stands, nor of who is on
-/// his way to an open goal and hasn't reached it.
-bool Journeys::may_be_there(const State& state, Row row) const {
+bool Journeys::may_be_there(const State& state, Row row, std::uint32_t group) const {
   if (!is_decided(state, row)) return false;
-  const bool is_under_way = leg(state, row).kind == Leg::Kind::pass && ways_.is_open(goal(state, row));
-  return (!is_under_way || has_reached(state, row)) && !stands_yet(state, row);
+  const Leg& its = scene_.crowd.groups[group].journey[state.crowd.stage[row]];
+  if (its.kind == Leg::Kind::pass) {
+    const std::uint32_t goal = scene_.crowd.goal(its, state.crowd.option[row]);
+    const bool is_under_way = ways_.is_open(goal);
+    if (is_under_way && !ways_.may_reach(goal, from(state, row), position(state, row))) return false;
+    if (is_under_way && !has_reached(state, row)) return false;
+  }
+  return !stands_yet(state, row);
 }
 
-void Journeys::advance(State& state, Workers& workers, std::vector<std::uint8_t>& leaves) {
+void Journeys::advance(State& state, std::span<const std::uint8_t> may_be_there,
+                       std::vector<std::uint8_t>& leaves) {
   spots_known_ = false;
-  leaves.assign(state.crowd.stage.size(), 0), asked_.resize(leaves.size());
-  workers.for_ranges(leaves.size(), [&](Row begin, Row end) {
-    for (Row row = begin; row < end; ++row) asked_[row] = may_be_there(state, row);
-  });
+  leaves.assign(state.crowd.stage.size(), 0);
   queues_.advance(state, leaves);
   for (Row row = 0; row < leaves.size(); ++row) {
-    if (!leaves[row] && !(asked_[row] && is_there(state, row))) continue;
+    if (!leaves[row] && !(may_be_there[row] && is_there(state, row))) continue;
     ++state.crowd.stage[row];
     leaves[row] = is_at_the_end(state, row);
     if (!leaves[row]) begin_leg(state, row);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "sim/crowd/least_crowded.h"
@@ -12,7 +13,6 @@
 #include "sim/crowd/stuck.h"
 #include "sim/crowd/ways.h"
 #include "sim/state.h"
-#include "sim/workers.h"
 
 /// From leg to leg of their journeys: what agents go for, where they wait and line up, when they go on.
 namespace throng {
@@ -47,10 +47,15 @@ class Journeys {
     way(state, row, scene_.crowd.goal(leg, state.crowd.option[row])).prefetch(position(state, row));
   }
 
-  /// Moves them on: who gets to a goal begins the next leg, or takes a place and stays; who has waited or has
-  /// been served leaves its place, and those behind move up. In the order of the rows, where two want the
-  /// same. `leaves` becomes 1 for those at the end of their journeys.
-  void advance(State& state, Workers& workers, std::vector<std::uint8_t>& leaves);
+  /// Whether the agent in this row, who is of that group and has walked for a step, may have got to where he
+  /// wants to be, or be over with waiting. False of who hasn't set out, wherever he stands, and of who is on
+  /// his way to an open goal and hasn't reached it. O(1) but near goals.
+  bool may_be_there(const State& state, std::size_t row, std::uint32_t group) const;
+
+  /// Moves on those of whom that is so: who gets to a goal begins the next leg, or takes a place and stays;
+  /// who has waited or has been served leaves its place, and those behind move up. In the order of the rows,
+  /// where two want the same. `leaves` becomes 1 for those at the end of their journeys.
+  void advance(State& state, std::span<const std::uint8_t> may_be_there, std::vector<std::uint8_t>& leaves);
 
  private:
   using Row = std::size_t;
@@ -107,7 +112,6 @@ class Journeys {
   bool is_open(const Leg& leg, std::size_t option) const {
     return ways_.is_open(scene_.crowd.goal(leg, option));
   }
-  bool may_be_there(const State& state, Row row) const;
   bool is_there(State& state, Row row);
   bool wait(State& state, Row row);
   void begin_to_wait(State& state, Row row);
@@ -139,7 +143,6 @@ class Journeys {
   std::vector<Standing> spots_;                     // likewise: of those who wait there
   std::vector<Standing> walkers_;                   // likewise: those on their way there
   bool spots_known_ = false;                        // in this step
-  std::vector<std::uint8_t> asked_;                 // by row: may be at his goal
 };
 
 }  // namespace throng

@@ -24,12 +24,27 @@ std::uint32_t QueueLine::places() const {
 Vec QueueLine::at(double along) const {
   std::size_t i = 1;
   while (i + 1 < points_.size() && along_[i] < along) ++i;
+  return on(i, along);
+}
+
+Vec QueueLine::on(std::size_t i, double along) const {
   const double t = (along - along_[i - 1]) / (along_[i] - along_[i - 1]);
   return points_[i - 1] + std::clamp(t, 0.0, 1.0) * (points_[i] - points_[i - 1]);
 }
 
 Vec QueueLine::place(std::uint32_t number) const {
   return at((std::clamp(number, 1u, places()) - 1.0) * spacing_);
+}
+
+std::vector<Vec> QueueLine::all_places() const {
+  std::vector<Vec> all(places());
+  std::size_t i = 1;
+  for (std::size_t place = 0; place < all.size(); ++place) {
+    const double along = static_cast<double>(place) * spacing_;
+    while (i + 1 < points_.size() && along_[i] < along) ++i;
+    all[place] = on(i, along);
+  }
+  return all;
 }
 
 double QueueLine::nearest(const Vec& p) const {

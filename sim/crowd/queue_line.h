@@ -19,6 +19,9 @@ class QueueLine {
   /// m, where a place is; behind the last one all are the last. O(points).
   Vec place(std::uint32_t number) const;
 
+  /// m, the places on the line, in their order. O(points + places).
+  std::vector<Vec> all_places() const;
+
   /// m, from `p` to the nearest point of the line. O(points).
   double distance(const Vec& p) const;
 
@@ -30,7 +33,8 @@ class QueueLine {
 
  private:
   Vec at(double along) const;
-  double nearest(const Vec& p) const;  // m, along the line
+  Vec on(std::size_t i, double along) const;  // of the piece that ends at the i-th point
+  double nearest(const Vec& p) const;         // m, along the line
 
   std::vector<Vec> points_;
   std::vector<double> along_;  // m, from the head to each of them

@@ -169,10 +169,11 @@ void Walk::rank(const State& state, std::size_t place) {
 
 /// Roots and quotients of many at once, each of which takes its time.
 void Walk::make_unit(std::size_t begin, std::size_t end) {
-  for (std::size_t place = begin; place < end; ++place) {
-    const double length = std::sqrt(ranks_.square[place]);
-    ranks_.towards_x[place] /= length, ranks_.towards_y[place] /= length;
-  }
+  const auto some = [&](std::vector<double>& all) {
+    return Eigen::Map<Eigen::ArrayXd>(all.data() + begin, static_cast<Eigen::Index>(end - begin));
+  };
+  const auto length = some(ranks_.square).sqrt();
+  some(ranks_.towards_x) /= length, some(ranks_.towards_y) /= length;
 }
 
 void Walk::look(State& state, Workers& workers) {
@@ -302,7 +303,12 @@ void Walk::measure(State& state) {
 }
 
 void Walk::leave(State& state, Workers& workers) {
-  journeys_->advance(state, workers, leaves_);
+  may_be_there_.resize(present(state));
+  workers.for_ranges(may_be_there_.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t agent = begin; agent < end; ++agent)
+      may_be_there_[agent] = journeys_->may_be_there(state, agent, known_[agent].group);
+  });
+  journeys_->advance(state, may_be_there_, leaves_);
   std::vector<std::uint32_t>& arrived = state.crowd.arrived_id;
   const auto before = static_cast<std::ptrdiff_t>(arrived.size());
   for (std::size_t agent = 0; agent < leaves_.size(); ++agent)

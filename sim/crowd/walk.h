@@ -108,10 +108,10 @@ class Walk {
   std::vector<Known> known_;  // by row: of him whose id it is
   CrowdCells cells_;
   Ranks ranks_;
-  std::vector<std::uint32_t> places_;  // those of each model together
-  std::vector<Vec> velocity_;          // by place
-  std::vector<std::uint8_t> leaves_;
-  Standing standing_;  // who is there when others appear
+  std::vector<std::uint32_t> places_;                // those of each model together
+  std::vector<Vec> velocity_;                        // by place
+  std::vector<std::uint8_t> may_be_there_, leaves_;  // by row
+  Standing standing_;                                // who is there when others appear
   Measuring measuring_;
 };
 

@@ -81,8 +81,18 @@ void Ways::add_phase(std::uint32_t goal, const GoalPhase& phase) {
   std::vector<DistanceField> fields;
   for (const SizeClass& size : goals_[goal].sizes)
     fields.emplace_back(plan(size.largest), barriers_, phase.region);
+  std::vector<Strip> strips = this->strips(goal, phase);
+  const Eigen::AlignedBox2d reach = this->reach(goal, phase, !strips.empty());
   goals_[goal].phases.push_back({Time{scene_.time.dt, phase.from, 1}.steps(), phase.from, phase.is_open,
-                                 std::move(fields), Inside(phase.region), strips(goal, phase)});
+                                 std::move(fields), Inside(phase.region), std::move(strips), reach});
+}
+
+/// Who is at a strip is at most his width from it.
+Eigen::AlignedBox2d Ways::reach(std::uint32_t goal, const GoalPhase& phase, bool has_strips) const {
+  Eigen::AlignedBox2d box = bounds(phase.region);
+  const double beside = has_strips ? kSurely * 2.0 * goals_[goal].sizes.back().largest : 0.0;
+  box.min().array() -= beside, box.max().array() += beside;
+  return box;
 }
 
 /// Of the areas that are open.

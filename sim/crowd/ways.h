@@ -79,6 +79,12 @@ class Ways {
     return is_open(goal) && goals_[goal].now->inside.meets_border(a, b);
   }
 
+  /// False of most whose straight way from `a` to `b` neither meets what is open of the goal nor ends as good
+  /// as in it; expects that it is open. O(1).
+  bool may_reach(std::uint32_t goal, const Vec& a, const Vec& b) const {
+    return goals_[goal].now->reach.intersects(Eigen::AlignedBox2d(a.cwiseMin(b), a.cwiseMax(b)));
+  }
+
   /// Whether some who go there are as good as in it beside it.
   bool has_strips(std::uint32_t goal) const { return is_open(goal) && !goals_[goal].now->strips.empty(); }
 
@@ -109,6 +115,7 @@ class Ways {
     std::vector<DistanceField> fields;  ///< as Goal::sizes
     Inside inside;
     std::vector<Strip> strips;
+    Eigen::AlignedBox2d reach;  ///< m, holds all who are in it, or as good as that
   };
   struct Goal {
     std::vector<SizeClass> sizes;  ///< of those who go there
@@ -124,6 +131,7 @@ class Ways {
 
   void add_phase(std::uint32_t goal, const GoalPhase& phase);
   std::vector<Strip> strips(std::uint32_t goal, const GoalPhase& phase) const;
+  Eigen::AlignedBox2d reach(std::uint32_t goal, const GoalPhase& phase, bool has_strips) const;
   const FloorPlan& plan(double largest);
   std::optional<std::size_t> dead_end(std::uint32_t goal, double radius, const Vec& place) const;
   void expect_ways() const;

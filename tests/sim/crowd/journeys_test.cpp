@@ -313,6 +313,26 @@ TEST(Journeys, BeginWithNothingBeforeTheySetOut) {
     }
 }
 
+// It happened: who stood for longer than kPatience beside others who wait, before he set out, stayed there.
+TEST(Journeys, HaveNotBeenKeptOutBeforeTheySetOut) {
+  const auto one = [](const std::string& at, const std::string& goal) {
+    return "[[agents]]\nradius = 0.2\ndesired_speed = 1\nmodel = 'constant_velocity'\nat = " + at +
+           "\ngoal = " + goal + "\n";
+  };
+  for (const char* premovement : {"0", "6", "20"}) {
+    SCOPED_TRACE(premovement);
+    Trial run(
+        "time = { dt = 0.02, until = 1000 }\nwalkable = 'POLYGON ((0 0, 30 0, 30 6, 0 6, 0 0))'\n"
+        "[areas]\nnear = [[9.5, 2.9], [9.9, 2.9], [9.9, 3.1], [9.5, 3.1]]\n"
+        "beside = [[9.5, 3.5], [9.9, 3.5], [9.9, 3.7], [9.5, 3.7]]\n"
+        "exit = [[29, 2], [30, 2], [30, 4], [29, 4]]\n[open]\nexit = { from = 100 }\n" +
+        one("[9.7, 3]", "{ wait = 'near' }") + one("[9.7, 3.6]", "{ wait = 'beside' }") +
+        one("[10.2, 3.3]", "'exit'") + "premovement = " + premovement + "\n");
+    run.steps(50 * (std::stoi(premovement) + 20));
+    EXPECT_GT(run.state.position[2].x(), 28.0);
+  }
+}
+
 // As a stranger had it: 20 s of premovement, 5 s in the area, 9 m at 1 m/s.
 TEST(Waiting, LastsAsLongAsItIsToFromWhenTheySetOut) {
   Trial run(

@@ -20,6 +20,9 @@ TEST(QueueLine, HasItsPlacesAlongIt) {
   EXPECT_EQ(line.place(8), Vec(-3, 0.5));
   EXPECT_EQ(line.place(11), Vec(-3, 2));
   EXPECT_EQ(line.place(12), Vec(-3, 2)) << "behind the last one";
+  const std::vector<Vec> all = line.all_places();
+  ASSERT_EQ(all.size(), 11u);
+  for (std::uint32_t number = 1; number <= 11; ++number) EXPECT_EQ(all[number - 1], line.place(number));
   EXPECT_EQ(QueueLine(Queue{.name = "q", .line = {{0, 0}, {6, 0}}, .spacing = 0.6}).places(), 11u);
 }
 

@@ -9,6 +9,7 @@
 #include "sim/crowd/walk.h"
 #include "sim/crowd/ways_size.h"
 #include "sim/input_error.h"
+#include "sim/random.h"
 #include "sim/simulation.h"
 #include "tests/sim/trial.h"
 
@@ -183,6 +184,26 @@ TEST(Ways, WhoWaitsInAStripWaitsBesideIt) {
   EXPECT_EQ(run.state.crowd.arrived, 0);
   run.steps(200);
   EXPECT_EQ(run.state.crowd.arrived, 1);
+}
+
+TEST(Ways, MayBeReachedFromWhereTheyEnd) {
+  const std::string area = "[[19.75, 1], [20, 1], [20, 3], [19.75, 3]]", goal = "goal = 'e'\n";
+  const Scene scene = scene_from(corridor(area, goal, "orca"));
+  const Barriers barriers(barrier_lines(scene), 1.0);
+  const Ways ways(scene, barriers);
+  ASSERT_TRUE(ways.has_strips(0));
+  int there = 0, may = 0;
+  for (std::uint32_t i = 1; i <= 20'000; ++i) {
+    Random random(1, 0, i, Purpose::place);
+    const double x = random.uniform(18.0, 20.0), y = random.uniform(0.0, 4.0), dx = random.uniform(-1.0, 1.0);
+    const Vec p(x, y), from = p - Vec(dx, random.uniform(-1.0, 1.0));
+    const bool is_there = ways.is_in(0, p) || ways.meets_border(0, from, p) ||
+                          ways.is_at_strip(0, 0.2, p, false) || ways.is_at_strip(0, 0.2, p, true);
+    there += is_there, may += ways.may_reach(0, from, p);
+    ASSERT_LE(is_there, ways.may_reach(0, from, p)) << from.transpose() << " to " << p.transpose();
+  }
+  EXPECT_GT(there, 1000);
+  EXPECT_LT(may, 15'000) << "it tells nothing";
 }
 
 std::vector<double> least(const std::vector<SizeClass>& classes) {
