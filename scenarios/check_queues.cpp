@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cstdio>
 
 #include "scenarios/path.h"
 #include "scenarios/read_crowd.h"
@@ -27,25 +28,38 @@ double largest_radius(const Scene& scene, std::uint32_t queue) {
   return largest;
 }
 
+/// Without the digits that rounding makes.
+std::string six_digits(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", x);
+  return text;
+}
+
+/// The place as messages name it, counted from 1 at the head.
+std::string name(const std::vector<Vec>& places, std::size_t place) {
+  const Vec& p = places[place];
+  return std::to_string(place + 1) + " at [" + six_digits(p.x()) + ", " + six_digits(p.y()) + "]";
+}
+
 /// What keeps agents from standing there in line; "" where nothing does. Who is less than a place's width
 /// from his place stands there, be it near a wall.
-std::string fault(const QueueLine& line, const Inside& is_floor, const Barriers& barriers) {
-  for (std::uint32_t number = 1; number <= line.places(); ++number) {
-    const Vec p = line.place(number);
-    const std::string which = "its place " + std::to_string(number) + " at " + to_text(p) + " ";
+std::string fault(const std::vector<Vec>& places, const Inside& is_floor, const Barriers& barriers) {
+  for (std::size_t place = 0; place < places.size(); ++place) {
+    const Vec& p = places[place];
+    const std::string which = "its place " + name(places, place) + " ";
     if (!is_floor(p)) return which + "is not on the walkable area";
     if (!(barriers.distance(p, 1.0) > 0.0)) return which + "is on a wall";
-    if (number > 1 && barriers.block(line.place(number - 1), p))
+    if (place > 0 && barriers.block(places[place - 1], p))
       return which + "is behind a wall, seen from the one before it";
   }
   return "";
 }
 
-/// The first place of the line that is nearer to an earlier one than that (m, above 0), as where a line bends
-/// back on itself, in words; "" where none is. O(places), as long as few are near one another.
-std::string crowded(const QueueLine& line, double width) {
-  std::vector<Vec> places;
-  for (std::uint32_t number = 1; number <= line.places(); ++number) places.push_back(line.place(number));
+/// The first place of a line that folds back: it is nearer to an earlier one than that (m, above 0), in
+/// words;
+/// "" where none is. Those that follow one another aren't asked: where a line bends, they are a little nearer
+/// than elsewhere. O(places), as long as few are near one another.
+std::string folded(const std::vector<Vec>& places, double width) {
   CrowdCells cells;
   cells.sort(places, width);
   const double least = width * (1.0 - kPlaceRounding);
@@ -53,13 +67,13 @@ std::string crowded(const QueueLine& line, double width) {
     std::size_t other = place;
     cells.for_each_stretch(places[place], width, [&](std::size_t first, std::size_t end) {
       for (std::size_t i = first; i < end; ++i)
-        if (const std::size_t near = cells.row()[i]; (places[near] - places[place]).norm() < least)
+        if (const std::size_t near = cells.row()[i];
+            near + 1 < place && (places[near] - places[place]).norm() < least)
           other = std::min(other, near);
     });
     if (other < place)
-      return "its places " + std::to_string(other + 1) + " at " + to_text(places[other]) + " and " +
-             std::to_string(place + 1) + " at " + to_text(places[place]) + " are " +
-             to_text((places[place] - places[other]).norm()) + " m apart, and must be at least " +
+      return "its places " + name(places, other) + " and " + name(places, place) + " are " +
+             six_digits((places[place] - places[other]).norm()) + " m apart, and must be at least " +
              to_text(width) + " m, as wide as one who lines up there";
   }
   return "";
@@ -75,7 +89,8 @@ void check_queues(const toml::table& root, const Scene& scene, Report& report) {
   for (std::uint32_t row = 0; row < scene.crowd.queues.size(); ++row) {
     const Queue& queue = scene.crowd.queues[row];
     const double radius = largest_radius(scene, row);
-    const std::string why = fault(QueueLine(queue), is_floor, barriers);
+    const std::vector<Vec> places = QueueLine(queue).all_places();
+    const std::string why = fault(places, is_floor, barriers);
     const toml::node &line = *root["queues"][queue.name]["line"].node(),
                      *spacing = root["queues"][queue.name]["spacing"].node();
     const auto refuse_line = [&](const std::string& reason) {
@@ -88,8 +103,7 @@ void check_queues(const toml::table& root, const Scene& scene, Report& report) {
                    "must be at least " + to_text(2.0 * radius) +
                        " m, as wide as one who lines up there, and is " + to_text(queue.spacing) +
                        " m: nobody would stand at his place");
-    else if (const std::string both = radius > 0.0 ? crowded(QueueLine(queue), 2.0 * radius) : "";
-             !both.empty())
+    else if (const std::string both = radius > 0.0 ? folded(places, 2.0 * radius) : ""; !both.empty())
       refuse_line(both);
   }
 }

@@ -3,6 +3,7 @@
 #include "scenarios/check_use.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -46,9 +47,9 @@ void warn_of_others(const toml::table& root, const char* table, const Names& nam
   for (const auto& [key, node] : *entries)
     if (!names.contains(std::string(key.str()))) others.emplace_back(node.source(), key.str());
   if (others.empty()) return;
-  std::ranges::stable_sort(others, [](const auto& a, const auto& b) {  // from a map to the file's order
-    const toml::source_position &first = a.first.begin, &second = b.first.begin;
-    return std::pair(first.line, first.column) < std::pair(second.line, second.column);
+  std::ranges::stable_sort(others, {}, [&](const auto& other) {  // from a map to the file's order, --set last
+    const auto& [begin, end, path] = other.first;
+    return std::tuple(path != entries->source().path, begin.line, begin.column);
   });
   const Path root_path, path(root_path, table);
   if (others.size() == 1)

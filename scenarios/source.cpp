@@ -60,7 +60,8 @@ std::string why(const toml::parse_error& error, std::string_view text) {
   const std::string_view word = word_at(text, place.line, place.column);
   const bool is_word = !word.empty() && (std::isalpha(static_cast<unsigned char>(word[0])) || word[0] & 0x80);
   if (!no_value && !is_word) return std::string(said);
-  if (is_truth(word)) return in_quotes(word) + " is no value: say true or false";
+  if (is_truth(word))
+    return in_quotes(word) + " is no value: say true or false, or " + in_quotes(word) + " in quotes, a text";
   return "a value is a text in quotes, as in " + in_quotes(is_word ? word : "pile") +
          ", a number, as in 0.5 or 1e-3, true, false, a list [a, b] or a table { key = a }";
 }

@@ -253,10 +253,8 @@ std::string box2d_refusal(const Scene& scene) {
   if (scene.contact == ContactModel::none) return "contact.model = \"none\": Box2D always handles contacts";
   if (is_soft(scene.contact))
     return "contact.model: Box2D's contacts are rigid; \"spring\" and \"hertz\" need native";
-  for (const auto& [a, b] : meeting_materials(scene))
-    for (const std::size_t row : {a, b})
-      if (scene.materials[row].rolling_resistance > 0.0)
-        return "materials." + scene.materials[row].name + ".rolling_resistance: Box2D 2.4.1 knows none";
+  if (const std::string rolls = rolling_refusal(scene, "Box2D 2.4.1 knows none"); !rolls.empty())
+    return rolls;
   std::vector<bool> used(scene.shapes.size());
   for (std::uint32_t shape : scene.bodies.shape) used[shape] = true;
   for (std::size_t i = 0; i < used.size(); ++i)

@@ -77,9 +77,6 @@ std::string refusal_of(const Scene& scene, std::size_t row) {
   const Shape& shape = scene.shapes[scene.bodies.shape[row]];
   if (kind == BodyKind::dynamic && shape.kind != ShapeKind::disc)
     return "shapes." + shape.name + ": " + body + " isn't a disc, and what moves must be";
-  const Material& material = scene.materials[scene.bodies.material[row]];
-  if (material.rolling_resistance > 0.0)
-    return "materials." + material.name + ".rolling_resistance: this engine's collisions know none";
   return "";
 }
 
@@ -105,6 +102,8 @@ std::string event_driven_refusal(const Scene& scene) {
     if (std::string refusal = refusal_of(scene, row); !refusal.empty()) return refusal;
     if (scene.bodies.kind[row] == BodyKind::dynamic) largest = std::max(largest, scene.bodies.radius[row]);
   }
+  if (const std::string rolls = rolling_refusal(scene, "this engine's collisions know none"); !rolls.empty())
+    return rolls;
   if (scene.domain.kind != DomainKind::periodic) return "";
   const double period = (scene.domain.max - scene.domain.min).minCoeff();
   return period < 8.0 * largest ? narrow(largest, period) : "";

@@ -21,4 +21,12 @@ std::vector<std::pair<std::size_t, std::size_t>> meeting_materials(const Scene& 
   return meeting;
 }
 
+std::string rolling_refusal(const Scene& scene, const std::string& why) {
+  for (const auto& [a, b] : meeting_materials(scene))
+    for (const std::size_t row : {a, b})
+      if (const Material& material = scene.materials[row]; material.rolling_resistance > 0.0)
+        return "materials." + material.name + ".rolling_resistance: " + why;
+  return "";
+}
+
 }  // namespace throng

@@ -19,6 +19,8 @@ namespace throng::tools {
 
 namespace {
 
+constexpr int kMostLinks = 40;  // as the system follows
+
 struct ExportOptions {
   std::string file, format, output;
   std::optional<double> from, to;  // s
@@ -26,12 +28,17 @@ struct ExportOptions {
   bool force = false;
 };
 
-/// As /dev/stdout and /proc/self/fd/1 do, whatever they stand for.
-bool names_open_file(const std::filesystem::path& output) {
+/// As /dev/stdout and /proc/self/fd/1 do, whatever they stand for, and links to them.
+bool names_open_file(std::filesystem::path output) {
   namespace fs = std::filesystem;
   std::error_code neither;
-  const fs::path folder = fs::weakly_canonical(fs::absolute(output, neither).parent_path(), neither);
-  return folder == "/dev" || folder.string().starts_with("/proc/");
+  for (int links = 0; links < kMostLinks; ++links) {
+    const fs::path folder = fs::weakly_canonical(fs::absolute(output, neither).parent_path(), neither);
+    if (folder == "/dev" || folder.string().starts_with("/proc/")) return true;
+    if (!fs::is_symlink(output, neither)) return false;
+    output = folder / fs::read_symlink(output, neither);
+  }
+  return false;
 }
 
 /// a.arrivals.csv beside a.csv; "" where nothing stands beside it, as of a pipe or a device, or in formats

@@ -149,14 +149,16 @@ class Crowd(Program):
         done = subprocess.run([PROGRAM, "export", "a.h5", "--format", "csv", "-o", "/dev/stdout"], cwd=self.folder, capture_output=True, text=True)
         self.assertIn("leaves out who arrived", done.stderr)
         self.assertEqual({file.name for file in self.folder.iterdir()}, {"a.h5", "three.toml"})
-        for name in ("/dev/stdout", "/dev/../dev/stdout", "/dev/fd/1", "/proc/self/fd/1"):  # it happened: /dev/stdout.arrivals
+        (self.folder / "link").symlink_to("again")
+        (self.folder / "again").symlink_to("/dev/stdout")
+        for name in ("/dev/stdout", "/dev/../dev/stdout", "/dev/fd/1", "/proc/self/fd/1", "link"):  # it happened: /dev/stdout.arrivals
             with open(self.path("out.csv"), "w") as file:
                 done = subprocess.run([PROGRAM, "export", "a.h5", "--format", "csv", "--force", "-o", name], cwd=self.folder,
                                       stdout=file, stderr=subprocess.PIPE, text=True)
             self.assertEqual((done.returncode, done.stderr),
                              (0, f"throng: warning: {name} leaves out who arrived, which throng_read.py reads\n"))
             self.assertEqual(len(self.csv_rows("out.csv")), 502)
-            self.assertEqual({file.name for file in self.folder.iterdir()}, {"a.h5", "three.toml", "out.csv"})
+            self.assertEqual({file.name for file in self.folder.iterdir()}, {"a.h5", "three.toml", "out.csv", "link", "again"})
             self.assertFalse(pathlib.Path("/dev/stdout.arrivals").exists())
 
     def test_who_arrived_is_verified(self):

@@ -39,9 +39,14 @@ const FaultyScenario kFaultyScenarios[] = {
      "error: this is no TOML: a value is a text in quotes, as in \"none\", a number"},
     {"engine = native", "this is no TOML: a value is a text in quotes, as in \"native\", a number"},
     {"seed = 1\nname = t", "s.toml:3:9: error: this is no TOML: a value is a text in quotes, as in \"t\", a"},
-    {"sleep = True", "s.toml:2:9: error: this is no TOML: \"True\" is no value: say true or false\n"},
-    {"sleep = no", "s.toml:2:10: error: this is no TOML: \"no\" is no value: say true or false\n"},
-    {"sleep = OFF # now", "error: this is no TOML: \"OFF\" is no value: say true or false\n"},
+    {"sleep = True",
+     "s.toml:2:9: error: this is no TOML: \"True\" is no value: say true or false, or \"True\" in quotes, a "
+     "text\n"},
+    {"sleep = no",
+     "s.toml:2:10: error: this is no TOML: \"no\" is no value: say true or false, or \"no\" in quotes, a "
+     "text\n"},
+    {"sleep = OFF # now",
+     "error: this is no TOML: \"OFF\" is no value: say true or false, or \"OFF\" in quotes, a text\n"},
     {"sleep = nope", "this is no TOML: a value is a text in quotes, as in \"nope\", a number"},
     {"x = 'é' # é\na = [1, \"é\", straße]",
      "s.toml:3:14: error: this is no TOML: a value is a text in quotes, as in \"straße\", a"},

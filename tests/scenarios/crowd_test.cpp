@@ -624,12 +624,16 @@ TEST(Crowd, IsRefusedWhereAQueueComesBackToItself) {
            "radius = 0.2\ngoal = [{ queue = 'gate' }, 'exit']\n";
   };
   // It happened: seven places between two of which were 0.2 m were taken for a queue.
-  expect_fault(queue("[[8, 1], [6, 1], [8, 1.1]]"), "queues.gate.line: its places 4 at [6.2, 1] and 5 at [");
+  expect_fault(queue("[[8, 1], [6, 1], [8, 1.1]]"),
+               "queues.gate.line: its places 3 at [6.8, 1] and 6 at [6.99875, 1.04994] are 0.20493 m apart");
   expect_fault(queue("[[8, 1], [6, 1], [6, 1.3], [8, 1.3]]"), "queues.gate.line: its places ");
   expect_fault(queue("[[8, 1], [6, 1], [6, 0.5], [7, 0.5], [7, 2]]"), "and must be at least 0.4 m");
   for (const char* line :
        {"[[8, 1], [6, 1], [6, 1.4], [8, 1.4]]", "[[8, 1], [6.2, 1], [6.2, 1.6], [8, 1.6]]"})
     EXPECT_EQ(load_text(queue(line)).errors(), 0) << line << faults(load_text(queue(line)));
+  // So was this: where a line bends, two who follow one another stand nearer than elsewhere.
+  const std::string bent = queue("[[8, 3], [5.3, 3], [5.3, 1]]", ", spacing = 0.5");
+  EXPECT_EQ(load_text(bent).errors(), 0) << faults(load_text(bent));
   EXPECT_EQ(load_text(queue("[[9, 1], [7.1, 1.7]]", ", spacing = 0.4")).errors(), 0) << "as wide as they are";
 }
 

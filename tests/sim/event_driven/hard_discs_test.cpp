@@ -217,6 +217,17 @@ TEST(HardDiscs, RefuseWhatIsNoHardDiscAndSayWhy) {
               HasSubstr("body 1 is kinematic"));
   EXPECT_THAT(engine_refusal(Engine::event_driven, "[materials.default]\nrolling_resistance = 0.1\n" + one),
               HasSubstr("rolling_resistance"));
+  const std::string tar = "[materials]\ntar = { rolling_resistance = 0.1 }\n";
+  EXPECT_THAT(engine_refusal(Engine::event_driven,
+                             tar + one + "[[walls]]\nsegment = [[-9, -9], [9, -9]]\nmaterial = \"tar\"\n"),
+              HasSubstr("materials.tar.rolling_resistance"));
+  EXPECT_THAT(engine_refusal(Engine::event_driven,
+                             "domain = { box = [[-9, -9], [9, 9]] }\n[materials]\nice = { friction = 0 }\n"
+                             "default = { rolling_resistance = 0.1 }\n" +
+                                 one + "material = \"ice\"\n"),
+              HasSubstr("materials.default.rolling_resistance"))
+      << "of the box";
+  EXPECT_EQ(engine_refusal(Engine::event_driven, tar + one), "") << "of nobody";
   EXPECT_THAT(
       engine_refusal(Engine::event_driven, "domain = { periodic = [[0, 0], [3.9, 9]] }\n" + one),
       HasSubstr("domain.periodic: must be at least 4 m wide and high, four times the largest disc (1 m "
