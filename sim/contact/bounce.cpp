@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sim/contact/arms.h"
+#include "sim/contact/flat_impact.h"
 
 namespace throng {
 
@@ -14,19 +15,14 @@ namespace {
 
 constexpr double kSameNormal = 1.0 - 1e-12;  // cosine of the angle between normals up to which they are one
 
+constexpr double kAtItsEnd = 1e-9;  // of the time within which two meet: what rounding may make of its end
+
 constexpr double kLeastTaken = 1e-4;  // of an impulse: less is not taken back
 
 /// The velocity that gravity adds to b against a, along the normal: nothing where both fall.
 double relative_kick(const ContactBase& c, const SolverBody& a, const SolverBody& b, const Vec& kick) {
   const double falls_a = a.inverse_mass > 0.0 ? 1.0 : 0.0, falls_b = b.inverse_mass > 0.0 ? 1.0 : 0.0;
   return (falls_b - falls_a) * kick.dot(c.normal);
-}
-
-/// What a normal impulse at one contact of a body pair does to the normal velocity at another, 1/kg.
-double coupling(const PointContact& i, const PointContact& j, const SolverBody& a, const SolverBody& b) {
-  return a.inverse_mass + b.inverse_mass +
-         a.inverse_inertia * cross(i.arm_a, i.normal) * cross(j.arm_a, j.normal) +
-         b.inverse_inertia * cross(i.arm_b, i.normal) * cross(j.arm_b, j.normal);
 }
 
 /// With the arms of this substep: those of the step's beginning would cost energy.
@@ -63,9 +59,15 @@ double rebound(const Contact& contact, const SolverBody& a, const SolverBody& b,
   if (!(speed < -(bounces ? rule.threshold : rule.hit_speed))) return 0.0;
   const double fall = relative_kick(contact, a, b, rule.kick);
   const double s = contact.separation;
-  if (!(s + rule.within * (speed + fall) < 0.0)) return 0.0;
+  if (!(s + rule.within * (speed + fall) < -kAtItsEnd * rule.within * speed)) return 0.0;
   const double parts = bounces ? parting_speed(contact.restitution, speed, s, fall, rule.h) : 0.0;
   return (parts > 0.0 ? parts : arrival(contact, fall, rule.h)) - speed;
+}
+
+/// What all strikes of an impact add, of which one adds `added` (m/s): what hits without a bounce is first
+/// slowed until it arrives, and then stopped.
+double whole(const PointContact& contact, const SolverBody& a, const SolverBody& b, double added) {
+  return contact.restitution > 0.0 ? added : std::max(added, -arms(contact).normal_velocity(a, b));
 }
 
 /// Holds the two spins together, by a torque's impulse (N m s) up to `limit`.
@@ -114,18 +116,17 @@ bool bounce_one(Contact& contact, BodyRows<SolverBody> bodies, const BounceRule&
 }
 
 /// Two points at which two bodies meet at once, on one line: one after the other would set a box that lands
-/// flat spinning. False where the two are as good as one point, or one of them doesn't press.
+/// flat spinning. False where that isn't one impact.
 bool bounce_both(PointContact& i, PointContact& j, BodyRows<SolverBody> bodies, const BounceRule& rule) {
   SolverBody &a = bodies[i.a], &b = bodies[i.b];
-  const double added_i = rebound(i, a, b, rule), added_j = rebound(j, a, b, rule);
-  const double ii = coupling(i, i, a, b), jj = coupling(j, j, a, b), ij = coupling(i, j, a, b);
-  const double determinant = ii * jj - ij * ij;
-  if (!(determinant > 1e-9 * ii * jj)) return false;
-  const double impulse_i = (jj * added_i - ij * added_j) / determinant;
-  const double impulse_j = (ii * added_j - ij * added_i) / determinant;
-  if (!(impulse_i >= 0.0 && impulse_j >= 0.0)) return false;
-  strike_at(i, a, b, impulse_i);
-  strike_at(j, a, b, impulse_j);
+  const AtPoints added{rebound(i, a, b, rule), rebound(j, a, b, rule)};
+  const auto impact = flat_impact(i, j, a, b, added, {whole(i, a, b, added.i), whole(j, a, b, added.j)});
+  if (!impact) return false;
+  apply(*impact, i, j, a, b);
+  i.struck += impact->normal_i, i.rubbed += impact->across_i;
+  j.struck += impact->normal_j, j.rubbed += impact->across_j;
+  for (const auto& [lever, normal] : {std::pair(i.lever, impact->normal_i), {j.lever, impact->normal_j}})
+    if (lever > 0.0) resist_rolling(a, b, lever * normal);
   return true;
 }
 

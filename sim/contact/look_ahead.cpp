@@ -21,6 +21,7 @@ using narrowphase::Verdict;
 namespace {
 
 constexpr double kExact = 1e-8;  // of the two, how far from each other they are where they are said to meet
+constexpr int kMostLooks = 64;   // until then: who rolls along what turns would be looked at for ever
 
 double least_separation(const Manifold& m) {
   return m.count == 2 ? std::min(m.points[0].separation, m.points[1].separation) : m.points[0].separation;
@@ -128,7 +129,8 @@ LookAhead::Meeting LookAhead::meeting_on(const Candidates& candidates, const Tou
   const Convex& b = touch.obstacle ? obstacles.part[touch.pair.b - obstacles.side.size()]
                                    : shape(colliders, touch.pair.b, disc_b);
   const double left = scene_.time.dt - courses.from;
-  const FirstContact found = narrowphase::first_contact(a, courses.a, b, courses.b, left, {.width = kExact});
+  const FirstContact found = narrowphase::first_contact(a, courses.a, b, courses.b, left,
+                                                        {.width = kExact, .evaluations = kMostLooks});
   const bool hit = found.verdict != Verdict::free;
   const double time = hit ? found.t_lo : narrowphase::nearest_time(a, courses.a, b, courses.b, left);
   Meeting result{courses.from + time,
