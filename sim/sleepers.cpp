@@ -213,13 +213,25 @@ void Sleepers::settle(State& state, Candidates& candidates, const Contacts& cont
       [&](std::uint32_t row) { state.sleep.squared_speed[row] = squared_speed(scene_, state, row); });
 }
 
+double Sleepers::most_calm(std::uint32_t body) const {
+  return 2.0 * kLift * scene_.gravity.norm() * scene_.bodies.radius[body];
+}
+
+void Sleepers::watch(State& state, BodyRows<const SolverBody> bodies) const {
+  const double dt = scene_.time.dt;
+  this->bodies().for_each([&](std::uint32_t row) {
+    const Vec way = bodies[row].position - state.position[row];
+    const double squared = way.squaredNorm() + square(bodies[row].turn * scene_.bodies.radius[row]);
+    if (!(squared <= dt * dt * most_calm(row))) state.sleep.calm[row] = 0;
+  });
+}
+
 /// Whether some have been slow for long enough.
 bool Sleepers::count_calm(State& state) const {
-  const double most = 2.0 * kLift * scene_.gravity.norm();
   bool some = false;
   bodies().for_each([&](std::uint32_t row) {
     if (!is_dynamic(row)) return;
-    const bool slow = squared_speed(scene_, state, row) <= most * scene_.bodies.radius[row];
+    const bool slow = squared_speed(scene_, state, row) <= most_calm(row);
     std::uint32_t& calm = state.sleep.calm[row];
     calm = slow ? std::min(calm + 1, patience_[row]) : 0;
     some |= calm == patience_[row];

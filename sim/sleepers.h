@@ -42,6 +42,10 @@ class Sleepers {
   /// wake).
   void wake(State& state, Candidates& candidates);
 
+  /// Before a step's end becomes `state`: who got on, though slow, as who is driven out of another does whom
+  /// it overlaps, isn't calm. O(awake).
+  void watch(State& state, BodyRows<const SolverBody> bodies) const;
+
   /// Counts for how long bodies have been slow in a step that ended with `state`, and its contacts with
   /// those `bodies`; every tenth of a second lets islands fall asleep. O(awake + bodies if some fall asleep).
   void settle(State& state, Candidates& candidates, const Contacts& contacts,
@@ -59,6 +63,8 @@ class Sleepers {
     double bodies = 0.0, before = 0.0, now = 0.0;
   };
 
+  /// m²/s², of who is slow.
+  double most_calm(std::uint32_t body) const;
   bool is_dynamic(std::uint32_t body) const { return scene_.bodies.kind[body] == BodyKind::dynamic; }
   void list(const State& state, const Colliders& colliders);
   void index(const State& state, Candidates& candidates);

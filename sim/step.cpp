@@ -114,7 +114,7 @@ void step_crowd(const Plan& plan, State& state, Workspace& work) {
 bool fly(const Scene& scene, const State& state, Workspace& work, StageClock& clock) {
   if (!work.candidates.serve(state, scene.time.dt)) work.candidates.find(state, scene.time.dt);
   clock.lap(work.times.find_pairs);
-  work.contacts.start(work.bodies.size(), work.finder.parts().groups());
+  work.contacts.start(work.bodies, work.finder.parts().groups());
   const bool flown = work.flights.fly(work.candidates, state, work.bodies, work.workers);
   clock.lap(work.times.collide);
   return flown;
@@ -202,6 +202,7 @@ void step_bodies(const Scene& scene, const Plan& plan, State& state, Workspace& 
     land(state, work);
   } else {
     if (plan.flights) ++state.collisions.pushed;
+    if (plan.sleep) work.sleepers.watch(state, work.bodies);
     store_all(scene, plan, state, work);
   }
   if (plan.contacts()) work.contacts.save(state, work.workers);

@@ -41,11 +41,11 @@ void save_pressing(const Blocks& contacts, std::vector<ContactImpulse>& kept,
 
 }  // namespace
 
-void Contacts::start(std::size_t bodies, std::size_t groups) {
-  discs.groups() == groups ? discs.clear() : discs.start(bodies, groups);
+void Contacts::start(BodyRows<const SolverBody> bodies, std::size_t groups) {
+  discs.groups() == groups ? discs.clear() : discs.start(bodies.size(), groups, bodies.slots());
   hits = 0;
   disc_key.clear(), disc_bounces.clear();
-  faces.groups() == groups ? faces.clear() : faces.start(bodies, groups);
+  faces.groups() == groups ? faces.clear() : faces.start(bodies.size(), groups, bodies.slots());
   point_key.clear(), point_feature.clear(), point_bounces.clear();
   disc_rolls.clear(), point_rolls.clear();
 }

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/contact/contact.h"
+#include "sim/contact/body_rows.h"
 #include "sim/contact/disc_blocks.h"
 #include "sim/contact/face_blocks.h"
 #include "sim/contact/roll.h"
@@ -28,7 +28,7 @@ struct Contacts {
   std::size_t hits = 0;                     ///< how many of them are to be stopped
 
   /// Forgets all; of so many rows of bodies the last ones, one a group, never move.
-  void start(std::size_t bodies, std::size_t groups);
+  void start(BodyRows<const SolverBody> bodies, std::size_t groups);
 
   /// The impulses of contacts that press, for the next step.
   void save(State& state, Workers& workers);

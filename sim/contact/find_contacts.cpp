@@ -27,7 +27,7 @@ ContactFinder::ContactFinder(const Scene& scene, const Plan& plan, const Collide
 
 void ContactFinder::find(const StepStart& start, Contacts& contacts, Workers& workers) {
   const auto& [candidates, state, bodies] = start;
-  contacts.start(bodies.size(), parts_.groups());
+  contacts.start(bodies, parts_.groups());
   sort_out(candidates, contacts, workers);
   const bool moved = std::exchange(moved_, false);
   discs_.find(candidates, state, bodies, parts_, moved, contacts.disc_key, contacts.discs, workers);

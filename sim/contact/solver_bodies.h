@@ -34,8 +34,8 @@ class SolverBodies {
   std::span<const SolverBody> in_order() const { return assert(part_.empty()), bodies_; }
 
   /// Brings those of each part together, in the order of their rows, and behind them the one that stands for
-  /// obstacles among the part's contacts, where many stand elsewhere. Who keeps slots must ask for them anew.
-  /// O(bodies).
+  /// obstacles among the part's contacts, where many stand elsewhere. Who keeps slots or views must ask for
+  /// them anew. O(bodies).
   void arrange(const Parts& parts);
 
  private:

@@ -54,6 +54,18 @@ int steps_until_awake(Trial& run, std::size_t body, int most = 1000) {
   return most;
 }
 
+// It happened: who is driven out of another has no velocity, and fell asleep before he was out.
+TEST(Sleepers, AreNotThoseWhoAreDrivenOutOfOneAnother) {
+  for (const char* dt : {"0.002", "0.005"}) {
+    Trial run(std::string("gravity = [0, -10]\ntime = { until = 100, dt = ") + dt +
+              " }\n[shapes]\nball = { disc = { radius = 0.5 } }\n[[walls]]\nsegment = [[-5, 0], [30, 0]]\n" +
+              body("ball", 0, 0.5) + body("ball", 0.3, 0.5));
+    for (int i = 0; i < 10000 && sleepers(run.state) < 2; ++i) run.steps(1);
+    EXPECT_EQ(sleepers(run.state), 2u);
+    EXPECT_LT(overlap(run.scene, run.state).max, 1e-4) << dt;
+  }
+}
+
 TEST(Sleepers, LeaveTheLoop) {
   Trial run(kWorld + heap_at(10));
   steps_until_asleep(run, kHeap);
