@@ -77,9 +77,9 @@ Type observe_table() {
   return table(
       {{{"quantities", list(quantity, 0, "a list of quantities", 16),
          "temperature: k T, J, of the centres. packing_fraction: which part of the area dynamic bodies take. "
-         "coordination_number: on how many others one presses. collisions: how many so far, of pairs and "
-         "with "
-         "walls. compressibility_factor: P A / (n k T), by the virial of pairs alone (the push of a box's "
+         "coordination_number: on how many others, walls too, a dynamic body presses, by the mean over all. "
+         "collisions: how many so far, of pairs and with walls. compressibility_factor: P A / (n k T), by "
+         "the virial of pairs alone (the push of a box's "
          "walls isn't "
          "in it) and by how often pairs collide, both since the beginning; of soft contacts by their forces "
          "at the instant.",
@@ -88,7 +88,10 @@ Type observe_table() {
         {"speeds", bins_table(number(1e-12, 1e9, "m/s"), "m/s"),
          "How speeds are distributed: part of the bodies over the width of the bin, s/m."},
         {"pair_correlation", bins_table(length(), "m"),
-         "g(r): pairs of bodies whose centres are r apart, over those of as many points anywhere."}}});
+         "g(r): pairs of bodies whose centres are r apart, over those of as many points anywhere."},
+        {"correlation_within", box(),
+         "Box, m: pair_correlation is of the bodies whose centres are in it, as many points anywhere in it; "
+         "absent: of all, in the domain."}}});
 }
 
 Table sensor_table() {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <optional>
+#include <string>
 
 #include "scenarios/read.h"
 #include "sim/measure/measured_bodies.h"
@@ -28,6 +30,20 @@ void read_quantities(const toml::table& table, Asked& asked) {
   asked.compressibility_factor = wanted("compressibility_factor");
 }
 
+/// The box in which something is taken that is `asked` for; nothing where there is no such key.
+std::optional<Eigen::AlignedBox2d> within(const toml::table& table, const std::string& key, bool asked,
+                                          const std::string& what, Report& report) {
+  const toml::node* node = table.get(key);
+  if (!node) return std::nullopt;
+  const Eigen::AlignedBox2d result = box(*node);
+  if (!asked)
+    report.error(*node, "observe." + key, what + ", which isn't asked for");
+  else if (!(result.sizes().minCoeff() > 0.0))
+    report.error(*node, "observe." + key,
+                 "must have its least x and y first, [[min x, min y], [max x, max y]]");
+  return result;
+}
+
 }  // namespace
 
 void read_observe(const toml::table& root, Scene& scene, Report& report) {
@@ -38,15 +54,10 @@ void read_observe(const toml::table& root, Scene& scene, Report& report) {
   read_quantities(table, asked);
   asked.speeds = bins(table, "speeds");
   asked.pair_correlation = bins(table, "pair_correlation");
-  const toml::node* within = table.get("packing_within");
-  if (!within) return;
-  asked.packing_within = box(*within);
-  if (!asked.packing_fraction)
-    report.error(*within, "observe.packing_within",
-                 "is where packing_fraction is taken, which isn't asked for");
-  else if (!(asked.packing_within->sizes().minCoeff() > 0.0))
-    report.error(*within, "observe.packing_within",
-                 "must have its least x and y first, [[min x, min y], [max x, max y]]");
+  asked.packing_within =
+      within(table, "packing_within", asked.packing_fraction, "is where packing_fraction is taken", report);
+  asked.correlation_within = within(table, "correlation_within", static_cast<bool>(asked.pair_correlation),
+                                    "holds those of whom pair_correlation is", report);
 }
 
 void check_observe(const toml::table& root, const Scene& scene, Report& report) {

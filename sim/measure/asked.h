@@ -22,6 +22,7 @@ struct Asked {
   std::optional<Eigen::AlignedBox2d> packing_within;  ///< m, where the fraction is taken; absent: the domain
   Bins speeds;                                        ///< m/s
   Bins pair_correlation;                              ///< m
+  std::optional<Eigen::AlignedBox2d> correlation_within;  ///< m, whose pairs are told; absent: the domain
 
   bool any() const {
     return temperature || packing_fraction || coordination_number || collisions || compressibility_factor ||

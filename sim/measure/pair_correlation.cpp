@@ -20,46 +20,62 @@ double mean_radius(const Scene& scene) {
   return count > 0.0 ? sum / count : 0.0;
 }
 
+/// Whether what is beyond the room is what is at its other side.
+bool repeats(const Scene& scene) {
+  return scene.domain.kind == DomainKind::periodic && !scene.asked.correlation_within;
+}
+
 /// Width and height of where centres may be, m.
 Vec room(const Scene& scene) {
+  if (const auto& within = scene.asked.correlation_within) return within->sizes();
   const Vec size = scene.domain.max - scene.domain.min;
-  if (scene.domain.kind == DomainKind::periodic) return size;
+  if (repeats(scene)) return size;
   return (size.array() - 2.0 * mean_radius(scene)).max(0.0);
 }
 
 /// m, up to where the closed form holds.
 double farthest(const Scene& scene) {
   const double side = room(scene).minCoeff();
-  return scene.domain.kind == DomainKind::periodic ? 0.5 * side : side;
+  return repeats(scene) ? 0.5 * side : side;
 }
 
 /// The probability that two points anywhere in it are at most r apart.
 double expected(const Scene& scene, const Vec& size, double r) {
   const double area = size.prod();
-  if (scene.domain.kind == DomainKind::periodic) return pi * r * r / area;
+  if (repeats(scene)) return pi * r * r / area;
   return r * r * (pi * area - 4.0 / 3.0 * size.sum() * r + 0.5 * r * r) / (area * area);
+}
+
+std::vector<Vec> centres(const Scene& scene, const State& state) {
+  const auto& within = scene.asked.correlation_within;
+  std::vector<Vec> result;
+  for (std::size_t row = 0; row < state.id.size(); ++row)
+    if (const Vec& p = state.position[row];
+        scene.bodies.kind[row] == BodyKind::dynamic && (!within || within->contains(p)))
+      result.push_back(p);
+  return result;
 }
 
 }  // namespace
 
 std::string correlation_refusal(const Scene& scene, double up_to) {
-  if (scene.domain.kind == DomainKind::unbounded)
-    return "needs a domain: in the open plane nobody knows how many pairs to expect";
+  const bool within = scene.asked.correlation_within.has_value();
+  if (scene.domain.kind == DomainKind::unbounded && !within)
+    return "needs a domain, or observe.correlation_within: in the open plane nobody knows how many pairs to "
+           "expect";
   if (up_to <= farthest(scene)) return "";
   char text[96];
-  std::snprintf(text, sizeof text, "must be at most %.6g m in this domain", farthest(scene));
+  std::snprintf(text, sizeof text, "must be at most %.6g m in this %s", farthest(scene),
+                within ? "box" : "domain");
   return text;
 }
 
 void append_pair_correlation(const Scene& scene, const State& state, const Bins& bins,
                              std::vector<double>& values) {
-  std::vector<Vec> centres;
-  for (std::size_t row = 0; row < state.id.size(); ++row)
-    if (scene.bodies.kind[row] == BodyKind::dynamic) centres.push_back(state.position[row]);
+  const std::vector<Vec> centres = throng::centres(scene, state);
   const broadphase::Period period{scene.domain.min, scene.domain.max - scene.domain.min};
   broadphase::NeighbourLists near;
-  const bool repeats = scene.domain.kind == DomainKind::periodic;
-  broadphase::AllLists().find(centres, bins.up_to, repeats ? &period : nullptr, near);
+  broadphase::AllLists().find(centres, bins.up_to, repeats(scene) ? &period : nullptr, near);
   const std::size_t first = values.size(), count = static_cast<std::size_t>(bins.count);
   values.resize(first + count, 0.0);
   for (const double distance : near.distance)  // each pair twice
@@ -68,7 +84,7 @@ void append_pair_correlation(const Scene& scene, const State& state, const Bins&
   const Vec size = room(scene);
   for (std::size_t i = 0; i < count; ++i) {
     const double begin = bins.width() * static_cast<double>(i), end = begin + bins.width();
-    values[first + i] /= pairs * (expected(scene, size, end) - expected(scene, size, begin));
+    if (pairs > 0.0) values[first + i] /= pairs * (expected(scene, size, end) - expected(scene, size, begin));
   }
 }
 

@@ -44,6 +44,32 @@ TEST(Speeds, AreADensity) {
   EXPECT_EQ(values, (std::vector<double>{7.0, 0.0, 0.5, 0.0, 1.0})) << "bins of 0.5 m/s; one is too fast";
 }
 
+// It happened: of points that fill a quarter of the domain it was 4.
+TEST(PairCorrelation, IsOneOfWhatFillsTheBoxThatItIsTakenIn) {
+  for (const std::string domain : {"", "domain = { periodic = [[0, 0], [40, 40]] }\n"}) {
+    Scene scene = scene_from(domain + std::string(kDisc) +
+                             "[[bodies]]\nshape = \"ball\"\ncount = 3000\nplace = { lattice = { origin = [0, "
+                             "0], spacing = [1, 1], size = [60, 50] } }\n");
+    scene.asked.correlation_within = Eigen::AlignedBox2d(Vec(2, 3), Vec(14, 9));
+    std::vector<double> mean(10, 0.0);
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> any(0.0, 20.0);
+    for (int run = 0; run < 20; ++run) {
+      State state = initial_state(scene);
+      for (Vec& p : state.position) p = Vec(any(random), any(random));
+      std::vector<double> values;
+      append_pair_correlation(scene, state, {3.0, 10}, values);
+      for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += values[i] / 20;
+    }
+    for (const double g : mean) EXPECT_NEAR(g, 1.0, 0.03);
+  }
+  const Scene alone =
+      scene_from("domain = { box = [[0, 0], [9, 9]] }\n" + std::string(kDisc) + ball(3, 3, 0, 0));
+  std::vector<double> none;
+  append_pair_correlation(alone, initial_state(alone), {2.0, 2}, none);
+  EXPECT_EQ(none, (std::vector<double>{0.0, 0.0})) << "no pair";
+}
+
 TEST(PairCorrelation, CountsPairsOverThoseToBeExpected) {
   const Scene scene = scene_from("domain = { periodic = [[0, 0], [10, 10]] }\n" + std::string(kDisc) +
                                  ball(0.2, 5, 0, 0) + ball(9.2, 5, 0, 0));  // 1 m, across the border
@@ -239,6 +265,14 @@ TEST(MeasuredBodies, AreRefusedWhereTheyHaveNoMeaning) {
               has("least x"));
   EXPECT_THAT(refused("pair_correlation.up_to = 9.1", box), has("must be at most 9 m in this domain"));
   EXPECT_EQ(refused("pair_correlation.up_to = 9", box), "");
+  const std::string heap = "pair_correlation.up_to = 3\ncorrelation_within = [[0, 0], [5, 3]]\n";
+  EXPECT_EQ(refused(heap, box), "");
+  EXPECT_EQ(refused(heap, ""), "") << "in the open plane, too";
+  EXPECT_THAT(refused("pair_correlation.up_to = 3", ""),
+              has("needs a domain, or observe.correlation_within"));
+  EXPECT_THAT(refused("correlation_within = [[0, 0], [5, 3]]", box), has("isn't asked for"));
+  EXPECT_THAT(refused("pair_correlation.up_to = 3.1\ncorrelation_within = [[0, 0], [5, 3]]", box),
+              has("must be at most 3 m in this box"));
 }
 
 }  // namespace
