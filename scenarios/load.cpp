@@ -92,7 +92,7 @@ void read_scene(const toml::table& root, Scene& scene, Report& report) {
   warn_of_empty_record(root, scene, report);
   warn_of_idle_rolling(root, scene, report);
   settle_auto_time(root, scene, report);
-  settle_soft_contacts(root, scene, report);
+  settle_contacts(root, scene, report);
   if (report.errors() == 0) check_engine(root, scene, report);
   if (report.errors() == 0) check_observe(root, scene, report);
   warn_of_unused(root, scene, report);

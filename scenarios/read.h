@@ -52,8 +52,10 @@ void read_settings(const toml::table& root, Scene& scene, Report& report);
 void read_contact(const toml::table& root, Scene& scene, Report& report);
 
 /// Of soft contacts: chooses the substeps where the file doesn't, so that the shortest impact takes 50; warns
-/// where it takes fewer than 20, and refuses steps that are unstable. Expects all bodies in the scene.
-void settle_soft_contacts(const toml::table& root, Scene& scene, Report& report);
+/// where it takes fewer than 20, and refuses steps that are unstable. Of rigid ones: more substeps than
+/// read_settings() chose, where the smallest bodies need them; warns where they are pressed deep into others
+/// within one. Expects all bodies in the scene.
+void settle_contacts(const toml::table& root, Scene& scene, Report& report);
 
 /// Where dt is "auto": chooses it and the substeps, or reports why nothing can be promised. Expects all
 /// bodies in the scene.

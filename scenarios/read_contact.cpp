@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "scenarios/read.h"
 #include "sim/soft_timing.h"
+#include "sim/uses_substeps.h"
 
 namespace throng::scenarios {
 
@@ -15,6 +17,12 @@ namespace {
 constexpr double kPerContact = 50.0;     // substeps in the shortest impact, where the scenario doesn't say
 constexpr double kFewPerContact = 20.0;  // fewer deserve a word
 constexpr double kMostSubsteps = 1000.0;
+
+constexpr double kRigidStep = 0.05;  // of √(diameter / acceleration): what longer substeps do, README says
+constexpr double kByDefault = 0.5;   // of that, where the scenario doesn't say; not more substeps than that
+constexpr double kMostByDefault = 40.0;
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
 
 struct ContactKey {
   const char* key;
@@ -49,16 +57,16 @@ std::string remedy(const Scene& scene, double longest, const std::string& must) 
          " s, with time.substeps = " + to_text(kMostSubsteps);
 }
 
-/// Where the length of a substep stands, or what asks for it.
-std::pair<const toml::node*, const char*> place_of_step(const toml::table& root) {
+/// Where the length of a substep stands, or, in the entry of that name, what asks for it.
+std::pair<const toml::node*, const char*> place_of_step(const toml::table& root, const char* asks) {
   for (const auto& [key, path] : {std::pair{"substeps", "time.substeps"}, {"dt", "time.dt"}})
     if (const toml::node* node = root["time"][key].node()) return {node, path};
-  return {root.get("contact"), "contact"};
+  return {root.get(asks), asks};
 }
 
 void check_step(const toml::table& root, const Scene& scene, const SoftTiming& timing, Report& report) {
   const double h = scene.time.dt / scene.time.substeps, per_contact = timing.contact / h;
-  const auto [node, path] = place_of_step(root);
+  const auto [node, path] = place_of_step(root, "contact");
   const std::string impact = "an impact lasts " + three_digits(timing.contact) + " s, " +
                              three_digits(per_contact) + " substeps of " + three_digits(h) + " s";
   if (h > timing.longest)
@@ -79,7 +87,7 @@ void check_ways(const toml::table& root, const Scene& scene, Report& report) {
   if (!(h * later > most)) return;
   const bool now = h * first > most;
   const double speed = now ? first : later;
-  const auto [node, path] = place_of_step(root);
+  const auto [node, path] = place_of_step(root, "contact");
   const std::string why =
       (now ? "the fastest body moves at " : "who falls as far as the scene is high may get to ") +
       three_digits(speed) + " m/s, so " + three_digits(h * speed) +
@@ -92,6 +100,66 @@ void check_ways(const toml::table& root, const Scene& scene, Report& report) {
     report.error(*node, path, why + remedy(scene, most / speed, "must") + most_dt);
   else
     report.warning(node->source(), path, why + remedy(scene, most / speed, "should") + most_dt);
+}
+
+/// Whether others may be in it and whirl with it.
+bool may_hold_others(const Scene& scene, std::size_t row) {
+  const Shape& shape = scene.shapes[scene.bodies.shape[row]];
+  return !shape.holes.empty() || (scene.bodies.kind[row] == BodyKind::kinematic && shape.parts.size() > 1);
+}
+
+/// m/s², with which bodies may be pressed on others: by gravity, and in what holds them and spins.
+double load_acceleration(const Scene& scene) {
+  double whirl = 0.0;
+  for (std::size_t row = 0; row < scene.bodies.size(); ++row)
+    if (const double spin = scene.bodies.spin[row]; may_hold_others(scene, row))
+      whirl = std::max(whirl, spin * spin * scene.bodies.radius[row]);
+  return scene.gravity.norm() + whirl;
+}
+
+/// s, of a substep: from here on small rigid bodies are pressed deep into what they lie on; infinite where
+/// nothing is.
+double longest_rigid_step(const Scene& scene) {
+  if (scene.bodies.size() + scene.walls.size() < 2 && scene.domain.kind == DomainKind::unbounded)
+    return kNever;
+  const double acceleration = load_acceleration(scene), smallest = smallest_dynamic_radius(scene);
+  return acceleration > 0.0 ? kRigidStep * std::sqrt(2.0 * smallest / acceleration) : kNever;
+}
+
+void check_rigid_step(const toml::table& root, const Scene& scene, double longest, Report& report) {
+  const double h = scene.time.dt / scene.time.substeps;
+  if (!(h > longest * (1.0 + 1e-9))) return;
+  const auto [node, path] = place_of_step(root, root.contains("gravity") ? "gravity" : "bodies");
+  report.warning(node->source(), path,
+                 "substeps of " + three_digits(h) + " s are long for bodies " +
+                     three_digits(2.0 * smallest_dynamic_radius(scene)) + " m across that " +
+                     three_digits(load_acceleration(scene)) + " m/s² press on others: from " +
+                     three_digits(longest) +
+                     " s on they overlap by a tenth of their radius, from four times that on they pass "
+                     "through one another and steps take ever longer; " +
+                     remedy(scene, longest, "should") + " (or time.dt at most " +
+                     three_digits(scene.time.substeps * longest) +
+                     " s, with time.substeps = " + to_text(scene.time.substeps) + ")");
+}
+
+void settle_rigid_contacts(const toml::table& root, Scene& scene, Report& report) {
+  if (scene.time.error > 0.0 || !uses_substeps(scene)) return;
+  const double longest = longest_rigid_step(scene);
+  const double fewest = std::min(kMostByDefault, fewest_substeps(scene, kByDefault * longest));
+  if (!root["time"]["substeps"])
+    scene.time.substeps = std::max(scene.time.substeps, static_cast<int>(fewest));
+  check_rigid_step(root, scene, longest, report);
+}
+
+void settle_soft_contacts(const toml::table& root, Scene& scene, Report& report) {
+  if (const std::string refusal = soft_refusal(scene); !refusal.empty())
+    return report.error(*root["contact"]["model"].node(), "contact.model", refusal);
+  const SoftTiming timing = soft_timing(scene);
+  if (!root["time"]["substeps"] && !(scene.time.error > 0.0))
+    scene.time.substeps =
+        static_cast<int>(std::min(kMostSubsteps, fewest_substeps(scene, timing.contact / kPerContact)));
+  check_step(root, scene, timing, report);
+  check_ways(root, scene, report);
 }
 
 }  // namespace
@@ -120,16 +188,10 @@ void read_contact(const toml::table& root, Scene& scene, Report& report) {
   soft.tangential_damping = number(table, "tangential_damping", soft.tangential_damping);
 }
 
-void settle_soft_contacts(const toml::table& root, Scene& scene, Report& report) {
-  if (!is_soft(scene.contact) || scene.engine != Engine::native) return;
-  if (const std::string refusal = soft_refusal(scene); !refusal.empty())
-    return report.error(*root["contact"]["model"].node(), "contact.model", refusal);
-  const SoftTiming timing = soft_timing(scene);
-  if (!root["time"]["substeps"] && !(scene.time.error > 0.0))
-    scene.time.substeps =
-        static_cast<int>(std::min(kMostSubsteps, fewest_substeps(scene, timing.contact / kPerContact)));
-  check_step(root, scene, timing, report);
-  check_ways(root, scene, report);
+void settle_contacts(const toml::table& root, Scene& scene, Report& report) {
+  if (scene.engine != Engine::native) return;
+  if (is_soft(scene.contact)) return settle_soft_contacts(root, scene, report);
+  if (scene.contact == ContactModel::impulse) settle_rigid_contacts(root, scene, report);
 }
 
 }  // namespace throng::scenarios

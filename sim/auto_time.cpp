@@ -64,16 +64,9 @@ AutoTime steps(const Scene& scene, double longest, double substep) {
   return result;
 }
 
-double smallest_radius(const Scene& scene) {
-  double radius = kInfinite;
-  for (std::size_t row = 0; row < scene.bodies.size(); ++row)
-    if (scene.bodies.kind[row] == BodyKind::dynamic) radius = std::min(radius, scene.bodies.radius[row]);
-  return radius;
-}
-
 /// s, in which nobody moves by more than a radius.
 double time_of_a_radius(const Scene& scene) {
-  return smallest_radius(scene) / top_speed(scene);
+  return smallest_dynamic_radius(scene) / top_speed(scene);
 }
 
 /// Nothing but rounding; steps are there to be looked at.
@@ -86,7 +79,7 @@ AutoTime exact(const Scene& scene, std::string why) {
 
 /// Steps in which nobody is off by more than allowed who is off by `speed` (m/s) times a substep at most.
 AutoTime falling(const Scene& scene, double longest, double speed, const char* late) {
-  const double allowed = scene.time.error * smallest_radius(scene), substep = allowed / speed;
+  const double allowed = scene.time.error * smallest_dynamic_radius(scene), substep = allowed / speed;
   AutoTime result = steps(scene, longest, substep);
   result.promise = "how far off its exact way a body is at the end, of its radius";
   result.why = text("%.3g m are allowed at %.3g s: h <= %.3g s", allowed, scene.time.until, substep);
@@ -132,7 +125,7 @@ AutoTime standing(const Scene& scene) {
   const double above = load_of(scene).most, g = scene.gravity.norm();
   const auto dynamic = static_cast<double>(std::ranges::count(scene.bodies.kind, BodyKind::dynamic));
   const double layers = std::min(above, dynamic), heavier = above / layers;
-  const double radius = smallest_radius(scene), allowed = scene.time.error * radius;
+  const double radius = smallest_dynamic_radius(scene), allowed = scene.time.error * radius;
   const double sways = std::sqrt(allowed / (above * g));
   const double falls = kStands * std::sqrt(std::numbers::sqrt2 * radius / g / heavier) / (layers * layers);
   const double substep = std::min(sways, falls);
@@ -169,7 +162,7 @@ bool may_jam(const Scene& scene) {
 AutoTime pressing(const Scene& scene) {
   if (may_jam(scene)) return refused("what isn't a disc may jam between walls, and overlap more");
   const double above = load_of(scene).mean, g = scene.gravity.norm();
-  const double allowed = scene.time.error * smallest_radius(scene);
+  const double allowed = scene.time.error * smallest_dynamic_radius(scene);
   const double sag = kLeans * above * g / (0.5 * kSoftness);  // m, over h²: two alike feel half a mass
   const double substep = std::sqrt(allowed / sag);
   AutoTime result = steps(scene, kLongestStep, substep);
@@ -213,7 +206,7 @@ AutoTime together(const Scene& scene, const Plan& plan, const std::string& doubt
   if (plan.restitution || !plan.gravity) return refused("bodies may meet, and errors grow at each collision");
   if (!touch_at_rest(scene)) return pressing(scene);
   if (const std::string edges = doubt_of_obstacles(scene, plan); !edges.empty()) return refused(edges);
-  if (stay(scene, scene.time.error * smallest_radius(scene))) return standing(scene);
+  if (stay(scene, scene.time.error * smallest_dynamic_radius(scene))) return standing(scene);
   if (!doubt.empty()) return pressing(scene);
   AutoTime slides = both(alone(scene, 0.0), pressing(scene));
   slides.promise = "who hits no other: " + slides.promise;

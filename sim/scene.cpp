@@ -47,6 +47,12 @@ bool bodies_come_and_go(const Scene& scene) {
   return scene.record.within || std::find(kind.begin(), kind.end(), BodyKind::agent) != kind.end();
 }
 
+double smallest_dynamic_radius(const Scene& scene) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for_dynamic(scene, [&](std::size_t row) { smallest = std::min(smallest, scene.bodies.radius[row]); });
+  return smallest;
+}
+
 double mass(const Scene& scene, std::size_t row) {
   const Bodies& bodies = scene.bodies;
   if (bodies.kind[row] == BodyKind::agent) return agent_mass(scene.crowd, row - scene.crowd.first);

@@ -138,6 +138,9 @@ Engine engine_named(std::string_view name);
 /// leave. Also of a scene that was read from a recording, whose bodies are the recorded ones. O(bodies).
 bool bodies_come_and_go(const Scene& scene);
 
+/// m, of dynamic bodies; infinite where there are none. O(bodies).
+double smallest_dynamic_radius(const Scene& scene);
+
 double mass(const Scene& scene, std::size_t row);  ///< kg; an agent's by its model; not of what was recorded
 double inertia(const Scene& scene, std::size_t row);  ///< kg m², about the centre of mass
 

@@ -72,10 +72,7 @@ double top_speed(const Scene& scene) {
 }
 
 double longest_way(const Scene& scene) {
-  double smallest = std::numeric_limits<double>::infinity();
-  for (std::size_t row = 0; row < scene.bodies.size(); ++row)
-    if (scene.bodies.kind[row] == BodyKind::dynamic) smallest = std::min(smallest, scene.bodies.radius[row]);
-  return smallest;
+  return smallest_dynamic_radius(scene);
 }
 
 double first_speed_of_ways(const Scene& scene) {

@@ -90,7 +90,7 @@ class ThrongRead(Program):
             self.assertEqual(recording.between(recording.time[3], recording.time[5]), slice(3, 6))
 
     def test_finds_the_earlier_of_two_equally_near_frames(self):
-        with throng_read.open(self.record("a.h5", "--dt", "0.25", "--until", "1")) as recording:
+        with throng_read.open(self.record("a.h5", "--dt", "0.25", "--until", "1", "--substeps", "100")) as recording:
             self.assertEqual([recording.index_at(t) for t in (0.125, 0.375)], [0, 1])
 
     def test_gives_all_of_a_frame(self):

@@ -301,6 +301,42 @@ TEST(Load, ReadsWhatSoftContactsAre) {
   EXPECT_EQ(hertz.soft.poisson_ratio, 0.2);
 }
 
+const std::string kGrains =
+    "throng = 1\ngravity = [0, -9.81]\nshapes.grain.disc.radius = 0.0025\nwalls = [{ segment = [[-1, 0], [1, "
+    "0]] }]\nbodies = [{ shape = 'grain', at = [0, 1] }]\n";
+
+// A stranger's grains fell through one another at the default step, and nothing was said.
+TEST(Load, TakesSubstepsThatSmallBodiesNeed) {
+  EXPECT_EQ(load_text(kGrains).scene.time.substeps, 18) << "0.025 √(0.005 / 9.81) s";
+  EXPECT_EQ(load_text(kGrains, {"shapes.grain.disc.radius = 0.3"}).scene.time.substeps, 4);
+  EXPECT_EQ(load_text(kGrains, {"gravity = [0, 0]"}).scene.time.substeps, 4);
+  EXPECT_EQ(load_text(kGrains, {"walls = []"}).scene.time.substeps, 4) << "nothing to fall on";
+  EXPECT_EQ(load_text(kGrains, {"time.dt = 0.1"}).scene.time.substeps, 40);
+  EXPECT_EQ(load_text(kGrains, {"time.substeps = 9"}).scene.time.substeps, 9);
+  EXPECT_EQ(load_text(kGrains, {"engine = 'box2d'"}).scene.time.substeps, 4);
+}
+
+TEST(Load, WarnsOfSubstepsInWhichSmallBodiesPassThroughOthers) {
+  EXPECT_EQ(faults(load_text(kGrains)), "");
+  EXPECT_EQ(faults(load_text(kGrains, {"time.substeps = 9"})), "");
+  EXPECT_EQ(
+      faults(load_text(kGrains, {"time.substeps = 8"})),
+      "--set time.substeps = 8: warning: time.substeps: substeps of 0.00125 s are long for bodies 0.005 m "
+      "across that 9.81 m/s² press on others: from 0.00113 s on they overlap by a tenth of their radius, "
+      "from four times that on they pass through one another and steps take ever longer; time.substeps "
+      "should be at least 9 (or time.dt at most 0.00903 s, with time.substeps = 8)\n");
+  EXPECT_THAT(faults(load_text(kGrains, {"time.dt = 0.1"})),
+              ::testing::HasSubstr("warning: time.dt: substeps of 0.0025 s are long"));
+  // What whirls presses as gravity does: discs of 1 cm crept through the walls of a cage.
+  const std::string whirl =
+      "throng = 1\nshapes.cage = { polygon = [[-1, -1], [1, -1], [1, 1], [-1, 1]], holes = [[[-0.97, -0.97], "
+      "[-0.97, 0.97], [0.97, 0.97], [0.97, -0.97]]] }\nshapes.s.disc.radius = 0.01\nbodies = [{ shape = "
+      "'cage', at = [0, 0], kind = 'kinematic', spin = 10 }, { shape = 's', at = [0, 0] }]\n";
+  EXPECT_EQ(load_text(whirl).scene.time.substeps, 34) << "141 m/s²";
+  EXPECT_THAT(faults(load_text(whirl, {"time.substeps = 4"})),
+              ::testing::HasSubstr("that 141 m/s² press on"));
+}
+
 TEST(Load, WarnsOfFewSubstepsInAnImpact) {
   EXPECT_EQ(faults(load_text(kSoft, {"time.substeps = 51"})), "");
   EXPECT_EQ(faults(load_text(kSoft, {"time.substeps = 50"})),
