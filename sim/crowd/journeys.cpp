@@ -87,12 +87,19 @@ void Journeys::look(State& state) {
   if (ways_.change()) heed_openings(state);
   if (!chooses_) return;
   std::vector<std::uint32_t>& option = state.crowd.option;
+  const auto for_each_undecided = [&](auto&& f) {
+    for (Row row = 0; row < option.size(); ++row)
+      if (!is_decided(state, row) && !stands_yet(state, row)) f(row);
+  };
+  for_each_undecided([&](Row row) {
+    if (!leg(state, row).weights.empty()) option[row] = choice(state, row);
+  });
   bool counted = false;
-  for (Row row = 0; row < option.size(); ++row) {
-    if (is_decided(state, row) || stands_yet(state, row)) continue;
-    if (!counted && leg(state, row).weights.empty()) least_crowded_.count(state), counted = true;
+  for_each_undecided([&](Row row) {
+    if (!counted) least_crowded_.count(state);
+    counted = true;
     option[row] = choice(state, row);
-  }
+  });
 }
 
 bool Journeys::has_settled(const State& state, Row row, double distance) const {
@@ -342,9 +349,9 @@ bool Journeys::may_be_there(const State& state, Row row, std::uint32_t group) co
   const Leg& its = scene_.crowd.groups[group].journey[state.crowd.stage[row]];
   if (its.kind == Leg::Kind::pass) {
     const std::uint32_t goal = scene_.crowd.goal(its, state.crowd.option[row]);
-    const bool is_under_way = ways_.is_open(goal);
-    if (is_under_way && !ways_.may_reach(goal, from(state, row), position(state, row))) return false;
-    if (is_under_way && !has_reached(state, row)) return false;
+    if (ways_.is_open(goal) &&
+        !(ways_.may_reach(goal, from(state, row), position(state, row)) && has_reached(state, row)))
+      return false;
   }
   return !stands_yet(state, row);
 }
