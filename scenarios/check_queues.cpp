@@ -13,6 +13,7 @@ namespace throng::scenarios {
 
 namespace {
 
+constexpr double kAtBends = 0.70710678118654752;  // of the spacing, at a right angle
 constexpr double kPlaceRounding = 1e-6;  // of an agent's width, in which places may lie far from the origin
 
 /// m, of the largest agent that lines up there.
@@ -55,26 +56,25 @@ std::string fault(const std::vector<Vec>& places, const Inside& is_floor, const 
   return "";
 }
 
-/// The first place of a line that folds back: it is nearer to an earlier one than that (m, above 0), in
-/// words;
-/// "" where none is. Those that follow one another aren't asked: where a line bends, they are a little nearer
-/// than elsewhere. O(places), as long as few are near one another.
+/// The first place of a line that folds back on an earlier one, in words: it is nearer to that than `width`
+/// (m, above 0), or, where they follow one another, than a right angle brings them; "" where none is.
+/// O(places), as long as few are near one another.
 std::string folded(const std::vector<Vec>& places, double width) {
   CrowdCells cells;
   cells.sort(places, width);
-  const double least = width * (1.0 - kPlaceRounding);
+  const double least = width * (1.0 - kPlaceRounding), at_bends = width * (kAtBends - kPlaceRounding);
   for (std::size_t place = 0; place < places.size(); ++place) {
     std::size_t other = place;
     cells.for_each_stretch(places[place], width, [&](std::size_t first, std::size_t end) {
       for (std::size_t i = first; i < end; ++i)
         if (const std::size_t near = cells.row()[i];
-            near + 1 < place && (places[near] - places[place]).norm() < least)
+            near < place && (places[near] - places[place]).norm() < (near + 1 < place ? least : at_bends))
           other = std::min(other, near);
     });
     if (other < place)
       return "its places " + name(places, other) + " and " + name(places, place) + " are " +
-             six_digits((places[place] - places[other]).norm()) + " m apart, and must be at least " +
-             to_text(width) + " m, as wide as one who lines up there";
+             six_digits((places[place] - places[other]).norm()) +
+             " m apart: the line folds back, and one who lines up there is " + to_text(width) + " m wide";
   }
   return "";
 }

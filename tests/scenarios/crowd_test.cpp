@@ -625,9 +625,11 @@ TEST(Crowd, IsRefusedWhereAQueueComesBackToItself) {
   };
   // It happened: seven places between two of which were 0.2 m were taken for a queue.
   expect_fault(queue("[[8, 1], [6, 1], [8, 1.1]]"),
-               "queues.gate.line: its places 3 at [6.8, 1] and 6 at [6.99875, 1.04994] are 0.20493 m apart");
+               "queues.gate.line: its places 3 at [6.8, 1] and 6 at [6.99875, 1.04994] are 0.20493 m apart: "
+               "the line folds back, and one who lines up there is 0.4 m wide");
   expect_fault(queue("[[8, 1], [6, 1], [6, 1.3], [8, 1.3]]"), "queues.gate.line: its places ");
-  expect_fault(queue("[[8, 1], [6, 1], [6, 0.5], [7, 0.5], [7, 2]]"), "and must be at least 0.4 m");
+  expect_fault(queue("[[8, 1], [6, 1], [6, 0.5], [7, 0.5], [7, 2]]"), "one who lines up there is 0.4 m wide");
+  expect_fault(queue("[[8, 1], [5.9, 1], [6.25, 1]]"), "its places 4 at [6.2, 1] and 5 at [6.2, 1] are");
   for (const char* line :
        {"[[8, 1], [6, 1], [6, 1.4], [8, 1.4]]", "[[8, 1], [6.2, 1], [6.2, 1.6], [8, 1.6]]"})
     EXPECT_EQ(load_text(queue(line)).errors(), 0) << line << faults(load_text(queue(line)));
