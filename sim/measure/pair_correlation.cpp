@@ -63,6 +63,10 @@ std::string correlation_refusal(const Scene& scene, double up_to) {
   if (scene.domain.kind == DomainKind::unbounded && !within)
     return "needs a domain, or observe.correlation_within: in the open plane nobody knows how many pairs to "
            "expect";
+  if (const Eigen::AlignedBox2d domain(scene.domain.min, scene.domain.max);
+      within && scene.domain.kind != DomainKind::unbounded &&
+      !domain.contains(*scene.asked.correlation_within))
+    return "needs an observe.correlation_within that lies in the domain";
   if (up_to <= farthest(scene)) return "";
   char text[96];
   std::snprintf(text, sizeof text, "must be at most %.6g m in this %s", farthest(scene),

@@ -271,6 +271,8 @@ TEST(MeasuredBodies, AreRefusedWhereTheyHaveNoMeaning) {
   EXPECT_THAT(refused("pair_correlation.up_to = 3", ""),
               has("needs a domain, or observe.correlation_within"));
   EXPECT_THAT(refused("correlation_within = [[0, 0], [5, 3]]", box), has("isn't asked for"));
+  EXPECT_THAT(refused("pair_correlation.up_to = 3\ncorrelation_within = [[-1, 0], [5, 3]]", box),
+              has("lies in the domain"));
   EXPECT_THAT(refused("pair_correlation.up_to = 3.1\ncorrelation_within = [[0, 0], [5, 3]]", box),
               has("must be at most 3 m in this box"));
 }
