@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "sim/input_error.h"
+#include "sim/uses_substeps.h"
 
 namespace throng::tools {
 
@@ -45,6 +46,13 @@ bool same_measure(const Measure& a, const Measure& b) {
 }
 
 }  // namespace
+
+std::vector<std::string> fields_of_run(const Recording& recording) {
+  const Scene& scene = recording.geometry();
+  const std::string& resolved = recording.origin().provenance.resolved;
+  if (!uses_substeps(scene) || resolved.find("substeps") != std::string::npos) return {};
+  return {"time.substeps=" + std::to_string(scene.time.substeps)};
+}
 
 void expect_scenario(const Recording& recording, const Scene& scene, const std::string& file) {
   const auto refuse = [&](const std::string& why) { throw InputError(file + " is inconsistent: " + why); };

@@ -102,7 +102,7 @@ class Comparison {
 
 Loaded load_embedded(const Recording& recording, const std::string& file) {
   const std::string name = file + ":scenario";
-  Loaded loaded = load_scenario_text(recording.origin().provenance.resolved, name);
+  Loaded loaded = load_scenario_text(recording.origin().provenance.resolved, name, fields_of_run(recording));
   if (loaded.errors() > 0)
     throw InputError(file + " holds a scenario that this throng cannot run:\n" +
                      to_string(loaded.diagnostics, name));
