@@ -72,8 +72,9 @@ void bounce(const Plan& plan, Workspace& work, const Vec& kick, const Vec* perio
 void stop(Workspace& work, const Vec* period) {
   if (work.contacts.hits == 0) return;
   const double h = work.solver.h, hit_speed = work.finder.hit_speed();
-  work.bounces.go_on();
-  bounce(work, {h, kAtOnce * h, kNever, hit_speed, hit_speed, Vec(0.0, 0.0), period, work.ahead}, 0);
+  const BounceRule rule{h, kAtOnce * h, kNever, hit_speed, hit_speed, Vec(0.0, 0.0), period, work.ahead};
+  work.bounces.go_on(work.bodies, rule);
+  bounce(work, rule, 0);
 }
 
 void resist_rolling(Workspace& work) {

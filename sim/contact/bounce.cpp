@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sim/contact/arms.h"
+#include "sim/contact/corner_impact.h"
 #include "sim/contact/flat_impact.h"
 
 namespace throng {
@@ -78,13 +79,21 @@ void resist_rolling(SolverBody& a, SolverBody& b, double limit) {
   b.spin += b.inverse_inertia * impulse;
 }
 
-/// However short a bounce is, the impulses of friction and of rolling resistance stay within what the normal
-/// one allows: both laws hold at each instant of it.
-template <class Contact>
-void strike_at(Contact& contact, SolverBody& a, SolverBody& b, double impulse) {
+/// Adds `added` (m/s) to the normal velocity. However short an impact is, what friction and rolling
+/// resistance do stays within what the normal impulse allows: both laws hold at each instant of it. Pressing
+/// a disc doesn't change its slip, nor rubbing it how it nears the other.
+void strike_at(DiscContact& contact, SolverBody& a, SolverBody& b, double added) {
+  const double impulse = contact.normal_mass * added;
   contact.struck += impulse;
   contact.rubbed += strike(arms(contact), a, b, impulse, contact.friction, contact.tangent_mass);
   if (contact.lever > 0.0) resist_rolling(a, b, contact.lever * impulse);
+}
+void strike_at(PointContact& contact, SolverBody& a, SolverBody& b, double added) {
+  const double parting = arms(contact).normal_velocity(a, b) + added;
+  const auto [normal, across] = corner_impact(contact, a, b, parting);
+  arms(contact).apply(a, b, normal, across);
+  contact.struck += normal, contact.rubbed += across;
+  if (contact.lever > 0.0) resist_rolling(a, b, contact.lever * normal);
 }
 
 /// What stops at several surfaces at once is stopped by all of them: one after the other each would take what
@@ -111,7 +120,7 @@ bool bounce_one(Contact& contact, BodyRows<SolverBody> bodies, const BounceRule&
   SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
   const double added = rebound(contact, a, b, rule);
   if (!(added > 0.0)) return take_back(contact, bodies, rule);
-  strike_at(contact, a, b, normal_mass(contact, a, b) * added);
+  strike_at(contact, a, b, added);
   return true;
 }
 

@@ -7,10 +7,13 @@
 #include <utility>
 
 #include "sim/contact/solve.h"
+#include "sim/periodic.h"
 
 namespace throng {
 
 namespace {
+
+constexpr double kRounding = 1e-9;
 
 bool moves(const SolverBody& body) {
   return body.inverse_mass > 0.0;
@@ -30,7 +33,8 @@ void BounceQueue::list(std::span<const DiscContact> contacts) {
   for (std::uint32_t i = 0; i < contacts.size(); ++i) {
     const DiscContact& contact = contacts[i];
     const bool bounces = contact.restitution > 0.0;
-    if (bounces || contact.hits) entries_.push_back({contact.a, contact.b, i, 1, 0.0, 0.0, bounces});
+    const double touch = contact.radius_a + contact.radius_b;
+    if (bounces || contact.hits) entries_.push_back({contact.a, contact.b, i, 1, 0.0, 0.0, touch, bounces});
   }
 }
 
@@ -43,6 +47,7 @@ void BounceQueue::list(std::span<const PointContact> contacts) {
                 static_cast<std::uint32_t>(count),
                 0.0,
                 0.0,
+                0.0,
                 false};
     bool hits = false;
     for (const PointContact& contact : contacts.subspan(first, count)) {
@@ -50,6 +55,7 @@ void BounceQueue::list(std::span<const PointContact> contacts) {
       entry.reach_b = std::max(entry.reach_b, contact.first_b.norm() + contact.round_b);
       entry.bounces |= contact.restitution > 0.0, hits |= contact.hits;
     }
+    entry.touch = entry.reach_a + entry.reach_b;
     if (entry.bounces || hits) entries_.push_back(entry);
   }
 }
@@ -62,12 +68,18 @@ void BounceQueue::start_step(const Contacts& contacts) {
   prepared_.assign(entries_.size(), 0);
 }
 
-/// By no more than the speed of the centres and what spins add; a little is left to rounding.
+/// By no more than the speed of the centres and what spins add, and how far apart they are; a little is left
+/// to rounding.
 bool BounceQueue::may_meet(const Entry& entry, BodyRows<const SolverBody> bodies, const BounceRule& rule) {
   const SolverBody &a = bodies[entry.a], &b = bodies[entry.b];
-  const double least = (1.0 - 1e-9) * (entry.bounces ? rule.threshold : rule.hit_speed);
-  const double left = least - std::abs(a.spin) * entry.reach_a - std::abs(b.spin) * entry.reach_b;
-  return !(left > 0.0 && (b.velocity - a.velocity).squaredNorm() < left * left);
+  const double least = (1.0 - kRounding) * (entry.bounces ? rule.threshold : rule.hit_speed);
+  const double spins = std::abs(a.spin) * entry.reach_a + std::abs(b.spin) * entry.reach_b;
+  const double speed = (b.velocity - a.velocity).norm();
+  if (speed + spins < least) return false;
+  const Vec between = b.position - a.position,
+            way = rule.period ? nearest_image(between, *rule.period) : between;
+  const double near = entry.touch + rule.within * (speed + spins + rule.kick.norm());
+  return !(way.squaredNorm() > (1.0 + kRounding) * near * near);
 }
 
 void BounceQueue::start(BodyRows<const SolverBody> bodies, const BounceRule& rule) {
@@ -79,14 +91,18 @@ void BounceQueue::start(BodyRows<const SolverBody> bodies, const BounceRule& rul
     if (may_meet(entries_[i], bodies, rule)) wait(i);
 }
 
-void BounceQueue::go_on() {
+void BounceQueue::go_on(BodyRows<const SolverBody> bodies, const BounceRule& rule) {
   ++phase_;
   std::ranges::fill(waiting_, 0);
-  for (const std::uint32_t body : struck_) wait_for(body);
+  for (const std::uint32_t body : struck_) wait_for(body, bodies, rule);
 }
 
-void BounceQueue::wait_for(std::uint32_t body) {
-  for (std::uint32_t i = first_of_[body]; i < first_of_[body + 1]; ++i) wait(of_body_[i]);
+/// Those that were looked at in this phase may have been struck, and take some of it back.
+void BounceQueue::wait_for(std::uint32_t body, BodyRows<const SolverBody> bodies, const BounceRule& rule) {
+  for (std::uint32_t i = first_of_[body]; i < first_of_[body + 1]; ++i)
+    if (const std::uint32_t entry = of_body_[i];
+        prepared_[entry] == phase_ || may_meet(entries_[entry], bodies, rule))
+      wait(entry);
 }
 
 /// Lists the entries of each body that moves.
@@ -106,11 +122,11 @@ void BounceQueue::join(BodyRows<const SolverBody> bodies) {
 }
 
 /// What doesn't move isn't struck.
-void BounceQueue::note_strike(std::uint32_t body, BodyRows<const SolverBody> bodies) {
+void BounceQueue::note_strike(std::uint32_t body, BodyRows<const SolverBody> bodies, const BounceRule& rule) {
   if (!moves(bodies[body])) return;
   if (struck_in_[body] < substep_) struck_.push_back(body);
   struck_in_[body] = phase_;
-  wait_for(body);
+  wait_for(body, bodies, rule);
 }
 
 bool BounceQueue::look_at(std::uint32_t i, Contacts& contacts, BodyRows<SolverBody> bodies,
@@ -141,7 +157,7 @@ bool BounceQueue::sweep(Contacts& contacts, BodyRows<SolverBody> bodies, const B
       const auto [a, b] = std::pair(entries_[i].a, entries_[i].b);
       if (!look_at(i, contacts, bodies, was_struck(a) || was_struck(b) ? in_course : rule)) continue;
       if (!joined_) join(bodies);
-      note_strike(a, bodies), note_strike(b, bodies);
+      note_strike(a, bodies, in_course), note_strike(b, bodies, in_course);
     }
   }
   return std::ranges::any_of(waiting_, [](std::uint64_t word) { return word != 0; });

@@ -12,9 +12,9 @@
 
 namespace throng {
 
-/// Which contacts of a step are to be looked at for bounces: at first those of two who are fast enough
-/// against each other, then those of who was struck since they were looked at. Costs what is looked at, and
-/// of the others a few additions and a bit.
+/// Which contacts of a step are to be looked at for bounces: at first those of two who are near and fast
+/// enough against each other, then those of them with who was struck since they were looked at, and all that
+/// were struck themselves. Costs what is looked at, and of the others a few additions and a bit.
 class BounceQueue {
  public:
   /// The contacts that a step lists among bounces. O(contacts).
@@ -22,8 +22,9 @@ class BounceQueue {
 
   /// Before the first sweep of a substep: waiting are all who may bounce or hit by the rule. O(contacts).
   void start(BodyRows<const SolverBody> bodies, const BounceRule& rule);
-  /// Before further sweeps of it, after bodies have moved: waiting is who touches somebody that was struck.
-  void go_on();
+  /// Before further sweeps of it, after bodies have moved: waiting is who may bounce off, or hit, somebody
+  /// that was struck.
+  void go_on(BodyRows<const SolverBody> bodies, const BounceRule& rule);
 
   /// Looks once at each contact that waits, discs' first, in their order, and at those further on of who is
   /// struck meanwhile; the contacts of two bodies at their points are looked at together. Contacts are
@@ -37,6 +38,7 @@ class BounceQueue {
     std::uint32_t a, b;
     std::uint32_t first, count;  // contacts
     double reach_a, reach_b;     // m, how far from the bodies' centres: 0 where spins don't matter
+    double touch;                // m: those are no nearer to each other when the two touch there
     bool bounces;
   };
 
@@ -44,9 +46,9 @@ class BounceQueue {
   bool look_at(std::uint32_t entry, Contacts& contacts, BodyRows<SolverBody> bodies, const BounceRule& rule);
   void list(std::span<const DiscContact> contacts);
   void list(std::span<const PointContact> contacts);
-  void note_strike(std::uint32_t body, BodyRows<const SolverBody> bodies);
+  void note_strike(std::uint32_t body, BodyRows<const SolverBody> bodies, const BounceRule& rule);
   void join(BodyRows<const SolverBody> bodies);
-  void wait_for(std::uint32_t body);
+  void wait_for(std::uint32_t body, BodyRows<const SolverBody> bodies, const BounceRule& rule);
   bool was_struck(std::uint32_t body) const { return struck_in_[body] == phase_; }
   void wait(std::uint32_t entry) { waiting_[entry / 64] |= std::uint64_t{1} << entry % 64; }
 

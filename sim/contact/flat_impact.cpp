@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kApart = 1e-9;  // of what one point feels: two that differ less are as good as one
 
-/// Midway between the points, whose line is at right angles to the normal: slip is the same at all of it.
+/// Midway between the points: where their line is at right angles to the normal, slip is the same at all of
+/// it.
 PointArms middle(const PointContact& i, const PointContact& j) {
   return {0.5 * (i.arm_a + j.arm_a), 0.5 * (i.arm_b + j.arm_b), i.normal};
 }
@@ -66,22 +67,40 @@ bool holds(const Together& impulses, const Couplings& k, const AtPoints& added) 
   return across * (k.slip + slip_after) <= 0.0;
 }
 
-/// All at once: what is across stops the slip, or rubs by `friction` of each normal impulse. As normal
-/// impulses are `alone` less `across` times `less`, all is one equation of `across`.
+/// The impulses that add so much along the normal: those without friction, less what each that is across
+/// asks for.
+struct Response {
+  AtPoints alone, less;
+
+  Response(const Couplings& k, Touching touching, const AtPoints& added)
+      : alone(solved(k, touching, added)), less(solved(k, touching, {k.it, k.jt})) {}
+
+  Together with(double across) const { return {alone - less * across, across}; }
+
+  /// Where what is across, towards that side, is as much as Coulomb's law lets it be. Nothing where none is
+  /// too much: the body jams.
+  std::optional<Together> rubbing(double side, const AtPoints& friction) const {
+    side = side < 0.0 ? -1.0 : 1.0;
+    const double jams = 1.0 + side * friction.dot(less);
+    if (!(jams > 0.0)) return std::nullopt;
+    return with(side * std::max(friction.dot(alone), 0.0) / jams);
+  }
+};
+
+bool is_within(const Together& impulses, const AtPoints& friction) {
+  return std::abs(impulses.across) <= friction.dot(impulses.normal);
+}
+
+/// All at once: what is across stops the slip, or rubs.
 std::optional<Together> at_once(const Couplings& k, Touching touching, const AtPoints& added,
                                 const AtPoints& friction) {
-  const AtPoints alone = solved(k, touching, added), less = solved(k, touching, {k.it, k.jt});
+  const Response response(k, touching, added);
   const AtPoints levers{k.it, k.jt};
-  const double stops = -(k.slip + levers.dot(alone)) / (k.tt - levers.dot(less));
-  Together impulses{alone - less * stops, stops};
-  if (!(std::abs(stops) <= friction.dot(impulses.normal))) {
-    const double side = stops < 0.0 ? -1.0 : 1.0, jams = 1.0 + side * friction.dot(less);
-    if (!(jams > 0.0)) return std::nullopt;
-    const double across = side * friction.dot(alone) / jams;
-    impulses = {alone - less * across, across};
-  }
-  if (!holds(impulses, k, added)) return std::nullopt;
-  return impulses;
+  const double stops = -(k.slip + levers.dot(response.alone)) / (k.tt - levers.dot(response.less));
+  std::optional<Together> found = response.with(stops);
+  if (!is_within(*found, friction)) found = response.rubbing(stops, friction);
+  if (!found || !holds(*found, k, added)) return std::nullopt;
+  return found;
 }
 
 /// First along the normal, and then across.
@@ -90,13 +109,14 @@ Together in_turn(const Couplings& k, const AtPoints& normal, const AtPoints& fri
   return {normal, std::clamp(-slip / k.tt, -limit, limit)};
 }
 
-/// That share of it, which adds `added` along the normal.
+/// That share of it, which adds `added` along the normal, or just so much of it all where one would pull.
 Together part_of(const Together& whole, double share, const Couplings& k, Touching touching,
-                 const AtPoints& added) {
-  const double across = share * whole.across;
-  const AtPoints normal = solved(k, touching, added - AtPoints{k.it, k.jt} * across);
-  if (!(normal.i >= 0.0 && normal.j >= 0.0)) return {whole.normal * share, across};
-  return {normal, across};
+                 const AtPoints& added, const AtPoints& friction) {
+  const Response response(k, touching, added);
+  Together part = response.with(share * whole.across);
+  if (!is_within(part, friction)) part = response.rubbing(part.across, friction).value_or(response.with(0.0));
+  if (part.normal.i >= 0.0 && part.normal.j >= 0.0) return part;
+  return {whole.normal * share, share * whole.across};
 }
 
 FlatImpact by_points(const Together& together, const AtPoints& friction) {
@@ -117,7 +137,7 @@ std::optional<FlatImpact> flat_impact(const PointContact& i, const PointContact&
   const double share = (added.i + added.j) / (whole.i + whole.j);
   for (const Touching touching : {Touching::both, Touching::only_i, Touching::only_j})
     if (const std::optional<Together> all = at_once(k, touching, whole, friction))
-      return by_points(part_of(*all, share, k, touching, added), friction);
+      return by_points(part_of(*all, share, k, touching, added, friction), friction);
   return by_points(in_turn(k, alone, friction), friction);
 }
 

@@ -22,12 +22,12 @@ struct AtPoints {
   double dot(const AtPoints& other) const { return i * other.i + j * other.j; }
 };
 
-/// The impact that adds `added` (above 0) to the normal velocity at each point, or more at one of which it has
-/// no impulse, as the body tips; and stops the slip at the same time, or rubs against it as hard as Coulomb's
-/// law has it. Friction takes no energy in: where that would be so, it acts after the other impulses, and
-/// turns the bodies. `whole`: of an impact that comes in several strikes what all of them will have added,
-/// else `added`; each has its share of what friction does in all. Nothing where the two are as good as one
-/// point, or one would pull. O(1).
+/// The impact that adds `added` (above 0) to the normal velocity at each point, or more at one of which it
+/// has no impulse, as the body tips; and stops the slip at the same time, or rubs against it as hard as
+/// Coulomb's law has it. Friction takes no energy in: where that would be so, it acts after the other
+/// impulses, and turns the bodies. `whole`: of an impact that comes in several strikes what all of them will
+/// have added, else `added`; each has its share of what friction does in all. Nothing where the two are as
+/// good as one point, or one would pull. O(1).
 ///
 /// Newton's law of restitution with Coulomb's of friction, in one linear system of impulses: Glocker and
 /// Pfeiffer, Nonlinear Dynamics 7, 471 (1995).

@@ -27,7 +27,8 @@ double rolling_radius(const narrowphase::Convex& shape) {
 }
 
 void warm_start(std::span<const RollContact> rolls, BodyRows<SolverBody> bodies) {
-  for (const RollContact& roll : rolls) apply(roll, roll.impulse, bodies);
+  for (const RollContact& roll : rolls)
+    if (roll.impulse != 0.0) apply(roll, roll.impulse, bodies);
 }
 
 template <class Blocks>
@@ -35,6 +36,7 @@ void resist(std::span<RollContact> rolls, const Blocks& contacts, BodyRows<Solve
   for (RollContact& roll : rolls) {
     const double limit = roll.lever * contacts.normal_impulse(roll.contact);
     const double old = roll.impulse;
+    if (limit == 0.0 && old == 0.0) continue;  // as most of those that are only near do
     const double rolling = bodies[roll.b].spin - bodies[roll.a].spin;
     roll.impulse = std::clamp(old - roll.mass * rolling, -limit, limit);
     apply(roll, roll.impulse - old, bodies);

@@ -112,7 +112,7 @@ TEST(Enduring, AWallThatCrushesEndsInOverlapNotInNonsense) {
 }
 
 /// Boxes between a press and wall segments turn by a radian and more in a step. What speed the fastest has
-/// then is chance: of forty draws the median is 2 m/s, and the largest 16 to 66.
+/// then is chance: of forty draws the median is 2 m/s, the largest 16 to 66, of these 89.
 TEST(Enduring, BoxesThatArePressedAgainstSegmentsStayWithinReason) {
   for (int draw = 0; draw < 8; ++draw) {
     std::string text =
@@ -127,7 +127,7 @@ TEST(Enduring, BoxesThatArePressedAgainstSegmentsStayWithinReason) {
               std::to_string(0.5 + 0.8 * (i / 5)) + "]\nangle = " + std::to_string(2.1 * i + draw) + "\n";
     Trial run(text);
     run.steps(528);  // the press has come down to 0.1 m above the floor
-    for (std::size_t i = 1; i < 21; ++i) EXPECT_LT(run.state.velocity[i].norm(), 200.0) << draw;
+    for (std::size_t i = 1; i < 21; ++i) EXPECT_LT(run.state.velocity[i].norm(), 120.0) << draw;
   }
 }
 
