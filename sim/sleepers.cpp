@@ -217,13 +217,10 @@ double Sleepers::most_calm(std::uint32_t body) const {
   return 2.0 * kLift * scene_.gravity.norm() * scene_.bodies.radius[body];
 }
 
-void Sleepers::watch(State& state, BodyRows<const SolverBody> bodies) const {
-  const double dt = scene_.time.dt;
-  this->bodies().for_each([&](std::uint32_t row) {
-    const Vec way = bodies[row].position - state.position[row];
-    const double squared = way.squaredNorm() + square(bodies[row].turn * scene_.bodies.radius[row]);
-    if (!(squared <= dt * dt * most_calm(row))) state.sleep.calm[row] = 0;
-  });
+void Sleepers::watch(State& state, std::uint32_t row, const SolverBody& body) const {
+  const double dt = scene_.time.dt, turned = square(body.turn * scene_.bodies.radius[row]);
+  const double squared = (body.position - state.position[row]).squaredNorm() + turned;
+  if (!(squared <= dt * dt * most_calm(row))) state.sleep.calm[row] = 0;
 }
 
 /// Whether some have been slow for long enough.

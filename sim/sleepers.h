@@ -42,9 +42,9 @@ class Sleepers {
   /// wake).
   void wake(State& state, Candidates& candidates);
 
-  /// Before a step's end becomes `state`: who got on, though slow, as who is driven out of another does whom
-  /// it overlaps, isn't calm. O(awake).
-  void watch(State& state, BodyRows<const SolverBody> bodies) const;
+  /// Before where `row` is at a step's end gets into the state: who got on, though slow, as who is driven out
+  /// of another does whom it overlaps, isn't calm.
+  void watch(State& state, std::uint32_t row, const SolverBody& body) const;
 
   /// Counts for how long bodies have been slow in a step that ended with `state`, and its contacts with
   /// those `bodies`; every tenth of a second lets islands fall asleep. O(awake + bodies if some fall asleep).

@@ -73,7 +73,10 @@ void store_all(const Scene& scene, const Plan& plan, State& state, Workspace& wo
   const BodyRows<const SolverBody> bodies = work.bodies;
   work.workers.for_ranges(rows.size(), [&](std::size_t begin, std::size_t end) {
     bool all = true;
-    for (std::size_t i = begin; i < end; ++i) all &= store(scene, plan, bodies, rows[i], state);
+    for (std::size_t i = begin; i < end; ++i) {
+      if (plan.sleep) work.sleepers.watch(state, rows[i], bodies[rows[i]]);
+      all &= store(scene, plan, bodies, rows[i], state);
+    }
     if (!all) all_go_on = false;
   });
   if (!all_go_on) check_all(state, work);
@@ -202,7 +205,6 @@ void step_bodies(const Scene& scene, const Plan& plan, State& state, Workspace& 
     land(state, work);
   } else {
     if (plan.flights) ++state.collisions.pushed;
-    if (plan.sleep) work.sleepers.watch(state, work.bodies);
     store_all(scene, plan, state, work);
   }
   if (plan.contacts()) work.contacts.save(state, work.workers);
