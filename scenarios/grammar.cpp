@@ -24,7 +24,7 @@ Type time_table() {
         {"until", number(0, 1e12, "s"), "When the simulation ends, s.", "10.0"},
         {"substeps", integer(1, 1000),
          "Substeps within a step; absent: so many that one takes 2.5 ms at most, or 0.025 √(d / g) where the "
-         "smallest body's diameter d asks for less, 4 to 40; with contacts that are springs 50 in the "
+         "thinnest body, d across, asks for less, 4 to 40; with contacts that are springs 50 in the "
          "shortest impact."}}});
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include "scenarios/read.h"
 #include "sim/soft_timing.h"
@@ -18,7 +19,7 @@ constexpr double kPerContact = 50.0;     // substeps in the shortest impact, whe
 constexpr double kFewPerContact = 20.0;  // fewer deserve a word
 constexpr double kMostSubsteps = 1000.0;
 
-constexpr double kRigidStep = 0.05;  // of √(diameter / acceleration): what longer substeps do, README says
+constexpr double kRigidStep = 0.05;  // of √(thickness / acceleration): what longer substeps do, README says
 constexpr double kByDefault = 0.5;   // of that, where the scenario doesn't say; not more substeps than that
 constexpr double kMostByDefault = 40.0;
 
@@ -104,8 +105,35 @@ void check_ways(const toml::table& root, const Scene& scene, Report& report) {
 
 /// Whether others may be in it and whirl with it.
 bool may_hold_others(const Scene& scene, std::size_t row) {
-  const Shape& shape = scene.shapes[scene.bodies.shape[row]];
-  return !shape.holes.empty() || (scene.bodies.kind[row] == BodyKind::kinematic && shape.parts.size() > 1);
+  return scene.bodies.kind[row] == BodyKind::kinematic &&
+         scene.shapes[scene.bodies.shape[row]].parts.size() > 1;
+}
+
+/// m, of a shape: four times its area over its border, a disc's diameter and twice how thick a plate is; of
+/// several parts that of the smallest disc.
+double thickness(const Shape& shape) {
+  double border = 0.0, thickness = 2.0 * shape.radius;
+  const auto walk = [&](const std::vector<Vec>& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) border += (ring[(i + 1) % ring.size()] - ring[i]).norm();
+  };
+  walk(shape.outline);
+  for (const std::vector<Vec>& hole : shape.holes) walk(hole);
+  if (border > 0.0) return std::min(thickness, 4.0 * shape.area / border);
+  for (const narrowphase::Convex& part : shape.parts) thickness = std::min(thickness, 2.0 * part.radius);
+  return thickness;
+}
+
+/// m, of dynamic bodies; infinite where there are none.
+double least_thickness(const Scene& scene) {
+  double least = kNever;
+  std::vector<double> of_shapes;
+  for (const Shape& shape : scene.shapes) of_shapes.push_back(thickness(shape));
+  for_dynamic(scene, [&](std::size_t row) {
+    const std::uint32_t shape = scene.bodies.shape[row];
+    const bool is_disc = scene.shapes[shape].kind == ShapeKind::disc;
+    least = std::min(least, is_disc ? 2.0 * scene.bodies.radius[row] : of_shapes[shape]);
+  });
+  return least;
 }
 
 /// m/s², with which bodies may be pressed on others: by gravity, and in what holds them and spins.
@@ -117,38 +145,38 @@ double load_acceleration(const Scene& scene) {
   return scene.gravity.norm() + whirl;
 }
 
-/// s, of a substep: from here on small rigid bodies are pressed deep into what they lie on; infinite where
-/// nothing is.
-double longest_rigid_step(const Scene& scene) {
-  if (scene.bodies.size() + scene.walls.size() < 2 && scene.domain.kind == DomainKind::unbounded)
-    return kNever;
-  const double acceleration = load_acceleration(scene), smallest = smallest_dynamic_radius(scene);
-  return acceleration > 0.0 ? kRigidStep * std::sqrt(2.0 * smallest / acceleration) : kNever;
-}
+/// What presses small bodies, and how long substeps may be before that is deep into what they lie on.
+struct RigidStep {
+  double acceleration, thickness;  ///< m/s², m
+  double longest = kNever;         ///< s
 
-void check_rigid_step(const toml::table& root, const Scene& scene, double longest, Report& report) {
+  explicit RigidStep(const Scene& scene)
+      : acceleration(load_acceleration(scene)), thickness(least_thickness(scene)) {
+    const bool any = scene.bodies.size() + scene.walls.size() > 1 || scene.domain.kind == DomainKind::box;
+    if (any && acceleration > 0.0) longest = kRigidStep * std::sqrt(thickness / acceleration);
+  }
+};
+
+void check_rigid_step(const toml::table& root, const Scene& scene, const RigidStep& step, Report& report) {
   const double h = scene.time.dt / scene.time.substeps;
-  if (!(h > longest * (1.0 + 1e-9))) return;
+  if (!(h > step.longest * (1.0 + 1e-9))) return;
   const auto [node, path] = place_of_step(root, root.contains("gravity") ? "gravity" : "bodies");
   report.warning(node->source(), path,
-                 "substeps of " + three_digits(h) + " s are long for bodies " +
-                     three_digits(2.0 * smallest_dynamic_radius(scene)) + " m across that " +
-                     three_digits(load_acceleration(scene)) + " m/s² press on others: from " +
-                     three_digits(longest) +
+                 "substeps of " + three_digits(h) + " s are long for bodies " + three_digits(step.thickness) +
+                     " m thick that " + three_digits(step.acceleration) + " m/s² press on others: from " +
+                     three_digits(step.longest) +
                      " s on they overlap by a tenth of their radius, from four times that on they pass "
                      "through one another and steps take ever longer; " +
-                     remedy(scene, longest, "should") + " (or time.dt at most " +
-                     three_digits(scene.time.substeps * longest) +
-                     " s, with time.substeps = " + to_text(scene.time.substeps) + ")");
+                     remedy(scene, step.longest, "should"));
 }
 
 void settle_rigid_contacts(const toml::table& root, Scene& scene, Report& report) {
   if (scene.time.error > 0.0 || !uses_substeps(scene)) return;
-  const double longest = longest_rigid_step(scene);
-  const double fewest = std::min(kMostByDefault, fewest_substeps(scene, kByDefault * longest));
+  const RigidStep step(scene);
+  const double fewest = std::min(kMostByDefault, fewest_substeps(scene, kByDefault * step.longest));
   if (!root["time"]["substeps"])
     scene.time.substeps = std::max(scene.time.substeps, static_cast<int>(fewest));
-  check_rigid_step(root, scene, longest, report);
+  check_rigid_step(root, scene, step, report);
 }
 
 void settle_soft_contacts(const toml::table& root, Scene& scene, Report& report) {
