@@ -68,8 +68,8 @@ void BounceQueue::start_step(const Contacts& contacts) {
   prepared_.assign(entries_.size(), 0);
 }
 
-/// By no more than the speed of the centres and what spins add, and how far apart they are; a little is left
-/// to rounding.
+/// By no more than the speed of the centres and what spins add, and how far apart they are: who has arrived
+/// has gone on along the other's surface for the substep. A little is left to rounding.
 bool BounceQueue::may_meet(const Entry& entry, BodyRows<const SolverBody> bodies, const BounceRule& rule) {
   const SolverBody &a = bodies[entry.a], &b = bodies[entry.b];
   const double least = (1.0 - kRounding) * (entry.bounces ? rule.threshold : rule.hit_speed);
@@ -78,7 +78,7 @@ bool BounceQueue::may_meet(const Entry& entry, BodyRows<const SolverBody> bodies
   if (speed + spins < least) return false;
   const Vec between = b.position - a.position,
             way = rule.period ? nearest_image(between, *rule.period) : between;
-  const double near = entry.touch + rule.within * (speed + spins + rule.kick.norm());
+  const double near = entry.touch + rule.h * (speed + spins + rule.kick.norm());
   return !(way.squaredNorm() > (1.0 + kRounding) * near * near);
 }
 

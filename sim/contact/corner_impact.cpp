@@ -50,7 +50,7 @@ class Impact {
   CornerImpact impulses() const { return {normal_, across_}; }
 
  private:
-  double rises() const { return nn_ + nt_ * ratio_; }    // normal velocity, by normal impulse, 1/kg
+  double rises() const { return nn_ + nt_ * ratio_; }   // normal velocity, by normal impulse, 1/kg
   double drifts() const { return nt_ + tt_ * ratio_; }  // slip, likewise
   /// N s, until the slip stops.
   double left() const { return slip_ * drifts() < 0.0 ? -slip_ / drifts() : kNever; }
@@ -58,7 +58,9 @@ class Impact {
   /// What is across for each normal impulse: against the slip; where there is none, what holds it, or, where
   /// that is too much, what is most.
   void rub() {
-    ratio_ = slip_ > 0.0 ? -friction_ : slip_ < 0.0 ? friction_ : std::clamp(-nt_ / tt_, -friction_, friction_);
+    ratio_ = slip_ > 0.0   ? -friction_
+             : slip_ < 0.0 ? friction_
+                           : std::clamp(-nt_ / tt_, -friction_, friction_);
   }
 
   void stop_slip() {

@@ -625,7 +625,7 @@ TEST(Crowd, IsRefusedWhereAQueueComesBackToItself) {
   };
   // It happened: seven places between two of which were 0.2 m were taken for a queue.
   expect_fault(queue("[[8, 1], [6, 1], [8, 1.1]]"),
-               "queues.gate.line: its places 3 at [6.8, 1] and 6 at [6.99875, 1.04994] are 0.20493 m apart: "
+               "queues.gate.line: its places 4 at [6.2, 1] and 5 at [6.3995, 1.01998] are 0.200498 m apart: "
                "the line folds back, and one who lines up there is 0.4 m wide");
   expect_fault(queue("[[8, 1], [6, 1], [6, 1.3], [8, 1.3]]"), "queues.gate.line: its places ");
   expect_fault(queue("[[8, 1], [6, 1], [6, 0.5], [7, 0.5], [7, 2]]"), "one who lines up there is 0.4 m wide");

@@ -32,7 +32,8 @@ double watch(Trial& run, int steps) {
 /// The far end of one that lay flat was held by nobody: it rocked for ever, up to 4 cm in the floor.
 TEST(Slivers, FallOnTheFloorAndLieStill) {
   for (const double dt : {0.01, 1.0 / 60})
-    for (const double angle : {0.0, 0.001, 0.1, 0.5, 1.0, 1.4, 1.5707}) {
+    for (const double angle :
+         {0.0, 0.001, 0.1, 0.5, 1.0, 1.4, 1.56}) {  // 1.5707 stands: a thousandth and less is its width
       Masonry site(dt);
       site.box({0.0, 0.6}, kLong, kThin, angle);
       Trial run(site.text());

@@ -203,7 +203,7 @@ polyline = [[0, -1], [4, -1], [4, 3]]
 /// Checksums are right: somebody wrote these numbers.
 TEST_F(Replay, VerifiesOutlinesWallsAndWhatTheFileSaysOfItsRun) {
   std::ofstream(folder / "house.toml") << kHouse;
-  ASSERT_EQ(throng("run house.toml -o a.h5 --force --progress none").code, 0);
+  ASSERT_EQ(throng("run house.toml -o a.h5 --force --progress none --substeps 4").code, 0);
   EXPECT_EQ(throng("replay a.h5 --verify").text, "verified: 6 frames\n");
   const std::string kept = content("a.h5");
   const auto expect_noticed = [&](const std::string& forgery, const std::string& what) {

@@ -98,12 +98,13 @@ TEST(CornerImpact, GoesOnWhereItEnded) {
     one.apply(corner_impact(one.at, one.a, one.b, 0.0));
     two.apply(corner_impact(two.at, two.a, two.b, -0.3 * two.nearing()));
     two.apply(corner_impact(two.at, two.a, two.b, 0.0));
-    ASSERT_NEAR((one.a.velocity - two.a.velocity).norm() + std::abs(one.b.spin - two.b.spin), 0.0, 1e-11) << round;
+    ASSERT_NEAR((one.a.velocity - two.a.velocity).norm() + std::abs(one.b.spin - two.b.spin), 0.0, 1e-11)
+        << round;
   }
 }
 
-// As a physicist had it: bars that slide all the while, for which all laws of restitution are one, left at none
-// of the half of their speed that they were to have, or at all of it.
+// As a physicist had it: bars that slide all the while, for which all laws of restitution are one, left at
+// none of the half of their speed that they were to have, or at all of it.
 TEST(CornerImpact, OfABarThatSlidesGivesBackHalfItsSpeed) {
   for (const double dt : {1.0 / 60.0, 0.01, 0.002}) {
     Trial run("time = { dt = " + std::to_string(dt) + ", until = 1 }\n" + material(0.5, 1.0) +
