@@ -236,12 +236,12 @@ double pressed_on_floor(int seed) {
 }
 
 /// As they lie closer while they come down than once they have learnt what they bear, they rise, and rub
-/// upwards along the walls. By thirty seeds 1.21 of the weight, as learnt in
-/// 300 substeps 1.73.
+/// upwards along the walls. By thirty seeds 1.22 to 1.26 of the weight, with a deviation of 0.2 each; as
+/// learnt in 300 substeps 1.73.
 TEST(Standing, WhatRainedIntoABoxHardlyRisesInIt) {
   double sum = 0.0;
-  for (const int seed : {1, 2, 3, 4}) sum += pressed_on_floor(seed);
-  EXPECT_NEAR(0.25 * sum, 1.0, 0.3);
+  for (int seed = 1; seed <= 12; ++seed) sum += pressed_on_floor(seed);
+  EXPECT_NEAR(sum / 12, 1.24, 0.2);
 }
 
 }  // namespace
