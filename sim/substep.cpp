@@ -73,7 +73,7 @@ void stop(Workspace& work, const Vec* period) {
   if (work.contacts.hits == 0) return;
   const double h = work.solver.h, hit_speed = work.finder.hit_speed();
   const BounceRule rule{h, kAtOnce * h, kNever, hit_speed, hit_speed, Vec(0.0, 0.0), period, work.ahead};
-  work.bounces.go_on(work.bodies, rule);
+  work.bounces.go_on();
   bounce(work, rule, 0);
 }
 

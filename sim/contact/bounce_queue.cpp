@@ -91,18 +91,15 @@ void BounceQueue::start(BodyRows<const SolverBody> bodies, const BounceRule& rul
     if (may_meet(entries_[i], bodies, rule)) wait(i);
 }
 
-void BounceQueue::go_on(BodyRows<const SolverBody> bodies, const BounceRule& rule) {
+void BounceQueue::go_on() {
   ++phase_;
   std::ranges::fill(waiting_, 0);
-  for (const std::uint32_t body : struck_) wait_for(body, bodies, rule);
+  for (const std::uint32_t body : struck_) wait_for(body);
 }
 
-/// Those that were looked at in this phase may have been struck, and take some of it back.
-void BounceQueue::wait_for(std::uint32_t body, BodyRows<const SolverBody> bodies, const BounceRule& rule) {
-  for (std::uint32_t i = first_of_[body]; i < first_of_[body + 1]; ++i)
-    if (const std::uint32_t entry = of_body_[i];
-        prepared_[entry] == phase_ || may_meet(entries_[entry], bodies, rule))
-      wait(entry);
+/// All of them: to look is as quick as to ask whether to, where most are near.
+void BounceQueue::wait_for(std::uint32_t body) {
+  for (std::uint32_t i = first_of_[body]; i < first_of_[body + 1]; ++i) wait(of_body_[i]);
 }
 
 /// Lists the entries of each body that moves.
@@ -122,11 +119,11 @@ void BounceQueue::join(BodyRows<const SolverBody> bodies) {
 }
 
 /// What doesn't move isn't struck.
-void BounceQueue::note_strike(std::uint32_t body, BodyRows<const SolverBody> bodies, const BounceRule& rule) {
+void BounceQueue::note_strike(std::uint32_t body, BodyRows<const SolverBody> bodies) {
   if (!moves(bodies[body])) return;
   if (struck_in_[body] < substep_) struck_.push_back(body);
   struck_in_[body] = phase_;
-  wait_for(body, bodies, rule);
+  wait_for(body);
 }
 
 bool BounceQueue::look_at(std::uint32_t i, Contacts& contacts, BodyRows<SolverBody> bodies,
@@ -157,7 +154,7 @@ bool BounceQueue::sweep(Contacts& contacts, BodyRows<SolverBody> bodies, const B
       const auto [a, b] = std::pair(entries_[i].a, entries_[i].b);
       if (!look_at(i, contacts, bodies, was_struck(a) || was_struck(b) ? in_course : rule)) continue;
       if (!joined_) join(bodies);
-      note_strike(a, bodies, in_course), note_strike(b, bodies, in_course);
+      note_strike(a, bodies), note_strike(b, bodies);
     }
   }
   return std::ranges::any_of(waiting_, [](std::uint64_t word) { return word != 0; });

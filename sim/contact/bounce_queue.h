@@ -22,9 +22,8 @@ class BounceQueue {
 
   /// Before the first sweep of a substep: waiting are all who may bounce or hit by the rule. O(contacts).
   void start(BodyRows<const SolverBody> bodies, const BounceRule& rule);
-  /// Before further sweeps of it, after bodies have moved: waiting is who may bounce off, or hit, somebody
-  /// that was struck.
-  void go_on(BodyRows<const SolverBody> bodies, const BounceRule& rule);
+  /// Before further sweeps of it, after bodies have moved: waiting is who touches somebody that was struck.
+  void go_on();
 
   /// Looks once at each contact that waits, discs' first, in their order, and at those further on of who is
   /// struck meanwhile; the contacts of two bodies at their points are looked at together. Contacts are
@@ -46,9 +45,9 @@ class BounceQueue {
   bool look_at(std::uint32_t entry, Contacts& contacts, BodyRows<SolverBody> bodies, const BounceRule& rule);
   void list(std::span<const DiscContact> contacts);
   void list(std::span<const PointContact> contacts);
-  void note_strike(std::uint32_t body, BodyRows<const SolverBody> bodies, const BounceRule& rule);
+  void note_strike(std::uint32_t body, BodyRows<const SolverBody> bodies);
   void join(BodyRows<const SolverBody> bodies);
-  void wait_for(std::uint32_t body, BodyRows<const SolverBody> bodies, const BounceRule& rule);
+  void wait_for(std::uint32_t body);
   bool was_struck(std::uint32_t body) const { return struck_in_[body] == phase_; }
   void wait(std::uint32_t entry) { waiting_[entry / 64] |= std::uint64_t{1} << entry % 64; }
 
