@@ -13,7 +13,7 @@ namespace throng::scenarios {
 
 namespace {
 
-constexpr double kAtBends = 0.70710678118654752;  // of the spacing, at a right angle
+constexpr double kAtBends = 0.70710678118654752;  // of a width, where a line turns by a right angle
 constexpr double kPlaceRounding = 1e-6;  // of an agent's width, in which places may lie far from the origin
 
 /// m, of the largest agent that lines up there.
