@@ -23,12 +23,18 @@ class Team {
     run(n, call_of<F>, &f);
   }
 
-  /// Calls f(i, begin, end) for the i-th of ranges that cover 0 to n, each `grain` long but the last: one
-  /// alone, all of it, where there is one thread or no more to do.
+  /// Into how many ranges that are `grain` long, but the last, for_ranges() cuts 0 to n: one alone, all of it,
+  /// where there is one thread or no more to do.
+  std::size_t ranges(std::size_t n, std::size_t grain) const {
+    return threads_ == 1 || n <= grain ? 1 : (n + grain - 1) / grain;
+  }
+
+  /// Calls f(i, begin, end) for the i-th of these ranges.
   template <class F>
   void for_ranges(std::size_t n, std::size_t grain, F&& f) {
-    if (threads_ == 1 || n <= grain) return f(std::size_t{0}, std::size_t{0}, n);
-    for_each((n + grain - 1) / grain, [&](std::size_t i) { f(i, i * grain, std::min(n, (i + 1) * grain)); });
+    const std::size_t count = ranges(n, grain);
+    if (count == 1) return f(std::size_t{0}, std::size_t{0}, n);
+    for_each(count, [&](std::size_t i) { f(i, i * grain, std::min(n, (i + 1) * grain)); });
   }
 
   /// The same as for_each() for few of them, each worth handing over: with as many threads as there are, each

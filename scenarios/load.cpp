@@ -87,6 +87,7 @@ void read_scene(const toml::table& root, Scene& scene, Report& report) {
   check_crowd(root, entries, agents, scene, report);
   read_recorded_bodies(root, scene, report);
   if (report.errors() > 0) return;
+  check_region(root, scene, report);
   check_quantum(root, scene, report);
   read_sensors(root, scene, report);
   warn_of_empty_record(root, scene, report);

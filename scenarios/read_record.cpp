@@ -16,10 +16,15 @@ RecordField field_of(const toml::node& entry) {
   return static_cast<RecordField>(found - kRecordFieldName.begin());
 }
 
-void read_fields(const toml::table& table, Record& record) {
+void read_fields(const toml::table& table, Record& record, Report& report) {
   if (!table.contains("fields")) return;
   for (RecordField field : kRecordFields) flag(record, field) = false;
-  for (const toml::node& entry : *table.get("fields")->as_array()) flag(record, field_of(entry)) = true;
+  for (const toml::node& entry : *table.get("fields")->as_array()) {
+    bool& is_recorded = flag(record, field_of(entry));
+    if (is_recorded)
+      report.error(entry, "record.fields", in_quotes(entry.as_string()->get()) + " stands there twice");
+    is_recorded = true;
+  }
 }
 
 /// A field has one rate.
@@ -135,10 +140,20 @@ void read_record(const toml::table& root, Scene& scene, Report& report) {
   record.every = static_cast<int>(number(table, "every", record.every));
   record.observables = static_cast<int>(number(table, "observables", 0.0));
   record.single = text(table, "precision", "double") == "single";
-  read_fields(table, record);
+  read_fields(table, record, report);
   read_also(table, record, report);
   read_region(table, record, report);
   read_quantum(table, record, report);
+}
+
+void check_region(const toml::table& root, const Scene& scene, Report& report) {
+  const std::optional<Eigen::AlignedBox2d>& within = scene.record.within;
+  const bool is_bounded = scene.domain.kind != DomainKind::unbounded || !scene.crowd.walkable.empty();
+  if (!within || !is_bounded || within->intersects(recording::place_of_bodies(scene))) return;
+  report.error(*root["record"]["within"].node(), "record.within",
+               std::string("is wholly outside of the ") +
+                   (scene.domain.kind != DomainKind::unbounded ? "domain" : "walkable area") +
+                   ": nobody is ever there");
 }
 
 void check_quantum(const toml::table& root, const Scene& scene, Report& report) {

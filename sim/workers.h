@@ -37,7 +37,7 @@ class Workers {
   /// list, in the order of ranges. `lists`: buffers, to be kept.
   template <class T, class F>
   void gather(std::size_t n, std::vector<std::vector<T>>& lists, std::vector<T>& all, F&& f) {
-    if (is_one_range(n)) return f(std::size_t{0}, n, all);
+    if (ranges(n) == 1) return f(std::size_t{0}, n, all);
     if (lists.size() < ranges(n)) lists.resize(ranges(n));
     team_.for_ranges(n, kGrain, [&](std::size_t i, std::size_t begin, std::size_t end) {
       lists[i].clear();
@@ -51,7 +51,7 @@ class Workers {
   template <class T, class Count, class Write>
   void select(std::size_t n, std::vector<std::size_t>& counts, std::vector<T>& all, Count&& count,
               Write&& write) {
-    if (is_one_range(n)) return all.clear(), write(std::size_t{0}, n, std::back_inserter(all));
+    if (ranges(n) == 1) return all.clear(), write(std::size_t{0}, n, std::back_inserter(all));
     counts.assign(ranges(n) + 1, 0);
     team_.for_ranges(n, kGrain, [&](std::size_t i, std::size_t begin, std::size_t end) {
       counts[i + 1] = count(begin, end);
@@ -66,8 +66,7 @@ class Workers {
  private:
   static constexpr std::size_t kGrain = 512;  // rounds a range: enough work to pay for handing it over
 
-  bool is_one_range(std::size_t n) const { return team_.threads() == 1 || n <= kGrain; }
-  std::size_t ranges(std::size_t n) const { return is_one_range(n) ? 1 : (n + kGrain - 1) / kGrain; }
+  std::size_t ranges(std::size_t n) const { return team_.ranges(n, kGrain); }
 
   broadphase::Team team_;
 };

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
-
 #include "sim/contact/contact.h"
 
 /// How contacts reach their bodies: the velocity of b against a at the contact (m/s), and impulses there
@@ -57,19 +55,6 @@ inline DiscArms arms(const DiscContact& contact) {
 }
 inline PointArms arms(const PointContact& contact) {
   return {contact.arm_a, contact.arm_b, contact.normal};
-}
-
-/// An impact in no time: the impulse along the normal and, where the surfaces rub, Coulomb's across it, which
-/// stops the slip where it can. `tangent_mass`: what they feel across, kg. Returns the impulse across.
-template <class Arms>
-double strike(const Arms& at, SolverBody& a, SolverBody& b, double impulse, double friction,
-              double tangent_mass) {
-  at.apply(a, b, impulse, 0.0);
-  const double limit = friction * impulse;
-  if (!(limit > 0.0)) return 0.0;
-  const double across = std::clamp(-tangent_mass * at.tangent_velocity(a, b), -limit, limit);
-  at.apply(a, b, 0.0, across);
-  return across;
 }
 
 }  // namespace throng

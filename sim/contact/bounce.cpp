@@ -50,19 +50,23 @@ double arrival(const ContactBase& contact, double fall, double h) {
   return -std::max(contact.separation, 0.0) / h - fall;
 }
 
-/// The velocity that a bounce adds along the normal (m/s); 0 where the two don't meet so soon. What
-/// doesn't bounce but hits arrives at the other's surface.
+struct Rebound {
+  double added = 0.0;    ///< m/s, to the velocity along the normal; 0 where the two don't meet so soon
+  bool bounces = false;  ///< else it arrives at the other's surface
+};
+
 template <class Contact>
-double rebound(const Contact& contact, const SolverBody& a, const SolverBody& b, const BounceRule& rule) {
+Rebound rebound(const Contact& contact, const SolverBody& a, const SolverBody& b, const BounceRule& rule) {
   const bool bounces = contact.restitution > 0.0;
-  if (!bounces && !contact.hits) return 0.0;
+  if (!bounces && !contact.hits) return {};
   const double speed = arms(contact).normal_velocity(a, b);
-  if (!(speed < -(bounces ? rule.threshold : rule.hit_speed))) return 0.0;
+  if (!(speed < -(bounces ? rule.threshold : rule.hit_speed))) return {};
   const double fall = relative_kick(contact, a, b, rule.kick);
   const double s = contact.separation;
-  if (!(s + rule.within * (speed + fall) < -kAtItsEnd * rule.within * speed)) return 0.0;
+  if (!(s + rule.within * (speed + fall) < -kAtItsEnd * rule.within * speed)) return {};
   const double parts = bounces ? parting_speed(contact.restitution, speed, s, fall, rule.h) : 0.0;
-  return (parts > 0.0 ? parts : arrival(contact, fall, rule.h)) - speed;
+  if (parts > 0.0) return {parts - speed, true};
+  return {arrival(contact, fall, rule.h) - speed, false};
 }
 
 /// What all strikes of an impact add, of which one adds `added` (m/s): what hits without a bounce is first
@@ -71,29 +75,39 @@ double whole(const PointContact& contact, const SolverBody& a, const SolverBody&
   return contact.restitution > 0.0 ? added : std::max(added, -arms(contact).normal_velocity(a, b));
 }
 
-/// Holds the two spins together, by a torque's impulse (N m s) up to `limit`.
-void resist_rolling(SolverBody& a, SolverBody& b, double limit) {
-  const double stops = (a.spin - b.spin) / (a.inverse_inertia + b.inverse_inertia);
-  const double impulse = std::clamp(stops, -limit, limit);
+/// Adds what holds back how the two roll against each other, a torque's impulse (N m s).
+void turn(ContactBase& contact, SolverBody& a, SolverBody& b, double impulse) {
   a.spin -= a.inverse_inertia * impulse;
   b.spin += b.inverse_inertia * impulse;
+  contact.rolled += impulse;
+}
+
+/// Notes an impact's impulses, and holds the two spins together, as far as the normal one lets it.
+void note(ContactBase& contact, SolverBody& a, SolverBody& b, double normal, double across) {
+  contact.struck += normal, contact.rubbed += across;
+  if (!(contact.lever > 0.0)) return;
+  const double limit = contact.lever * normal;
+  turn(contact, a, b, std::clamp((a.spin - b.spin) / (a.inverse_inertia + b.inverse_inertia), -limit, limit));
 }
 
 /// Adds `added` (m/s) to the normal velocity. However short an impact is, what friction and rolling
 /// resistance do stays within what the normal impulse allows: both laws hold at each instant of it. Pressing
 /// a disc doesn't change its slip, nor rubbing it how it nears the other.
 void strike_at(DiscContact& contact, SolverBody& a, SolverBody& b, double added) {
-  const double impulse = contact.normal_mass * added;
-  contact.struck += impulse;
-  contact.rubbed += strike(arms(contact), a, b, impulse, contact.friction, contact.tangent_mass);
-  if (contact.lever > 0.0) resist_rolling(a, b, contact.lever * impulse);
+  const double normal = contact.normal_mass * added, limit = contact.friction * normal;
+  arms(contact).apply(a, b, normal, 0.0);
+  double across = 0.0;
+  if (limit > 0.0) {
+    across = std::clamp(-contact.tangent_mass * arms(contact).tangent_velocity(a, b), -limit, limit);
+    arms(contact).apply(a, b, 0.0, across);
+  }
+  note(contact, a, b, normal, across);
 }
 void strike_at(PointContact& contact, SolverBody& a, SolverBody& b, double added) {
-  const double parting = arms(contact).normal_velocity(a, b) + added;
-  const auto [normal, across] = corner_impact(contact, a, b, parting);
-  arms(contact).apply(a, b, normal, across);
-  contact.struck += normal, contact.rubbed += across;
-  if (contact.lever > 0.0) resist_rolling(a, b, contact.lever * normal);
+  const PointArms at = arms(contact);
+  const auto [normal, across] = corner_impact(at, contact.friction, a, b, at.normal_velocity(a, b) + added);
+  at.apply(a, b, normal, across);
+  note(contact, a, b, normal, across);
 }
 
 /// What stops at several surfaces at once is stopped by all of them: one after the other each would take what
@@ -101,7 +115,7 @@ void strike_at(PointContact& contact, SolverBody& a, SolverBody& b, double added
 /// then, have made the two part. False where that is hardly any.
 template <class Contact>
 bool take_back(Contact& contact, BodyRows<SolverBody> bodies, const BounceRule& rule) {
-  if (contact.restitution > 0.0 || !(contact.struck > 0.0)) return false;
+  if (contact.bounced || !(contact.struck > 0.0)) return false;
   SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
   const double fall = relative_kick(contact, a, b, rule.kick);
   const double parting = arms(contact).normal_velocity(a, b) - arrival(contact, fall, rule.h);
@@ -112,14 +126,18 @@ bool take_back(Contact& contact, BodyRows<SolverBody> bodies, const BounceRule& 
   const double rubbed = std::clamp(contact.rubbed, -limit, limit);
   arms(contact).apply(a, b, -impulse, rubbed - contact.rubbed);
   contact.rubbed = rubbed;
+  const double most = contact.lever * contact.struck;
+  if (std::abs(contact.rolled) > most)
+    turn(contact, a, b, std::clamp(contact.rolled, -most, most) - contact.rolled);
   return true;
 }
 
 template <class Contact>
 bool bounce_one(Contact& contact, BodyRows<SolverBody> bodies, const BounceRule& rule) {
   SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
-  const double added = rebound(contact, a, b, rule);
+  const auto [added, bounces] = rebound(contact, a, b, rule);
   if (!(added > 0.0)) return take_back(contact, bodies, rule);
+  contact.bounced |= bounces;
   strike_at(contact, a, b, added);
   return true;
 }
@@ -128,14 +146,13 @@ bool bounce_one(Contact& contact, BodyRows<SolverBody> bodies, const BounceRule&
 /// flat spinning. False where that isn't one impact.
 bool bounce_both(PointContact& i, PointContact& j, BodyRows<SolverBody> bodies, const BounceRule& rule) {
   SolverBody &a = bodies[i.a], &b = bodies[i.b];
-  const AtPoints added{rebound(i, a, b, rule), rebound(j, a, b, rule)};
+  const Rebound of_i = rebound(i, a, b, rule), of_j = rebound(j, a, b, rule);
+  const AtPoints added{of_i.added, of_j.added};
   const auto impact = flat_impact(i, j, a, b, added, {whole(i, a, b, added.i), whole(j, a, b, added.j)});
   if (!impact) return false;
   apply(*impact, i, j, a, b);
-  i.struck += impact->normal_i, i.rubbed += impact->across_i;
-  j.struck += impact->normal_j, j.rubbed += impact->across_j;
-  for (const auto& [lever, normal] : {std::pair(i.lever, impact->normal_i), {j.lever, impact->normal_j}})
-    if (lever > 0.0) resist_rolling(a, b, lever * normal);
+  i.bounced |= of_i.bounces, j.bounced |= of_j.bounces;
+  note(i, a, b, impact->normal_i, impact->across_i), note(j, a, b, impact->normal_j, impact->across_j);
   return true;
 }
 
@@ -147,12 +164,20 @@ std::pair<std::size_t, std::size_t> outermost(std::span<const PointContact> cont
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const PointContact& contact = contacts[i];
     if (!(contact.normal.dot(contacts[one].normal) > kSameNormal)) continue;
-    if (!(rebound(contact, bodies[contact.a], bodies[contact.b], rule) > 0.0)) continue;
+    if (!(rebound(contact, bodies[contact.a], bodies[contact.b], rule).added > 0.0)) continue;
     const double lever = cross(contact.arm_a, contact.normal);
     if (lever < cross(contacts[low].arm_a, contact.normal)) low = i;
     if (lever > cross(contacts[high].arm_a, contact.normal)) high = i;
   }
   return std::minmax(low, high);
+}
+
+/// Which of two points at which bodies near each other meets first.
+PointContact& sooner(PointContact& i, PointContact& j, BodyRows<const SolverBody> bodies) {
+  const auto time = [&](const PointContact& contact) {
+    return -contact.separation / arms(contact).normal_velocity(bodies[contact.a], bodies[contact.b]);
+  };
+  return time(j) < time(i) ? j : i;
 }
 
 }  // namespace
@@ -164,13 +189,13 @@ bool bounce(DiscContact& contact, BodyRows<SolverBody> bodies, const BounceRule&
 bool bounce(std::span<PointContact> contacts, BodyRows<SolverBody> bodies, const BounceRule& rule) {
   bool bounced = false;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    if (!(rebound(contacts[i], bodies[contacts[i].a], bodies[contacts[i].b], rule) > 0.0)) {
+    if (!(rebound(contacts[i], bodies[contacts[i].a], bodies[contacts[i].b], rule).added > 0.0)) {
       bounced |= take_back(contacts[i], bodies, rule);
       continue;
     }
     const auto [low, high] = outermost(contacts, i, bodies, rule);
     if (low == high || !bounce_both(contacts[low], contacts[high], bodies, rule))
-      bounce_one(contacts[i], bodies, rule);
+      bounce_one(sooner(contacts[low], contacts[high], bodies), bodies, rule);
     bounced = true;
   }
   return bounced;

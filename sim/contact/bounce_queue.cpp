@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "sim/contact/solve.h"
@@ -14,6 +15,11 @@ namespace throng {
 namespace {
 
 constexpr double kRounding = 1e-9;
+
+/// m/s, of what may bounce, or hit.
+double least_speed(bool bounces, const BounceRule& rule) {
+  return (1.0 - kRounding) * (bounces ? rule.threshold : rule.hit_speed);
+}
 
 bool moves(const SolverBody& body) {
   return body.inverse_mass > 0.0;
@@ -33,29 +39,27 @@ void BounceQueue::list(std::span<const DiscContact> contacts) {
   for (std::uint32_t i = 0; i < contacts.size(); ++i) {
     const DiscContact& contact = contacts[i];
     const bool bounces = contact.restitution > 0.0;
-    const double touch = contact.radius_a + contact.radius_b;
-    if (bounces || contact.hits) entries_.push_back({contact.a, contact.b, i, 1, 0.0, 0.0, touch, bounces});
+    if (bounces || contact.hits)
+      entries_.push_back({contact.a, contact.b, i, 1, contact.radius_a + contact.radius_b, bounces});
   }
 }
 
 void BounceQueue::list(std::span<const PointContact> contacts) {
   for (std::size_t first = 0, count; first < contacts.size(); first += count) {
-    count = of_one_pair(contacts.subspan(first));
-    Entry entry{contacts[first].a,
-                contacts[first].b,
-                static_cast<std::uint32_t>(first),
-                static_cast<std::uint32_t>(count),
-                0.0,
-                0.0,
-                0.0,
-                false};
+    const std::span<const PointContact> pair = contacts.subspan(first, of_one_pair(contacts.subspan(first)));
+    count = pair.size();
+    Entry entry{pair[0].a, pair[0].b, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count),
+                -std::numeric_limits<double>::infinity()};
+    entry.normal = pair[0].normal, entry.has_normal = true;
     bool hits = false;
-    for (const PointContact& contact : contacts.subspan(first, count)) {
+    for (const PointContact& contact : pair) {
+      entry.has_normal &= contact.normal == entry.normal;
+      entry.touch = std::max(entry.touch, contact.round_a + contact.round_b - contact.gap -
+                                              contact.normal.dot(contact.first_b - contact.first_a));
       entry.reach_a = std::max(entry.reach_a, contact.first_a.norm() + contact.round_a);
       entry.reach_b = std::max(entry.reach_b, contact.first_b.norm() + contact.round_b);
       entry.bounces |= contact.restitution > 0.0, hits |= contact.hits;
     }
-    entry.touch = entry.reach_a + entry.reach_b;
     if (entry.bounces || hits) entries_.push_back(entry);
   }
 }
@@ -68,18 +72,31 @@ void BounceQueue::start_step(const Contacts& contacts) {
   prepared_.assign(entries_.size(), 0);
 }
 
-/// By no more than the speed of the centres and what spins add, and how far apart they are: who has arrived
-/// has gone on along the other's surface for the substep. A little is left to rounding.
-bool BounceQueue::may_meet(const Entry& entry, BodyRows<const SolverBody> bodies, const BounceRule& rule) {
+/// By how fast their centres are against each other, and how far apart. A little is left to rounding.
+bool BounceQueue::discs_may_meet(const Entry& entry, BodyRows<const SolverBody> bodies,
+                                 const BounceRule& rule) {
   const SolverBody &a = bodies[entry.a], &b = bodies[entry.b];
-  const double least = (1.0 - kRounding) * (entry.bounces ? rule.threshold : rule.hit_speed);
-  const double spins = std::abs(a.spin) * entry.reach_a + std::abs(b.spin) * entry.reach_b;
   const double speed = (b.velocity - a.velocity).norm();
-  if (speed + spins < least) return false;
+  if (speed < least_speed(entry.bounces, rule)) return false;
   const Vec between = b.position - a.position,
             way = rule.period ? nearest_image(between, *rule.period) : between;
-  const double near = entry.touch + rule.h * (speed + spins + rule.kick.norm());
+  const double near = entry.touch + rule.h * (speed + rule.kick.norm());
   return !(way.squaredNorm() > (1.0 + kRounding) * near * near);
+}
+
+/// Along their normal, which stays for the step, by no more than spins add to the speed there, and to the way
+/// since the step began; by the speed alone where there are several normals.
+bool BounceQueue::points_may_meet(const Entry& entry, BodyRows<const SolverBody> bodies,
+                                  const BounceRule& rule) {
+  const SolverBody &a = bodies[entry.a], &b = bodies[entry.b];
+  const Vec velocity = b.velocity - a.velocity, between = b.position - a.position;
+  const double spins = std::abs(a.spin) * entry.reach_a + std::abs(b.spin) * entry.reach_b;
+  const double nears = spins + (entry.has_normal ? -entry.normal.dot(velocity) : velocity.norm());
+  if (nears < least_speed(entry.bounces, rule)) return false;
+  if (!entry.has_normal) return true;
+  const double turned = std::abs(a.turn) * entry.reach_a + std::abs(b.turn) * entry.reach_b;
+  const double apart = entry.normal.dot(between) - entry.touch - turned;
+  return !(apart - kRounding * between.lpNorm<1>() > rule.h * (nears + rule.kick.norm()));
 }
 
 void BounceQueue::start(BodyRows<const SolverBody> bodies, const BounceRule& rule) {
@@ -87,8 +104,10 @@ void BounceQueue::start(BodyRows<const SolverBody> bodies, const BounceRule& rul
   struck_in_.resize(bodies.size());
   struck_.clear();
   waiting_.assign((entries_.size() + 63) / 64, 0);
-  for (std::uint32_t i = 0; i < entries_.size(); ++i)
+  for (std::uint32_t i = 0; i < entries_.size(); ++i) {
+    const auto may_meet = i < discs_ ? discs_may_meet : points_may_meet;
     if (may_meet(entries_[i], bodies, rule)) wait(i);
+  }
 }
 
 void BounceQueue::go_on() {

@@ -12,9 +12,9 @@
 
 namespace throng {
 
-/// Which contacts of a step are to be looked at for bounces: at first those of two who are near and fast
-/// enough against each other, then those of them with who was struck since they were looked at, and all that
-/// were struck themselves. Costs what is looked at, and of the others a few additions and a bit.
+/// Which contacts of a step are to be looked at for bounces: at first those of two who may meet in the
+/// substep, then all those of bodies that were struck. Costs what is looked at, and of the others a few
+/// additions and a bit.
 class BounceQueue {
  public:
   /// The contacts that a step lists among bounces. O(contacts).
@@ -36,12 +36,15 @@ class BounceQueue {
   struct Entry {
     std::uint32_t a, b;
     std::uint32_t first, count;  // contacts
-    double reach_a, reach_b;     // m, how far from the bodies' centres: 0 where spins don't matter
-    double touch;                // m: those are no nearer to each other when the two touch there
-    bool bounces;
+    double touch;    // m, from centre to centre where they touch: of discs in all, of points along the normal
+    bool bounces = false;
+    bool has_normal = false;                // one, of points
+    Vec normal{0.0, 0.0};
+    double reach_a = 0.0, reach_b = 0.0;    // m, of points: how far from the bodies' centres they are
   };
 
-  static bool may_meet(const Entry& entry, BodyRows<const SolverBody> bodies, const BounceRule& rule);
+  static bool discs_may_meet(const Entry& entry, BodyRows<const SolverBody> bodies, const BounceRule& rule);
+  static bool points_may_meet(const Entry& entry, BodyRows<const SolverBody> bodies, const BounceRule& rule);
   bool look_at(std::uint32_t entry, Contacts& contacts, BodyRows<SolverBody> bodies, const BounceRule& rule);
   void list(std::span<const DiscContact> contacts);
   void list(std::span<const PointContact> contacts);

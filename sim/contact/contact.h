@@ -43,7 +43,9 @@ struct ContactBase {
   double preload = 0.0;     ///< N s, of the normal impulse, what it bears without giving way: see Learning
   double separation = 0.0;  ///< m, before bodies move in a substep
   double struck = 0.0;      ///< N s, among bounces: the normal impulses so far, and of friction in
-  double rubbed = 0.0;      ///< them, on b
+  double rubbed = 0.0;      ///< them, on b,
+  double rolled = 0.0;      ///< N m s, and of what holds back rolling, on b
+  bool bounced = false;     ///< whether any of them made it bounce
   bool hits = false;        ///< among bounces: is stopped though it doesn't bounce, see hit_speed()
 };
 

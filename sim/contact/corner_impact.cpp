@@ -5,8 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/contact/arms.h"
-
 namespace throng {
 
 namespace {
@@ -16,9 +14,8 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 /// Goes on from normal impulse to normal impulse, while friction adds so much for each of it.
 class Impact {
  public:
-  Impact(const PointContact& contact, const SolverBody& a, const SolverBody& b)
-      : friction_(contact.friction) {
-    const PointArms at = arms(contact);
+  Impact(const PointArms& at, double friction, const SolverBody& a, const SolverBody& b)
+      : friction_(friction) {
     const double along_a = cross(at.arm_a, at.normal), along_b = cross(at.arm_b, at.normal);
     const double across_a = cross(at.arm_a, at.t), across_b = cross(at.arm_b, at.t);
     const double masses = a.inverse_mass + b.inverse_mass;
@@ -81,9 +78,9 @@ class Impact {
 
 }  // namespace
 
-CornerImpact corner_impact(const PointContact& contact, const SolverBody& a, const SolverBody& b,
+CornerImpact corner_impact(const PointArms& at, double friction, const SolverBody& a, const SolverBody& b,
                            double parting) {
-  Impact impact(contact, a, b);
+  Impact impact(at, friction, a, b);
   const double meeting = -impact.speed(), restitution = std::max(parting, 0.0) / meeting;
   impact.reach(std::min(parting, 0.0));
   if (restitution > 0.0) impact.gain(-restitution * restitution * impact.work());

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "narrowphase/motion/first_contact.h"
-#include "sim/contact/arms.h"
+#include "sim/contact/corner_impact.h"
 
 namespace throng {
 
@@ -46,9 +46,9 @@ double way(const SolverBody& body, const Vec& position, double reach) {
 void part(const PointArms& at, SolverBody& a, SolverBody& b, const Surface& surface, double leaves) {
   const double speed = at.normal_velocity(a, b);
   if (!(speed < 0.0)) return;
-  const double impulse =
-      (leaves - (1.0 + surface.restitution) * speed) * effective_mass(a, b, at.arm_a, at.arm_b, at.normal);
-  strike(at, a, b, impulse, surface.friction, effective_mass(a, b, at.arm_a, at.arm_b, at.t));
+  const auto [normal, across] =
+      corner_impact(at, surface.friction, a, b, leaves - surface.restitution * speed);
+  at.apply(a, b, normal, across);
 }
 
 /// m/s, at which two whose hearts touch come nearer at that point.

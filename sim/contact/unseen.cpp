@@ -75,7 +75,7 @@ bool Unseen::met_another(const Step& step, std::uint32_t a, std::uint32_t b) {
   const double reach = reach_[a] + reach_[b];
   if (!((candidates_.centre(b) - candidates_.centre(a)).squaredNorm() <= reach * reach)) return false;
   const Motion way_a = motion(step, a), way_b = motion(step, b);
-  const Convex& other = shape(colliders, b, disc_);
+  const Convex& other = shape(colliders, b, other_disc_);
   switch (listed(step.contacts, key_of({std::min(a, b), std::max(a, b)}, false))) {
     case Listed::all:
       return false;
@@ -154,7 +154,7 @@ Motion Unseen::motion(const Step& step, std::uint32_t collider) const {
 double Unseen::bend(const Step& step, std::uint32_t collider) const {
   const Colliders& colliders = candidates_.colliders();
   const std::uint32_t body = colliders.body[collider];
-  const double arm = colliders.centre.empty() ? 0.0 : this->arm(collider);  // round discs turn in themselves
+  const double arm = is_disc(colliders, collider) ? 0.0 : this->arm(collider);  // that turn in themselves
   const double change = (step.bodies[body].velocity - step.state.velocity[body]).norm() +
                         arm * std::abs(step.bodies[body].spin - step.state.spin[body]);
   return 0.25 * dt_ * change;

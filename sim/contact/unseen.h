@@ -54,7 +54,7 @@ class Unseen {
   std::vector<double> reach_;                // m, of each collider's bounding disc in the step
   std::vector<broadphase::Extent> extents_;  // of the strays
   broadphase::BoxIndex index_;
-  narrowphase::Convex wide_, disc_ = narrowphase::disc(1.0);
+  narrowphase::Convex wide_, disc_ = narrowphase::disc(1.0), other_disc_ = narrowphase::disc(1.0);
 };
 
 }  // namespace throng

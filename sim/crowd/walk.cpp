@@ -168,11 +168,13 @@ void Walk::rank(const State& state, std::size_t place) {
 }
 
 /// Roots and quotients of many at once, each of which takes its time.
+/// Of at most kAgentsAhead places.
 void Walk::make_unit(std::size_t begin, std::size_t end) {
+  using Few = Eigen::Array<double, Eigen::Dynamic, 1, Eigen::ColMajor, kAgentsAhead, 1>;
   const auto some = [&](std::vector<double>& all) {
-    return Eigen::Map<Eigen::ArrayXd>(all.data() + begin, static_cast<Eigen::Index>(end - begin));
+    return Eigen::Map<Few>(all.data() + begin, static_cast<Eigen::Index>(end - begin));
   };
-  const auto length = some(ranks_.square).sqrt();
+  const Few length = some(ranks_.square).sqrt();
   some(ranks_.towards_x) /= length, some(ranks_.towards_y) /= length;
 }
 

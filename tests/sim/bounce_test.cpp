@@ -159,6 +159,49 @@ TEST(Bounce, WhatLandsFlatOnSeveralPartsRisesFlat) {
     }
 }
 
+/// Far from where its step began, and wherever the wall's middle is: it once stopped bouncing for good.
+TEST(Bounce, WhoSlidesFastAlongAWallGoesOnBouncing) {
+  for (const double speed : {0.0, 5.0, 20.0})
+    for (const double x : {1.0, -90.0}) {
+      Trial run("gravity = [0, -9.81]\ntime = { dt = 0.016666666666666666, until = 2 }\n" + material(1, 0) +
+                "[shapes]\nball = { disc = { radius = 0.05 } }\n"
+                "[[walls]]\nsegment = [[-100, 0], [100, 0]]\n" +
+                ball(x, 0.05001, speed, -0.06));
+      const auto rising = [&] {
+        return 0.5 * run.state.velocity[0].y() * run.state.velocity[0].y() +
+               9.81 * (run.state.position[0].y() - 0.05);
+      };
+      const double before = rising();
+      run.steps(120);
+      EXPECT_NEAR(rising(), before, 1e-9) << "at " << speed << " m/s from x = " << x;
+    }
+}
+
+/// Of two corners that hit at once but don't bounce together the one that meets first is struck, not the one
+/// whose contact stands first in a list.
+TEST(Bounce, ARodThatLandsOnItsEndLeavesAsItsMirrorImageDoes) {
+  const auto landed = [](double side) {
+    const auto text = [](double number) { return std::to_string(number); };
+    Trial run("gravity = [0, -9.81]\ntime = { dt = 0.005, until = 1 }\n" + material(0.532, 0) +
+              "[shapes]\nrod = { polygon = [[-0.353, -0.044], [0.353, -0.044], [0.353, 0.044], [-0.353, "
+              "0.044]] }\n[[walls]]\nsegment = [[-8, 0], [8, 0]]\n[[bodies]]\nshape = \"rod\"\nat = [" +
+              text(side * 0.3) + ", 0.42]\nangle = " + text(side * 1.55) + "\nvelocity = [" + text(side * 0.5) +
+              ", -4]\nspin = " + text(side * 0.4) + "\n");
+    run.steps(30);
+    return Vec(side * run.state.spin[0], run.state.velocity[0].y());
+  };
+  EXPECT_NEAR((landed(1.0) - landed(-1.0)).norm(), 0.0, 1e-9);
+}
+
+/// However little bounces: it once went up at 0.22 m/s of 3.
+TEST(Bounce, WhatLandsInAVAlmostWithoutRestitutionLies) {
+  Trial run("gravity = [0, -9.81]\ntime = { dt = 0.016666666666666666, until = 1 }\n" + material(0.001, 0) +
+            kDisc + "[[walls]]\npolyline = [[-2, 2], [0, 0], [2, 2]]\n" + ball(0, 0.712, 0, -3));
+  double up = 0.0;
+  for (int i = 0; i < 40; ++i) run.steps(1), up = std::max(up, run.state.velocity[0].y());
+  EXPECT_LT(up, 0.01);
+}
+
 /// Impulses that stop a blow within a substep aren't those that hold on afterwards.
 TEST(Bounce, ABlowThroughAThirdThrowsNobodyBack) {
   for (const std::string shape : {"ball", "block"}) {

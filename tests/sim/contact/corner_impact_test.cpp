@@ -56,13 +56,13 @@ CornerImpact in_small_steps(Meeting meeting, double restitution, double step) {
   }
 }
 
-TEST(CornerImpact, IsWhatAManySmallImpulsesMake) {
+TEST(CornerImpact, IsWhatManySmallImpulsesMake) {
   std::mt19937_64 engine(3);
   std::uniform_real_distribution<double> part(0.0, 1.0);
   for (int round = 0; round < 300; ++round) {
     const Meeting meeting(engine);
     const double e = round % 3 == 0 ? 0.0 : part(engine);
-    const CornerImpact impact = corner_impact(meeting.at, meeting.a, meeting.b, e * meeting.nearing());
+    const CornerImpact impact = corner_impact(arms(meeting.at), meeting.at.friction, meeting.a, meeting.b, e * meeting.nearing());
     const double step = 1e-4 * impact.normal;
     const CornerImpact sum = in_small_steps(meeting, e, step);
     EXPECT_NEAR(impact.normal, sum.normal, 30.0 * step) << round;
@@ -78,7 +78,7 @@ TEST(CornerImpact, TakesNoEnergyInAndKeepsItAllWithoutFriction) {
     if (round % 4 == 0) meeting.at.friction = 0.0;
     const double e = round % 8 == 0 ? 1.0 : part(engine);
     const double before = energy(meeting.a) + energy(meeting.b), nearing = meeting.nearing();
-    const CornerImpact impact = corner_impact(meeting.at, meeting.a, meeting.b, e * nearing);
+    const CornerImpact impact = corner_impact(arms(meeting.at), meeting.at.friction, meeting.a, meeting.b, e * nearing);
     meeting.apply(impact);
     const double after = energy(meeting.a) + energy(meeting.b);
     ASSERT_LE(after, before * (1.0 + 1e-12)) << round;
@@ -95,9 +95,9 @@ TEST(CornerImpact, GoesOnWhereItEnded) {
   std::mt19937_64 engine(5);
   for (int round = 0; round < 2000; ++round) {
     Meeting one(engine), two = one;
-    one.apply(corner_impact(one.at, one.a, one.b, 0.0));
-    two.apply(corner_impact(two.at, two.a, two.b, -0.3 * two.nearing()));
-    two.apply(corner_impact(two.at, two.a, two.b, 0.0));
+    one.apply(corner_impact(arms(one.at), one.at.friction, one.a, one.b, 0.0));
+    two.apply(corner_impact(arms(two.at), two.at.friction, two.a, two.b, -0.3 * two.nearing()));
+    two.apply(corner_impact(arms(two.at), two.at.friction, two.a, two.b, 0.0));
     ASSERT_NEAR((one.a.velocity - two.a.velocity).norm() + std::abs(one.b.spin - two.b.spin), 0.0, 1e-11)
         << round;
   }
