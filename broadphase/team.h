@@ -23,8 +23,8 @@ class Team {
     run(n, call_of<F>, &f);
   }
 
-  /// Into how many ranges that are `grain` long, but the last, for_ranges() cuts 0 to n: one alone, all of it,
-  /// where there is one thread or no more to do.
+  /// Into how many ranges that are `grain` long, but the last, for_ranges() cuts 0 to n: one alone, all of
+  /// it, where there is one thread or no more to do.
   std::size_t ranges(std::size_t n, std::size_t grain) const {
     return threads_ == 1 || n <= grain ? 1 : (n + grain - 1) / grain;
   }

@@ -36,11 +36,11 @@ class BounceQueue {
   struct Entry {
     std::uint32_t a, b;
     std::uint32_t first, count;  // contacts
-    double touch;    // m, from centre to centre where they touch: of discs in all, of points along the normal
+    double touch;  // m, from centre to centre where they touch: of discs in all, of points along the normal
     bool bounces = false;
-    bool has_normal = false;                // one, of points
+    bool has_normal = false;  // one, of points
     Vec normal{0.0, 0.0};
-    double reach_a = 0.0, reach_b = 0.0;    // m, of points: how far from the bodies' centres they are
+    double reach_a = 0.0, reach_b = 0.0;  // m, of points: how far from the bodies' centres they are
   };
 
   static bool discs_may_meet(const Entry& entry, BodyRows<const SolverBody> bodies, const BounceRule& rule);

@@ -93,7 +93,7 @@ void ContactFinder::find_touches(const StepStart& start, bool moved, Contacts& c
 /// What each touches with now, where that isn't known, and where two near each other fast what they will.
 void ContactFinder::search(const StepStart& start, Workers& workers) {
   manifolds_.resize(touches_.size()), points_.resize(touches_.size());
-  ahead_.start(touches_.size());
+  ahead_.start(touches_.size()), stumbles_.start(touches_.size());
   workers.for_ranges(touches_.size(), [&](std::size_t begin, std::size_t end) {
     if (begin == end) return;
     KeptImpulses memory(start.state.point_contacts, touches_[begin].key());
@@ -104,9 +104,17 @@ void ContactFinder::search(const StepStart& start, Workers& workers) {
         search_one(start, i, memory);
     }
   });
+  take_out_stumbles(start, workers);
   ahead_.look(start, touches_, manifolds_, workers);
   for (const std::uint32_t i : ahead_.approaches())
     points_[i] = static_cast<std::uint8_t>(manifolds_[i].count);
+}
+
+void ContactFinder::take_out_stumbles(const StepStart& start, Workers& workers) {
+  for (const std::uint32_t touch : stumbles_.find(start, touches_, manifolds_, held_, workers)) {
+    manifolds_[touch].count = points_[touch] = 0;
+    ahead_.ask_nothing(touch);
+  }
 }
 
 void ContactFinder::search_one(const StepStart& start, std::size_t touch, KeptImpulses& memory) {
@@ -114,9 +122,10 @@ void ContactFinder::search_one(const StepStart& start, std::size_t touch, KeptIm
   manifolds_[touch] = touch_manifold(start.candidates, one, touch_poses(start, one), memory.find(one.key()));
   points_[touch] = static_cast<std::uint8_t>(manifolds_[touch].count);
   ahead_.ask(start, touches_, touch, manifolds_[touch]);
+  const bool may_stumble = stumbles_.ask(start, touches_, touch, manifolds_[touch], scene_.time.dt);
   if (!one.held) return;
   held_.ask_nothing(one.lane);  // of what is held from now on
-  hold(start, touch);
+  if (!may_stumble) hold(start, touch);
 }
 
 /// The points of a touch's manifold, without impulses.

@@ -17,6 +17,7 @@
 #include "sim/contact/look_ahead.h"
 #include "sim/contact/parts.h"
 #include "sim/contact/seat_book.h"
+#include "sim/contact/stumbles.h"
 #include "sim/contact/touch.h"
 #include "sim/islands.h"
 #include "sim/rows.h"
@@ -87,6 +88,7 @@ class ContactFinder {
   void sort_out(const Candidates& candidates, Contacts& contacts, Workers& workers);
   void find_touches(const StepStart& start, bool moved, Contacts& contacts, Workers& workers);
   void search(const StepStart& start, Workers& workers);
+  void take_out_stumbles(const StepStart& start, Workers& workers);
   void search_one(const StepStart& start, std::size_t touch, KeptImpulses& memory);
   void fill_faces(const StepStart& start, Contacts& contacts, Workers& workers);
   void fill_searched(const StepStart& start, std::size_t touch, KeptImpulses& memory,
@@ -143,6 +145,7 @@ class ContactFinder {
   bool moved_ = false;  // somebody is in another part than when contacts were found last
   DiscFinder discs_;
   LookAhead ahead_;
+  Stumbles stumbles_;
   std::vector<std::uint8_t> may_be_held_;  // of each collider; empty where nothing is
   std::vector<PlacedPart> placed_;         // likewise
   HeldFaces held_;

@@ -45,6 +45,8 @@ class LookAhead {
     nears_[touch] = nears(start, touches[touch], m);
   }
 
+  void ask_nothing(std::size_t touch) { nears_[touch] = 0; }
+
   /// Replaces the manifolds of those that do by those that they have when they meet or pass, if one of them
   /// has met somebody before, who turns it aside, on the way that it goes from there. Where that would be the
   /// contact of a part's neighbour, which wasn't looked for ahead, what was found as the step begins stays.

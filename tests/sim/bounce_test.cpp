@@ -185,8 +185,8 @@ TEST(Bounce, ARodThatLandsOnItsEndLeavesAsItsMirrorImageDoes) {
     Trial run("gravity = [0, -9.81]\ntime = { dt = 0.005, until = 1 }\n" + material(0.532, 0) +
               "[shapes]\nrod = { polygon = [[-0.353, -0.044], [0.353, -0.044], [0.353, 0.044], [-0.353, "
               "0.044]] }\n[[walls]]\nsegment = [[-8, 0], [8, 0]]\n[[bodies]]\nshape = \"rod\"\nat = [" +
-              text(side * 0.3) + ", 0.42]\nangle = " + text(side * 1.55) + "\nvelocity = [" + text(side * 0.5) +
-              ", -4]\nspin = " + text(side * 0.4) + "\n");
+              text(side * 0.3) + ", 0.42]\nangle = " + text(side * 1.55) + "\nvelocity = [" +
+              text(side * 0.5) + ", -4]\nspin = " + text(side * 0.4) + "\n");
     run.steps(30);
     return Vec(side * run.state.spin[0], run.state.velocity[0].y());
   };

@@ -62,7 +62,8 @@ TEST(CornerImpact, IsWhatManySmallImpulsesMake) {
   for (int round = 0; round < 300; ++round) {
     const Meeting meeting(engine);
     const double e = round % 3 == 0 ? 0.0 : part(engine);
-    const CornerImpact impact = corner_impact(arms(meeting.at), meeting.at.friction, meeting.a, meeting.b, e * meeting.nearing());
+    const CornerImpact impact =
+        corner_impact(arms(meeting.at), meeting.at.friction, meeting.a, meeting.b, e * meeting.nearing());
     const double step = 1e-4 * impact.normal;
     const CornerImpact sum = in_small_steps(meeting, e, step);
     EXPECT_NEAR(impact.normal, sum.normal, 30.0 * step) << round;
@@ -78,7 +79,8 @@ TEST(CornerImpact, TakesNoEnergyInAndKeepsItAllWithoutFriction) {
     if (round % 4 == 0) meeting.at.friction = 0.0;
     const double e = round % 8 == 0 ? 1.0 : part(engine);
     const double before = energy(meeting.a) + energy(meeting.b), nearing = meeting.nearing();
-    const CornerImpact impact = corner_impact(arms(meeting.at), meeting.at.friction, meeting.a, meeting.b, e * nearing);
+    const CornerImpact impact =
+        corner_impact(arms(meeting.at), meeting.at.friction, meeting.a, meeting.b, e * nearing);
     meeting.apply(impact);
     const double after = energy(meeting.a) + energy(meeting.b);
     ASSERT_LE(after, before * (1.0 + 1e-12)) << round;

@@ -59,8 +59,7 @@ TEST(Unseen, WhoStandsInTheWayIsHitInTheSameStep) {
 TEST(Unseen, AStrayMeetsALargerDisc) {
   Trial run("gravity = [0, 0]\ntime = { dt = 0.01, substeps = 4 }\nsleep = false\n" + material(0.9, 0) +
             "[shapes]\nball = { disc = { radius = 0.05 } }\nlarge = { disc = { radius = 0.5 } }\n" +
-            ball(-0.101, 0, 40, 0) + ball(0, 0, 0, 0) +
-            "[[bodies]]\nshape = \"large\"\nat = [0.4, 0.48]\n");
+            ball(-0.101, 0, 40, 0) + ball(0, 0, 0, 0) + "[[bodies]]\nshape = \"large\"\nat = [0.4, 0.48]\n");
   run.steps(1);
   EXPECT_GT(run.work.candidates.finds(), 1u);
   EXPECT_LT(overlap(run.scene, run.state).max, 1e-9);
