@@ -23,17 +23,8 @@ namespace {
 /// are looked at as far as the farthest one got.
 constexpr int kAttempts = 20, kLocalAttempts = 4;
 
-/// Where so few move, to read the clock takes as long as a stage: of so many steps one is measured.
+/// Where more move no step is so short that to read the clock takes as long as a stage.
 constexpr std::size_t kFew = 64;
-constexpr int kStepsPerMeasure = 32;
-
-/// For how many steps' times those of the next one stand: the first one's, which prepares all, for its own.
-int steps_measured(const Scene& scene, StageTimes& times) {
-  const std::int64_t step = times.steps++;
-  if (scene.bodies.size() > kFew || step == 0) return 1;
-  if (step == 1) return kStepsPerMeasure - 1;
-  return step % kStepsPerMeasure == 0 ? kStepsPerMeasure : 0;
-}
 
 /// No velocity is -0: FaceBlocks' lanes without a face would make it 0. What doesn't turn has a spin and a
 /// turn of 0 for ever.
@@ -196,8 +187,7 @@ bool advance(const Scene& scene, const Plan& plan, State& state, Workspace& work
   }
 }
 
-void step_bodies(const Scene& scene, const Plan& plan, State& state, Workspace& work) {
-  StageClock clock(steps_measured(scene, work.times));
+void step_bodies(const Scene& scene, const Plan& plan, State& state, Workspace& work, StageClock& clock) {
   const bool flown = advance(scene, plan, state, work, clock);
   ++state.step;
   if (flown) {
@@ -215,8 +205,7 @@ void step_bodies(const Scene& scene, const Plan& plan, State& state, Workspace& 
 }
 
 /// Discs that give way where they touch.
-void step_soft(const Scene& scene, const Plan& plan, State& state, Workspace& work) {
-  StageClock clock(steps_measured(scene, work.times));
+void step_soft(const Scene& scene, const Plan& plan, State& state, Workspace& work, StageClock& clock) {
   const Rows all = work.sleepers.bodies();
   for (int attempt = 1;; ++attempt) {
     work.candidates.find(state, scene.time.dt);
@@ -235,15 +224,24 @@ void step_soft(const Scene& scene, const Plan& plan, State& state, Workspace& wo
   clock.lap(work.times.store);
 }
 
+/// Takes the bodies on, and the time that this takes.
+void step_measured(const Scene& scene, const Plan& plan, State& state, Workspace& work) {
+  StepSampling& sampling = work.times.sampling;
+  StageClock clock(scene.bodies.size() > kFew ? 1 : sampling.next());
+  if (plan.soft)
+    step_soft(scene, plan, state, work, clock);
+  else
+    step_bodies(scene, plan, state, work, clock);
+  sampling.took(clock.measured());
+}
+
 }  // namespace
 
 void step(const Scene& scene, const Plan& plan, State& state, Workspace& work) {
   if (plan.crowd)
     step_crowd(plan, state, work);
-  else if (plan.soft)
-    step_soft(scene, plan, state, work);
   else
-    step_bodies(scene, plan, state, work);
+    step_measured(scene, plan, state, work);
   if (!plan.sensors) return;
   StageClock clock;
   work.sensing.sense(state);

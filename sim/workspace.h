@@ -19,6 +19,7 @@
 #include "sim/scene.h"
 #include "sim/sensing/sensing.h"
 #include "sim/sleepers.h"
+#include "sim/stage_clock.h"
 #include "sim/workers.h"
 
 namespace throng {
@@ -28,7 +29,7 @@ struct StageTimes {
   double find_pairs = 0.0, collide = 0.0, find_contacts = 0.0, solve = 0.0, store = 0.0;
   double look = 0.0, steer = 0.0, walk = 0.0, measure = 0.0, leave = 0.0, appear = 0.0;  ///< of crowds
   double sleep = 0.0, sense = 0.0;
-  std::int64_t steps = 0;  ///< begun, but for those of crowds, which are all measured
+  StepSampling sampling;  ///< where few bodies are
 };
 
 /// What a step needs besides the state and may forget: buffers, and indexes of what never moves. Its parts

@@ -128,7 +128,8 @@ void add_run(CLI::App& app, int& exit_code, const std::string& command_line) {
       "Example: throng run scenarios/pile.toml -o pile.h5 --until 5 --threads 2\n"
       "A stopped or failed run leaves its frames in OUT.h5.part, which every command reads and resume goes "
       "on "
-      "with.");
+      "with.\n"
+      "step_ms and stages of the summary are means, ms a step.");
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }
 

@@ -36,7 +36,7 @@ TEST(Step, ItsStagesTakeTime) {
     Trial run(std::string("time = { dt = 0.01, until = 100 }\n") + kDisc + ball(0, 0, 0, 0) +
               ball(3, 0, 0, 0));
     run.steps(steps);
-    EXPECT_EQ(run.work.times.steps, steps);
+    EXPECT_EQ(run.work.times.sampling.steps(), steps);
     EXPECT_GT(run.work.times.find_pairs, 0.0) << steps;
     EXPECT_GT(run.work.times.solve, 0.0) << steps;
   }
