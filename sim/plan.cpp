@@ -37,14 +37,13 @@ bool any_moving(const Scene& scene, F wanted) {
   return false;
 }
 
-/// Why nobody sleeps; "" where bodies may.
+/// Why nobody sleeps with the native engine; "" where bodies may.
 std::string awake_because(const Scene& scene, const Plan& plan) {
   if (!scene.sleep) return "sleep is false";
   if (!plan.contacts()) return "nothing to rest on";
   if (plan.crowd) return "agents don't sleep";
   if (plan.soft) return "soft contacts keep bodies awake";
   if (!plan.gravity) return "gravity is zero: what is slow isn't at rest";
-  if (scene.engine != Engine::native) return std::string("the matter of engine ") + engine_name(scene.engine);
   return "";
 }
 
@@ -83,6 +82,7 @@ std::string why_it_turns(const Scene& scene, const Plan& plan) {
   return "nobody spins, all are discs, and no surfaces that meet rub";
 }
 
+/// Those of the native engine, whichever runs.
 std::vector<Stage> stages(const Scene& scene, const Plan& plan) {
   const std::size_t moving = count(scene, BodyKind::dynamic) + count(scene, BodyKind::kinematic);
   const bool dynamic = count(scene, BodyKind::dynamic) > 0;
@@ -92,6 +92,7 @@ std::vector<Stage> stages(const Scene& scene, const Plan& plan) {
   const std::string substeps = counted(static_cast<std::size_t>(scene.time.substeps), "substep");
   const bool one = scene.crowd.size() == 1;
   const bool hits = plan.contacts() && !plan.soft;
+  const std::string awake = awake_because(scene, plan);
   return {
       {"find_pairs", plan.pairs,
        plan.pairs ? bodies + " may meet" : (off ? no_contact : "no two bodies of which one is dynamic")},
@@ -121,7 +122,7 @@ std::vector<Stage> stages(const Scene& scene, const Plan& plan) {
        : plan.flights
            ? "all surfaces keep all energy and nothing pulls: one by one, in the order of their times"
        : plan.restitution ? "surfaces that meet bounce"
-       : hits ? "no surfaces that meet bounce; what is hit is stopped together with all that touches it"
+       : hits ? "who meets is stopped, together with all that touches him: no surfaces that meet bounce"
               : "no surfaces that meet bounce"},
       {"solve", plan.contacts(),
        plan.soft         ? soft_solve(scene, plan, substeps)
@@ -129,8 +130,7 @@ std::vector<Stage> stages(const Scene& scene, const Plan& plan) {
        : plan.contacts() ? "contacts, " + substeps
                          : (off ? no_contact : "nothing to touch")},
       {"friction", plan.friction, plan.friction ? "surfaces that meet rub" : "no surfaces that meet rub"},
-      {"sleep", plan.sleep,
-       plan.sleep ? "bodies at rest leave the loop, island by island" : awake_because(scene, plan)},
+      {"sleep", awake.empty(), awake.empty() ? "bodies at rest leave the loop, island by island" : awake},
       {"rolling", plan.rolling,
        plan.rolling       ? "surfaces that meet resist the rolling of discs"
        : any_round(scene) ? "no surfaces that meet resist rolling"
@@ -189,7 +189,7 @@ Plan plan_for(const Scene& scene, ContactModel contact) {
   plan.elastic = plan.restitution && some([](const Surface& s) { return s.restitution >= 1.0; });
   plan.flights = plan.elastic && !plan.gravity && !plan.polygons &&
                  !some([](const Surface& s) { return s.restitution < 1.0 || s.rolling > 0.0; });
-  plan.sleep = awake_because(scene, plan).empty();
+  plan.sleep = scene.engine == Engine::native && awake_because(scene, plan).empty();
   plan.stages = stages(scene, plan);
   return plan;
 }

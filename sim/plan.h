@@ -48,7 +48,7 @@ struct Plan {
   std::size_t materials = 0;      ///< how many the scene has
   std::vector<Surface> surfaces;  ///< of each two of them: see surface()
   std::vector<Surface> meeting;   ///< of those of them at which bodies may meet
-  std::vector<Stage> stages;      ///< in the order of the step, those that are skipped too
+  std::vector<Stage> stages;  ///< of the native engine, in the order of the step, those that are skipped too
 
   /// Of two materials: the row of their surface, and the surface.
   std::size_t surface_row(std::size_t a, std::size_t b) const { return a * materials + b; }
