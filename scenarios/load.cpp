@@ -155,6 +155,12 @@ Loaded load_scenario_text(std::string_view text, const std::string& name,
   return loaded;
 }
 
+bool says_substeps(const std::string& text) {
+  std::vector<Diagnostic> faults;
+  const std::optional<toml::table> root = parse(text, "", faults);
+  return root && (*root)["time"]["substeps"];
+}
+
 std::string to_string(std::span<const Diagnostic> diagnostics, const std::string& file) {
   std::ostringstream out;
   for (const Diagnostic& diagnostic : diagnostics) {

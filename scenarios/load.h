@@ -41,6 +41,9 @@ Loaded load_scenario(const std::string& file, std::span<const std::string> overr
 Loaded load_scenario_text(std::string_view text, const std::string& name,
                           std::span<const std::string> overrides = {});
 
+/// Whether the scenario says how many substeps there are in a step. O(n).
+bool says_substeps(const std::string& text);
+
 /// "FILE:LINE:COLUMN: error: PATH: MESSAGE", a line each.
 std::string to_string(std::span<const Diagnostic> diagnostics, const std::string& file);
 

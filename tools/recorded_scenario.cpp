@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstdint>
 
+#include "scenarios/load.h"
 #include "sim/input_error.h"
 #include "sim/uses_substeps.h"
 
@@ -49,8 +50,7 @@ bool same_measure(const Measure& a, const Measure& b) {
 
 std::vector<std::string> fields_of_run(const Recording& recording) {
   const Scene& scene = recording.geometry();
-  const std::string& resolved = recording.origin().provenance.resolved;
-  if (!uses_substeps(scene) || resolved.find("substeps") != std::string::npos) return {};
+  if (!uses_substeps(scene) || says_substeps(recording.origin().provenance.resolved)) return {};
   return {"time.substeps=" + std::to_string(scene.time.substeps)};
 }
 

@@ -254,6 +254,17 @@ TEST_F(Replay, VerifiesNoSubstepsWhereTheyDoNothing) {
   EXPECT_THAT(throng("replay a.h5 --verify").text, testing::StartsWith("verified: "));
 }
 
+/// It happened: where the name had the word in it, the scenario was taken to say how many.
+TEST_F(Replay, VerifiesWithTheSubstepsOfTheRunWhereTheScenarioSaysNone) {
+  std::string text = kThreeDiscs;
+  text.erase(text.find(", substeps = 2"), 14);
+  std::ofstream(folder / "few.toml") << text.replace(text.find("three"), 5, "few substeps");
+  ASSERT_EQ(throng("run few.toml -o b.h5 --progress none").code, 0);
+  ASSERT_EQ(throng("run few.toml -o a.h5 --force --progress none --substeps 2").code, 0);
+  give_scenario("b.h5", "a.h5");  // as earlier versions chose fewer
+  EXPECT_THAT(throng("replay a.h5 --verify").text, testing::StartsWith("verified: "));
+}
+
 /// It happened: info called it native.
 TEST_F(Replay, RefusesAnEngineThatNobodyKnows) {
   alter("f['parameters'].attrs['engine'] = __import__('numpy').bytes_('havok')");
