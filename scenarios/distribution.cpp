@@ -77,7 +77,7 @@ Distribution read_distribution(const toml::node& node, double least, double most
                  "must have a mean above 0 and a standard deviation of at most " + to_text(kWidest) +
                      " times the mean, to be lognormal");
   else if (!(result.low <= result.high))
-    report.error(node, path, "must have its lower bound first");
+    report.error(node, path, lower_first({result.low, result.high}));
   else if (result.kind != Distribution::Kind::uniform &&
            (result.low > result.a + kCutOff * result.b || result.high < result.a - kCutOff * result.b))
     report.error(node, path,

@@ -46,6 +46,15 @@ Eigen::AlignedBox2d box(const toml::node& node) {
   return {point(*list.get(0)), point(*list.get(1))};
 }
 
+std::string lower_first(const Vec& bounds) {
+  return "must have its lower bound first, and is " + to_text(bounds);
+}
+
+std::string least_first(const Eigen::AlignedBox2d& box) {
+  return "must have its least x and y first, [[min x, min y], [max x, max y]], and is [" +
+         to_text(Vec(box.min())) + ", " + to_text(Vec(box.max())) + "]";
+}
+
 std::string too_short(std::span<const Vec> line, bool closed) {
   for (std::size_t i = 0; i + (closed ? 0 : 1) < line.size(); ++i) {
     const Vec edge = line[(i + 1) % line.size()] - line[i];

@@ -111,6 +111,10 @@ std::vector<Vec> points(const toml::node& node);
 std::string to_text(const Vec& place);  ///< as people write it, [x, y]
 Eigen::AlignedBox2d box(const toml::node& node);
 
+/// What is said of bounds, [low, high], and of a box that are the wrong way round.
+std::string lower_first(const Vec& bounds);
+std::string least_first(const Eigen::AlignedBox2d& box);
+
 /// What is wrong with the line where two neighbours are nearer than kShortestEdge without being equal: a
 /// sentence, "" where none are. O(n).
 std::string too_short(std::span<const Vec> line, bool closed);

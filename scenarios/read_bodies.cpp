@@ -50,7 +50,7 @@ class EntryReader {
     }
     const Vec bounds = point(*node->as_table()->get("uniform"));
     entry_.angle = {bounds.x(), bounds.y()};
-    if (!(bounds.x() <= bounds.y())) fail(*node, "angle", "must have its lower bound first");
+    if (!(bounds.x() <= bounds.y())) fail(*node, "angle", lower_first(bounds));
   }
 
   void read_velocity() {
@@ -68,7 +68,9 @@ class EntryReader {
     if (const toml::node* at = table_.get("at")) {
       entry_.origin = point(*at);
       if (entry_.count > 1)
-        fail(*count, "count", "must be 1 for bodies placed by at; place more of them by place");
+        fail(*count, "count",
+             "must be 1 for bodies placed by at, and is " + std::to_string(entry_.count) +
+                 "; place more of them by place");
       return;
     }
     const toml::table& place = *table_.get("place")->as_table();
@@ -90,7 +92,9 @@ class EntryReader {
     entry_.columns = static_cast<std::uint32_t>(size.x());
     if (!count) entry_.count = static_cast<std::uint32_t>(sites);
     if (entry_.count > sites)
-      fail(*count, "count", "must be at most the " + to_text(sites) + " sites of the lattice");
+      fail(*count, "count",
+           "must be at most the " + to_text(sites) + " sites of the lattice, and is " +
+               std::to_string(entry_.count));
     const Vec last = entry_.origin + entry_.spacing.cwiseProduct(size - Vec(1.0, 1.0));
     if (!(last.cwiseAbs().maxCoeff() <= kFarthest))
       fail(lattice, "place.lattice", "must end within " + to_text(kFarthest) + " m of the origin");
@@ -101,8 +105,7 @@ class EntryReader {
     entry_.within = box(*random.get("within"));
     entry_.gap = number(random, "gap", 0.0);
     if (!((entry_.within.max() - entry_.within.min()).minCoeff() > 0.0))
-      fail(*random.get("within"), "place.random.within",
-           "must have its least x and y first, [[min x, min y], [max x, max y]]");
+      fail(*random.get("within"), "place.random.within", least_first(entry_.within));
   }
 
   void check_rest() {

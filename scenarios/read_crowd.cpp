@@ -174,8 +174,7 @@ class AgentReader {
     }
     entry_.within = region_of(box(within));
     if (!(box(within).sizes().minCoeff() > 0.0))
-      fail(within, "place.random.within",
-           "must have its least x and y first, [[min x, min y], [max x, max y]]");
+      fail(within, "place.random.within", least_first(box(within)));
   }
 
   void fail(const toml::node& node, const std::string& key, const std::string& message) {

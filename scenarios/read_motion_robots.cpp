@@ -91,7 +91,7 @@ class RobotReader {
     if (!node) return;
     const Vec limits = point(*node);
     link.lower = limits.x(), link.upper = limits.y();
-    if (!(link.lower <= link.upper)) fail(*node, Path(path, "limits"), "must have its lower bound first");
+    if (!(link.lower <= link.upper)) fail(*node, Path(path, "limits"), lower_first(limits));
   }
 
   void read_waypoints() {

@@ -39,8 +39,7 @@ std::optional<Eigen::AlignedBox2d> within(const toml::table& table, const std::s
   if (!asked)
     report.error(*node, "observe." + key, what + ", which isn't asked for");
   else if (!(result.sizes().minCoeff() > 0.0))
-    report.error(*node, "observe." + key,
-                 "must have its least x and y first, [[min x, min y], [max x, max y]]");
+    report.error(*node, "observe." + key, least_first(result));
   return result;
 }
 

@@ -52,8 +52,7 @@ void read_region(const toml::table& table, Record& record, Report& report) {
   if (!node) return;
   record.within = box(*node);
   if (!((record.within->max() - record.within->min()).minCoeff() >= kShortestEdge))
-    report.error(*node, "record.within",
-                 "must have its least x and y first, [[min x, min y], [max x, max y]]");
+    report.error(*node, "record.within", least_first(*record.within));
 }
 
 void read_quantum(const toml::table& table, Record& record, Report& report) {

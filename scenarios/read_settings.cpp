@@ -67,9 +67,9 @@ void read_domain(const toml::table& root, Scene& scene, Report& report) {
   const double side = (bounds.max() - bounds.min()).minCoeff();
   if (side >= kShortestEdge) return;
   report.mark_bad(*node);
-  report.error(value, walls ? "domain.box" : "domain.periodic",
-               side > 0.0 ? "must be at least " + to_text(kShortestEdge) + " m wide and high"
-                          : "must have its least x and y first, [[min x, min y], [max x, max y]]");
+  report.error(
+      value, walls ? "domain.box" : "domain.periodic",
+      side > 0.0 ? "must be at least " + to_text(kShortestEdge) + " m wide and high" : least_first(bounds));
 }
 
 }  // namespace

@@ -18,8 +18,7 @@ Uniform read_uniform(const toml::node& node, const Path& path, Report& report) {
   if (!node.is_table()) return {number(node), number(node)};
   const toml::node& bounds = *node.as_table()->get("uniform");
   const Vec v = point(bounds);
-  if (!(v.x() <= v.y()))
-    report.error(bounds, Path(path, "uniform").text(), "must have its lower bound first");
+  if (!(v.x() <= v.y())) report.error(bounds, Path(path, "uniform").text(), lower_first(v));
   return {v.x(), v.y()};
 }
 

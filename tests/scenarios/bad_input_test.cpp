@@ -131,7 +131,9 @@ const FaultyScenario kFaultyScenarios[] = {
      "s.toml:2:42: error: record.also[0].fields: must be a list of fields, one or more, and is an empty "
      "list"},
     {"record = { within = [[0, 0], [0, 1]] }",
-     "s.toml:2:21: error: record.within: must have its least x and y first"},
+     "s.toml:2:21: error: record.within: must have its least x and y first, [[min x, min y], [max x, max "
+     "y]], "
+     "and is [[0, 0], [0, 1]]"},
     {"domain = { box = [[0, 0], [20, 60]] }\nrecord = { within = [[21, 0], [22, 1]] }",
      "s.toml:3:21: error: record.within: is wholly outside of the domain: nobody is ever there"},
     {"record = { fields = ['position', 'angle', 'position'] }",
@@ -233,7 +235,9 @@ const FaultyScenario kFaultyScenarios[] = {
     {"seed = -1",
      "s.toml:2:8: error: seed: must be an integer from 0 to 9007199254740991, and is the integer -1"},
     {"record.every = 0", "s.toml:2:16: error: record.every: must be an integer from 1"},
-    {"domain.box = [[0, 0], [0, 1]]", "s.toml:2:14: error: domain.box: must have its least x and y first"},
+    {"domain.box = [[0, 0], [0, 1]]",
+     "s.toml:2:14: error: domain.box: must have its least x and y first, [[min x, min y], [max x, max y]], "
+     "and is [[0, 0], [0, 1]]"},
     {"domain.periodic = [[5, 5], [0, 0]]",
      "s.toml:2:19: error: domain.periodic: must have its least x and y first"},
     {"domain = {}", "s.toml:2:10: error: domain: needs exactly one of box, periodic, and has none"},
@@ -257,7 +261,8 @@ const FaultyScenario kFaultyScenarios[] = {
     {BALL "at = [0, 0]\nspin = inf", "s.toml:7:8: error: bodies[0].spin: must be a number"},
     {BALL "at = [0, 0]\nvelocity = { maxwell = -1 }",
      "s.toml:7:24: error: bodies[0].velocity.maxwell: must be"},
-    {BALL "at = [0, 0]\nangle.uniform = [1, 0]", "error: bodies[0].angle: must have its lower bound first"},
+    {BALL "at = [0, 0]\nangle.uniform = [1, 0]",
+     "error: bodies[0].angle: must have its lower bound first, and is [1, 0]"},
     {BALL "count = -1\nat = [0, 0]",
      "s.toml:6:9: error: bodies[0].count: must be an integer from 0 to 10000000"},
     {BALL "count = 10000001\nat = [0, 0]",
@@ -278,9 +283,10 @@ const FaultyScenario kFaultyScenarios[] = {
     {WALL "",
      "s.toml:2:1: error: walls[0]: needs exactly one of segment, polyline, polygon, wkt, and has none"},
     // what only the whole tells
-    {BALL "count = 2\nat = [0, 0]", "s.toml:6:9: error: bodies[0].count: must be 1 for bodies placed by at"},
+    {BALL "count = 2\nat = [0, 0]",
+     "s.toml:6:9: error: bodies[0].count: must be 1 for bodies placed by at, and is 2; "},
     {BALL "count = 5\nplace.lattice = { origin = [0, 0], spacing = [3, 3], size = [2, 2] }",
-     "s.toml:6:9: error: bodies[0].count: must be at most the 4 sites of the lattice"},
+     "s.toml:6:9: error: bodies[0].count: must be at most the 4 sites of the lattice, and is 5"},
     {BALL "place.lattice = { origin = [0, 0], spacing = [3, 3], size = [10000, 10000] }",
      "must make at most 10000000"},
     {BALL "place.lattice = { origin = [0, 0], spacing = [1e9, 3], size = [9, 1] }",
