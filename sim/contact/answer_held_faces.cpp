@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What narrowphase/manifold.cpp and place() of find_contacts.cpp do, in their order of operations, for pairs
+// What narrowphase/manifold.cpp and place() of describe_face.cpp do, in their order of operations, for pairs
 // whose features are known: the same bits.
 #include "sim/contact/held_faces.h"
 

@@ -109,7 +109,8 @@ Together in_turn(const Couplings& k, const AtPoints& normal, const AtPoints& fri
   return {normal, std::clamp(-slip / k.tt, -limit, limit)};
 }
 
-/// That share of it, which adds `added` along the normal, or just so much of it all where one would pull.
+/// That share of it, which adds `added` along the normal, or, where a point would pull, the same share of
+/// every impulse.
 Together part_of(const Together& whole, double share, const Couplings& k, Touching touching,
                  const AtPoints& added, const AtPoints& friction) {
   const Response response(k, touching, added);

@@ -82,7 +82,7 @@ HWY_INLINE bool respond(FaceBlock::Point& p, std::size_t k, Pair& pair, Reals ro
   return true;
 }
 
-/// As in solve.cpp.
+/// As in contact.h.
 struct Turn {
   Reals cosine, sine;
 
