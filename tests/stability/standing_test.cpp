@@ -237,11 +237,11 @@ double pressed_on_floor(int seed) {
 
 /// As they lie closer while they come down than once they have learnt what they bear, they rise, and rub
 /// upwards along the walls. By thirty seeds 1.22 to 1.26 of the weight, with a deviation of 0.2 each; as
-/// learnt in 300 substeps 1.73.
+/// learnt in 300 substeps 1.73. Nearer to 1 is better.
 TEST(Standing, WhatRainedIntoABoxHardlyRisesInIt) {
   double sum = 0.0;
   for (int seed = 1; seed <= 12; ++seed) sum += pressed_on_floor(seed);
-  EXPECT_NEAR(sum / 12, 1.24, 0.2);
+  EXPECT_LE(sum / 12, 1.44);
 }
 
 }  // namespace
