@@ -23,9 +23,9 @@ Type time_table() {
          "says."},
         {"until", number(0, 1e12, "s"), "When the simulation ends, s.", "10.0"},
         {"substeps", integer(1, 1000),
-         "Substeps within a step; absent: so many that one takes 2.5 ms at most, or 0.025 √(d / g) where the "
-         "thinnest body, d across, asks for less, 4 to 40; with contacts that are springs 50 in the "
-         "shortest impact."}}});
+         "Substeps within a step; absent: so many that one takes 2.5 ms at most, or 0.025 √(d / g) where d, "
+         "the least diameter of a disc, or 4 area / border of a polygon, asks for less, 4 to 40; with "
+         "contacts that are springs 50 in the shortest impact."}}});
 }
 
 Type domain_table() {

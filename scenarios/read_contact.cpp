@@ -19,7 +19,7 @@ constexpr double kPerContact = 50.0;     // substeps in the shortest impact, whe
 constexpr double kFewPerContact = 20.0;  // fewer deserve a word
 constexpr double kMostSubsteps = 1000.0;
 
-constexpr double kRigidStep = 0.05;  // of √(thickness / acceleration): what longer substeps do, README says
+constexpr double kRigidStep = 0.05;  // of √(d / g), d an equivalent diameter: what longer do, README says
 constexpr double kByDefault = 0.5;   // of that, where the scenario doesn't say; not more substeps than that
 constexpr double kMostByDefault = 40.0;
 
@@ -109,30 +109,37 @@ bool may_hold_others(const Scene& scene, std::size_t row) {
          scene.shapes[scene.bodies.shape[row]].parts.size() > 1;
 }
 
-/// m, of a shape: four times its area over its border, a disc's diameter and twice how thick a plate is; of
-/// several parts that of the smallest disc.
-double thickness(const Shape& shape) {
-  double border = 0.0, thickness = 2.0 * shape.radius;
+/// m, of a shape, the diameter of the disc that is as thick: 4 area / border, of a plate twice its thickness;
+/// of several discs that of the smallest.
+double equivalent_diameter(const Shape& shape) {
+  double border = 0.0;
   const auto walk = [&](const std::vector<Vec>& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) border += (ring[(i + 1) % ring.size()] - ring[i]).norm();
   };
   walk(shape.outline);
   for (const std::vector<Vec>& hole : shape.holes) walk(hole);
-  if (border > 0.0) return std::min(thickness, 4.0 * shape.area / border);
-  for (const narrowphase::Convex& part : shape.parts) thickness = std::min(thickness, 2.0 * part.radius);
-  return thickness;
+  if (border > 0.0) return 4.0 * shape.area / border;
+  double least = 2.0 * shape.radius;
+  for (const narrowphase::Convex& part : shape.parts) least = std::min(least, 2.0 * part.radius);
+  return least;
 }
 
-/// m, of dynamic bodies; infinite where there are none.
-double least_thickness(const Scene& scene) {
-  double least = kNever;
+/// Calls f(row, equivalent diameter) for dynamic bodies.
+template <class F>
+void for_dynamic_sizes(const Scene& scene, F f) {
   std::vector<double> of_shapes;
-  for (const Shape& shape : scene.shapes) of_shapes.push_back(thickness(shape));
+  for (const Shape& shape : scene.shapes) of_shapes.push_back(equivalent_diameter(shape));
   for_dynamic(scene, [&](std::size_t row) {
     const std::uint32_t shape = scene.bodies.shape[row];
     const bool is_disc = scene.shapes[shape].kind == ShapeKind::disc;
-    least = std::min(least, is_disc ? 2.0 * scene.bodies.radius[row] : of_shapes[shape]);
+    f(row, is_disc ? 2.0 * scene.bodies.radius[row] : of_shapes[shape]);
   });
+}
+
+/// m, of dynamic bodies; infinite where there are none.
+double least_equivalent_diameter(const Scene& scene) {
+  double least = kNever;
+  for_dynamic_sizes(scene, [&](std::size_t, double diameter) { least = std::min(least, diameter); });
   return least;
 }
 
@@ -147,13 +154,13 @@ double load_acceleration(const Scene& scene) {
 
 /// What presses small bodies, and how long substeps may be before that is deep into what they lie on.
 struct RigidStep {
-  double acceleration, thickness;  ///< m/s², m
-  double longest = kNever;         ///< s
+  double acceleration, equivalent_diameter;  ///< m/s², m
+  double longest = kNever;                   ///< s
 
   explicit RigidStep(const Scene& scene)
-      : acceleration(load_acceleration(scene)), thickness(least_thickness(scene)) {
+      : acceleration(load_acceleration(scene)), equivalent_diameter(least_equivalent_diameter(scene)) {
     const bool any = scene.bodies.size() + scene.walls.size() > 1 || scene.domain.kind == DomainKind::box;
-    if (any && acceleration > 0.0) longest = kRigidStep * std::sqrt(thickness / acceleration);
+    if (any && acceleration > 0.0) longest = kRigidStep * std::sqrt(equivalent_diameter / acceleration);
   }
 };
 
@@ -162,8 +169,9 @@ void check_rigid_step(const toml::table& root, const Scene& scene, const RigidSt
   if (!(h > step.longest * (1.0 + 1e-9))) return;
   const auto [node, path] = place_of_step(root, root.contains("gravity") ? "gravity" : "bodies");
   report.warning(node->source(), path,
-                 "substeps of " + three_digits(h) + " s are long for bodies " + three_digits(step.thickness) +
-                     " m thick that " + three_digits(step.acceleration) + " m/s² press on others: from " +
+                 "substeps of " + three_digits(h) + " s are long for bodies as small as discs " +
+                     three_digits(step.equivalent_diameter) + " m across that " +
+                     three_digits(step.acceleration) + " m/s² press on others: from " +
                      three_digits(step.longest) +
                      " s on they overlap by a tenth of their radius, from four times that on they pass "
                      "through one another and steps take ever longer; " +

@@ -319,12 +319,13 @@ TEST(Load, TakesSubstepsThatSmallBodiesNeed) {
 TEST(Load, WarnsOfSubstepsInWhichSmallBodiesPassThroughOthers) {
   EXPECT_EQ(faults(load_text(kGrains)), "");
   EXPECT_EQ(faults(load_text(kGrains, {"time.substeps = 9"})), "");
-  EXPECT_EQ(
-      faults(load_text(kGrains, {"time.substeps = 8"})),
-      "--set time.substeps = 8: warning: time.substeps: substeps of 0.00125 s are long for bodies 0.005 m "
-      "thick that 9.81 m/s² press on others: from 0.00113 s on they overlap by a tenth of their radius, "
-      "from four times that on they pass through one another and steps take ever longer; time.substeps "
-      "should be at least 9\n");
+  EXPECT_EQ(faults(load_text(kGrains, {"time.substeps = 8"})),
+            "--set time.substeps = 8: warning: time.substeps: substeps of 0.00125 s are long for bodies as "
+            "small as "
+            "discs 0.005 m across that 9.81 m/s² press on others: from 0.00113 s on they overlap by a tenth "
+            "of their radius, "
+            "from four times that on they pass through one another and steps take ever longer; time.substeps "
+            "should be at least 9\n");
   EXPECT_THAT(faults(load_text(kGrains, {"time.dt = 0.1"})),
               ::testing::HasSubstr("warning: time.dt: substeps of 0.0025 s are long"));
   // What whirls presses as gravity does: discs of 1 cm crept through the walls of a cage.
@@ -335,6 +336,15 @@ TEST(Load, WarnsOfSubstepsInWhichSmallBodiesPassThroughOthers) {
   EXPECT_EQ(load_text(whirl).scene.time.substeps, 34) << "141 m/s²";
   EXPECT_THAT(faults(load_text(whirl, {"time.substeps = 4"})),
               ::testing::HasSubstr("that 141 m/s² press on"));
+}
+
+/// It happened: a plate 0.05 m thick was said to be "0.1 m thick".
+TEST(Load, NamesOfAPlateTheDiscThatIsAsSmall) {
+  EXPECT_THAT(faults(load_text("throng = 1\ngravity = [0, -9.81]\ntime = { dt = 0.1, substeps = 1 }\n"
+                               "shapes.p.polygon = [[0, 0], [10, 0], [10, 0.05], [0, 0.05]]\n"
+                               "walls = [{ segment = [[-9, 0], [9, 0]] }]\n"
+                               "bodies = [{ shape = 'p', at = [0, 1] }]\n")),
+              ::testing::HasSubstr("are long for bodies as small as discs 0.0995 m across that"));
 }
 
 TEST(Load, WarnsOfFewSubstepsInAnImpact) {
