@@ -20,7 +20,9 @@ constexpr double kFewPerContact = 20.0;  // fewer deserve a word
 constexpr double kMostSubsteps = 1000.0;
 
 constexpr double kRigidStep = 0.05;  // of √(d / g), d an equivalent diameter: what longer do, README says
-constexpr double kByDefault = 0.5;   // of that, where the scenario doesn't say; not more substeps than that
+constexpr double kHeavyStep = 0.2;   // likewise, of √(d / (r g)), r the ratio of masses
+constexpr double kHeavy = 16.0;      // of which from here on that is the stricter
+constexpr double kByDefault = 0.5;   // of those, where the scenario doesn't say; not more substeps than that
 constexpr double kMostByDefault = 40.0;
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
@@ -178,6 +180,43 @@ void check_rigid_step(const toml::table& root, const Scene& scene, const RigidSt
                      remedy(scene, step.longest, "should"));
 }
 
+bool holds_bodies_up(const Scene& scene) {
+  return !scene.walls.empty() || scene.domain.kind == DomainKind::box ||
+         std::ranges::any_of(scene.bodies.kind, [](BodyKind kind) { return kind != BodyKind::dynamic; });
+}
+
+/// The heaviest body, the one that it would press deepest into what holds it up, and how long substeps may be
+/// for that.
+struct HeavyStep {
+  double heavy = 0.0, light = 0.0;  ///< kg
+  double longest = kNever;          ///< s
+
+  explicit HeavyStep(const Scene& scene) {
+    const double g = scene.gravity.norm();
+    if (g == 0.0 || !holds_bodies_up(scene)) return;
+    for_dynamic(scene, [&](std::size_t row) { heavy = std::max(heavy, mass(scene, row)); });
+    for_dynamic_sizes(scene, [&](std::size_t row, double diameter) {
+      const double its = mass(scene, row), step = kHeavyStep * std::sqrt(diameter * its / (heavy * g));
+      if (heavy >= kHeavy * its && step < longest) light = its, longest = step;
+    });
+  }
+};
+
+void check_heavy_step(const toml::table& root, const Scene& scene, Report& report) {
+  const HeavyStep step(scene);
+  const double h = scene.time.dt / scene.time.substeps;
+  if (!(h > step.longest * (1.0 + 1e-9))) return;
+  const auto [node, path] = place_of_step(root, "gravity");
+  report.warning(node->source(), path,
+                 "substeps of " + three_digits(h) + " s are long should a body of " +
+                     three_digits(step.heavy) + " kg come to lie on one of " + three_digits(step.light) +
+                     " kg, " + three_digits(step.heavy / step.light) + " times lighter: from " +
+                     three_digits(step.longest) +
+                     " s on the light one overlaps what it lies on by a tenth of its radius, from four times "
+                     "that on it may be pressed through; " +
+                     remedy(scene, kByDefault * step.longest, "should"));
+}
+
 void settle_rigid_contacts(const toml::table& root, Scene& scene, Report& report) {
   if (scene.time.error > 0.0 || !uses_substeps(scene)) return;
   const RigidStep step(scene);
@@ -185,6 +224,7 @@ void settle_rigid_contacts(const toml::table& root, Scene& scene, Report& report
   if (!root["time"]["substeps"])
     scene.time.substeps = std::max(scene.time.substeps, static_cast<int>(fewest));
   check_rigid_step(root, scene, step, report);
+  check_heavy_step(root, scene, report);
 }
 
 void settle_soft_contacts(const toml::table& root, Scene& scene, Report& report) {

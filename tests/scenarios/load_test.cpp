@@ -347,6 +347,30 @@ TEST(Load, NamesOfAPlateTheDiscThatIsAsSmall) {
               ::testing::HasSubstr("are long for bodies as small as discs 0.0995 m across that"));
 }
 
+const std::string kHeavyOnLight =
+    "throng = 1\ngravity = [0, -9.81]\ntime = { dt = 0.0125, substeps = 5 }\nmaterials.light.density = 1\n"
+    "materials.heavy.density = 1000\nshapes.b.polygon = [[0, 0], [1, 0], [1, 1], [0, 1]]\n"
+    "walls = [{ segment = [[-9, 0], [9, 0]] }]\nbodies = [{ shape = 'b', material = 'light', at = [0, 0.5] "
+    "}, "
+    "{ shape = 'b', material = 'heavy', at = [0, 1.5] }]\n";
+
+/// It happened: a box of 1e5 kg pressed one of 1 kg through the floor, and nothing was said.
+TEST(Load, WarnsOfSubstepsInWhichHeavyBodiesPressLightOnesThroughOthers) {
+  EXPECT_EQ(
+      faults(load_text(kHeavyOnLight)),
+      "s.toml:3:34: warning: time.substeps: substeps of 0.0025 s are long should a body of 1e+03 kg come "
+      "to lie on one of 1 kg, 1e+03 times lighter: from 0.00202 s on the light one overlaps what it lies "
+      "on by a tenth of its radius, from four times that on it may be pressed through; time.substeps "
+      "should be at least 13\n");
+  EXPECT_EQ(faults(load_text(kHeavyOnLight, {"time.substeps = 7"})), "");
+  EXPECT_EQ(faults(load_text(kHeavyOnLight, {"materials.heavy.density = 500"})), "");
+  EXPECT_EQ(faults(load_text(kHeavyOnLight, {"materials.light.density = 1000"})), "");
+  EXPECT_EQ(faults(load_text(kHeavyOnLight, {"gravity = [0, 0]"})), "");
+  EXPECT_EQ(faults(load_text(kHeavyOnLight, {"walls = []"})), "") << "nothing to be pressed on";
+  EXPECT_EQ(faults(load_text(kHeavyOnLight, {"bodies[1].kind = 'kinematic'"})), "") << "has no weight";
+  EXPECT_EQ(faults(load_text(kHeavyOnLight, {"engine = 'box2d'"})), "");
+}
+
 TEST(Load, WarnsOfFewSubstepsInAnImpact) {
   EXPECT_EQ(faults(load_text(kSoft, {"time.substeps = 51"})), "");
   EXPECT_EQ(faults(load_text(kSoft, {"time.substeps = 50"})),
