@@ -76,7 +76,8 @@ Type shape_table() {
 Table body_table() {
   const Type maxwell = table({{required(
       {"maxwell", number(0, kFastest, "m/s"),
-       "Standard deviation of each component, m/s; the total momentum of this entry is removed."})}});
+       "Standard deviation of each component, m/s; the total momentum of this entry, all that a single body "
+       "has, is removed."})}});
   const Type angles = uniform(number(-kFarthest, kFarthest, "rad"), "Each body's own, rad, between these.");
   return {{required({"shape", name_in("shapes"), "Name of a shape."}),
            {"at", point(), "Where the centre of mass stands, m."},

@@ -32,6 +32,25 @@ void warn_of_idle_borders(const toml::table& root, const Scene& scene, Report& r
                    "hold nobody: contact.model is \"none\", and they are only drawn");
 }
 
+void warn_of_idle_surfaces(const toml::table& root, const Scene& scene, Report& report) {
+  const toml::table* materials = root["materials"].as_table();
+  if (!materials || scene.contact != ContactModel::none) return;
+  for (const auto& [name, material] : *materials)
+    for (const char* key : {"friction", "restitution", "rolling_resistance"})
+      if (const toml::node* node = material.as_table()->get(key))
+        report.warning(node->source(), "materials." + std::string(name.str()) + "." + key,
+                       "has no meaning: contact.model is \"none\"");
+}
+
+void warn_of_idle_sleep(const toml::table& root, const Scene& scene, Report& report) {
+  if (!root.contains("sleep") || !scene.sleep) return;
+  const auto warn = [&](const char* why) {
+    report.warning(root.get("sleep")->source(), "sleep", std::string("has no meaning: ") + why);
+  };
+  if (scene.engine == Engine::event_driven) warn("with engine event_driven nobody falls asleep");
+  if (scene.contact == ContactModel::none) warn("contact.model is \"none\", and there is nothing to rest on");
+}
+
 /// What has no meaning in this scene, whatever it says.
 void warn_of_substeps(const toml::table& root, const Scene& scene, Report& report) {
   const toml::node* substeps = root["time"]["substeps"].node();
@@ -44,7 +63,7 @@ void warn_of_substeps(const toml::table& root, const Scene& scene, Report& repor
 
 /// Only discs, and those of which composites are, have a radius to roll on.
 void warn_of_idle_rolling(const toml::table& root, const Scene& scene, Report& report) {
-  if (scene.bodies.size() == 0 || any_round(scene)) return;
+  if (scene.bodies.size() == 0 || any_round(scene) || scene.contact == ContactModel::none) return;
   for (const Material& material : scene.materials)
     if (material.rolling_resistance > 0.0)
       report.warning(root["materials"][material.name]["rolling_resistance"].node()->source(),
@@ -92,6 +111,8 @@ void read_scene(const toml::table& root, Scene& scene, Report& report) {
   read_sensors(root, scene, report);
   warn_of_empty_record(root, scene, report);
   warn_of_idle_rolling(root, scene, report);
+  warn_of_idle_surfaces(root, scene, report);
+  warn_of_idle_sleep(root, scene, report);
   settle_auto_time(root, scene, report);
   settle_contacts(root, scene, report);
   if (report.errors() == 0) check_engine(root, scene, report);

@@ -29,6 +29,7 @@ class EntryReader {
     read_velocity();
     read_place();
     check_rest();
+    warn_of_lone_draw();
     return entry_;
   }
 
@@ -113,6 +114,12 @@ class EntryReader {
     if (entry_.maxwell || entry_.velocity != Vec(0.0, 0.0))
       fail(*table_.get("velocity"), "velocity", "must be absent for a static body");
     if (entry_.spin != 0.0) fail(*table_.get("spin"), "spin", "must be absent for a static body");
+  }
+
+  void warn_of_lone_draw() {
+    if (entry_.kind == BodyKind::fixed || entry_.count != 1 || !(entry_.maxwell.value_or(0.0) > 0.0)) return;
+    report_.warning(table_.get("velocity")->source(), path_.text() + ".velocity",
+                    "leaves a single body at rest: the entry's momentum, all that it has, is removed");
   }
 
   void fail(const toml::node& node, std::string_view key, std::string message) {

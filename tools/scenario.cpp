@@ -40,6 +40,21 @@ void add_field(CLI::App& command, Overrides& overrides, const char* name, const 
       std::string(help) + "; sets " + field);
 }
 
+/// The path of "PATH=VALUE".
+std::string path_of(std::string field) {
+  field.resize(std::min(field.find('='), field.size()));
+  std::erase(field, ' ');
+  return field;
+}
+
+/// Refuses a field that is set by an option and otherwise by --set.
+void expect_no_contradiction(const Overrides& overrides) {
+  for (const auto& [set, typed] : overrides.options)
+    for (const std::string& field : overrides.fields)
+      if ("--set " + field != set && path_of("--set " + field) == path_of(set))
+        throw InputError(typed + " and --set " + field + " contradict each other: give one of them");
+}
+
 /// In the words of who typed them.
 void name_options(std::vector<Diagnostic>& diagnostics, const Overrides& overrides) {
   for (Diagnostic& one : diagnostics)
@@ -68,6 +83,7 @@ void add_scenario_options(CLI::App& command, Overrides& overrides) {
 }
 
 Loaded load_or_throw(const std::string& file, const Overrides& overrides) {
+  expect_no_contradiction(overrides);
   Loaded loaded = load_scenario(file, overrides.fields);
   name_options(loaded.diagnostics, overrides);
   expect_sound(loaded.diagnostics, file);

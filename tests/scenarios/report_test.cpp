@@ -111,6 +111,40 @@ TEST(Report, WarnsOfRollingThatNobodyDoes) {
   EXPECT_EQ(faults(load_text(empty)), "") << "nobody is there yet";
 }
 
+TEST(Report, WarnsOfSurfacesAndSleepWhereNobodyTouches) {
+  const std::string none =
+      "throng = 1\ncontact.model = 'none'\nsleep = true\nmaterials.default = { density = 2, friction = 0.1, "
+      "rolling_resistance = 0.2, restitution = 0.3 }\nshapes.s.disc.radius = 1\n[[bodies]]\nshape = 's'\n"
+      "at = [0, 0]\n";
+  const std::string because = " has no meaning: contact.model is \"none\"";
+  EXPECT_EQ(faults(load_text(none)),
+            "s.toml:3:9: warning: sleep:" + because + ", and there is nothing to rest on\n" +
+                "s.toml:4:47: warning: materials.default.friction:" + because + "\n" +
+                "s.toml:4:73: warning: materials.default.rolling_resistance:" + because + "\n" +
+                "s.toml:4:92: warning: materials.default.restitution:" + because + "\n");
+  EXPECT_EQ(faults(load_text(none, {"contact.model = impulse"})), "");
+}
+
+TEST(Report, WarnsOfSleepWhereNothingRests) {
+  const std::string disc = "throng = 1\nshapes.s.disc.radius = 1\nbodies = [{ shape = 's', at = [0, 0] }]\n";
+  EXPECT_EQ(faults(load_text(disc + "engine = 'event_driven'\nsleep = true\n")),
+            "s.toml:5:9: warning: sleep: has no meaning: with engine event_driven nobody falls asleep\n");
+  EXPECT_EQ(faults(load_text(disc + "engine = 'event_driven'\nsleep = false\n")), "");
+  EXPECT_EQ(faults(load_text(disc + "sleep = true\n")), "");
+}
+
+/// It happened: of a single body it gave 0, and nothing was said.
+TEST(Report, WarnsOfARandomVelocityOfASingleBody) {
+  const std::string disc =
+      "throng = 1\nshapes.s.disc.radius = 1\n[[bodies]]\nshape = 's'\nvelocity = { maxwell = 1 }\n";
+  EXPECT_EQ(
+      faults(load_text(disc + "at = [0, 0]\n")),
+      "s.toml:5:12: warning: bodies[0].velocity: leaves a single body at rest: the entry's momentum, all "
+      "that it has, is removed\n");
+  EXPECT_EQ(faults(load_text(disc + "at = [0, 0]\n", {"bodies[0].velocity.maxwell = 0"})), "");
+  EXPECT_EQ(faults(load_text(disc + "count = 2\nplace.random.within = [[0, 0], [9, 9]]\n")), "");
+}
+
 // It happened: all behind the 20th were dropped without a word.
 TEST(Report, SaysHowManyWarningsItKeepsToItself) {
   const auto last_line = [](const std::string& said) {

@@ -95,6 +95,17 @@ TEST_F(CommandLine, TakesNumbersAndSettingsAsPeopleTypeThem) {
   expect_refused(run + " --set time.dt=1 2", HasSubstr("'2' was not expected"));
 }
 
+/// It happened: of --until 2 --set time.until=3 the last one held, whichever came first.
+TEST_F(CommandLine, RefusesAnOptionAndASettingOfTheSameField) {
+  const std::string run = "run " THRONG_SOURCE_DIR "/scenarios/cradle.toml --progress none ";
+  for (const char* options : {"--until 0.2 --set time.until=0.3", "--set time.until=0.3 --until 0.2"})
+    expect_refused(run + options,
+                   HasSubstr("--until 0.2 and --set time.until=0.3 contradict each other: give one of them"));
+  expect_refused(run + "--dt 0.1 --set 'time.dt = 0.2'", HasSubstr("--dt 0.1 and --set time.dt = 0.2 "));
+  EXPECT_EQ(throng(run + "--until 0.2 --set time.dt=0.1").exit_code, 0);
+  EXPECT_EQ(throng(run + "--set time.until=0.3 --set time.until=0.2").exit_code, 0) << "the last one holds";
+}
+
 TEST_F(CommandLine, SaysWhereAGoalIsThatNoWayLeadsTo) {
   const auto scene = [&](const std::string& exit) {
     return write("far.toml",
