@@ -62,7 +62,8 @@ struct PointContact : ContactBase {
   Vec arm_a{0.0, 0.0}, arm_b{0.0, 0.0};      ///< m, from the bodies' centres to the contact, in this substep
   Vec first_a{0.0, 0.0}, first_b{0.0, 0.0};  ///< m, what of them turns, as the step begins
   double round_a = 0.0, round_b = 0.0;       ///< m, the radius of a disc, which doesn't
-  double gap = 0.0;  ///< m, separation = gap + normal . (position_b + arm_b - position_a - arm_a)
+  double gap = 0.0;        ///< m, separation = gap + normal . (position_b + arm_b - position_a - arm_a)
+  bool is_second = false;  ///< of one manifold with the point before
 };
 
 /// How arms turn with their bodies: by the angle (rad) less a twelfth of its cube, at unit length, as longer
@@ -89,11 +90,6 @@ inline double effective_mass(const SolverBody& a, const SolverBody& b, double le
 inline double effective_mass(const SolverBody& a, const SolverBody& b, const Vec& arm_a, const Vec& arm_b,
                              const Vec& direction) {
   return effective_mass(a, b, cross(arm_a, direction), cross(arm_b, direction));
-}
-
-/// Whether the two are points of one face.
-inline bool share_face(const PointContact& i, const PointContact& j) {
-  return i.a == j.a && i.b == j.b && i.normal == j.normal;
 }
 
 }  // namespace throng

@@ -66,6 +66,7 @@ std::span<PointContact> describe_face(const StepStart& start, const Touch& touch
   const auto count = static_cast<std::size_t>(m.count);
   for (std::size_t p = 0; p < count; ++p) {
     describe(colliders, touch, surface, m.normal, points[p]);
+    points[p].is_second = p > 0;
     if (meeting) {
       place(points[p], m.points[p], moved(a, meeting->at_a), moved(b, meeting->at_b), touch.shift, about_a,
             about_b, true);

@@ -108,11 +108,12 @@ bool DiscBlocks::take(std::span<const std::uint64_t> keys, std::size_t begin, st
   return true;
 }
 
-void DiscBlocks::set_impulses(std::size_t i, double normal, double tangent, double preload) {
+void DiscBlocks::set_impulses(std::size_t i, const BlockImpulses& impulses) {
   DiscBlock& block = this->block(lane_[i]);
-  block.normal_impulse[lane_[i].lane % BlockOrder::kWidth] = normal;
-  block.tangent_impulse[lane_[i].lane % BlockOrder::kWidth] = tangent;
-  block.preload[lane_[i].lane % BlockOrder::kWidth] = preload;
+  const std::size_t lane = lane_[i].lane % BlockOrder::kWidth;
+  block.normal_impulse[lane] = impulses.normal;
+  block.tangent_impulse[lane] = impulses.tangent;
+  block.preload[lane] = impulses.preload;
 }
 
 BlockContact DiscBlocks::contact(std::size_t i) {

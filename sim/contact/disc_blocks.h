@@ -54,7 +54,7 @@ class DiscBlocks {
   void clear() { lane_.clear(); }
 
   /// Of the i-th contact, N s.
-  void set_impulses(std::size_t i, double normal, double tangent, double preload);
+  void set_impulses(std::size_t i, const BlockImpulses& impulses);
 
   BlockContact contact(std::size_t i);  ///< the i-th
 

@@ -169,10 +169,8 @@ void ContactFinder::fill_searched(const StepStart& start, std::size_t touch, Kep
   const std::span<std::uint32_t> features = names(touch, contacts);
   for (std::size_t p = 0; p < face.size(); ++p) features[p] = manifolds_[touch].points[p].feature;
   for (std::size_t p = 0; p < face.size(); ++p) {
-    const ContactImpulse* kept = memory.find(touches_[touch].key(), features, p);
-    face[p].normal_impulse = kept ? kept->normal : 0.0;
-    face[p].tangent_impulse = kept ? kept->tangent : 0.0;
-    face[p].preload = kept ? kept->preload : 0.0;
+    const auto [normal, across, preload] = impulses_of(memory.find(touches_[touch].key(), features, p));
+    face[p].normal_impulse = normal, face[p].tangent_impulse = across, face[p].preload = preload;
   }
   contacts.faces.fill(first_point_[touch], face);
   if (plan_.restitution) std::ranges::copy(face, contacts.point_bounces.begin() + first_point_[touch]);

@@ -49,11 +49,7 @@ void DiscFinder::find(const Candidates& candidates, const State& state, BodyRows
   workers.for_ranges(keys.size(), [&](std::size_t begin, std::size_t end) {
     if (begin == end) return;
     KeptImpulses memory(state.disc_contacts, keys[begin]);
-    for (std::size_t i = begin; i < end; ++i) {
-      const ContactImpulse* kept = memory.find(keys[i]);
-      discs.set_impulses(i, kept ? kept->normal : 0.0, kept ? kept->tangent : 0.0,
-                         kept ? kept->preload : 0.0);
-    }
+    for (std::size_t i = begin; i < end; ++i) discs.set_impulses(i, impulses_of(memory.find(keys[i])));
   });
 }
 

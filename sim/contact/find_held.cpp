@@ -115,11 +115,8 @@ void ContactFinder::fill_held(std::size_t touch, KeptImpulses& memory, Contacts&
   const std::size_t first = first_point_[touch];
   const std::span<std::uint32_t> features = names(touch, contacts);
   for (std::size_t p = 0; p < features.size(); ++p) features[p] = held_.feature(touches_[touch].lane, p);
-  for (std::size_t p = 0; p < features.size(); ++p) {
-    const ContactImpulse* kept = memory.find(touches_[touch].key(), features, p);
-    contacts.faces.set_impulses(
-        first + p, kept ? BlockImpulses{kept->normal, kept->tangent, kept->preload} : BlockImpulses{});
-  }
+  for (std::size_t p = 0; p < features.size(); ++p)
+    contacts.faces.set_impulses(first + p, impulses_of(memory.find(touches_[touch].key(), features, p)));
 }
 
 /// After a search that found the touch's manifold.

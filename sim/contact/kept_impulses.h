@@ -6,9 +6,15 @@
 #include <span>
 
 #include "narrowphase/manifold.h"
+#include "sim/contact/block_order.h"
 #include "sim/state.h"
 
 namespace throng {
+
+/// Those that a contact begins with; none where nothing was kept.
+inline BlockImpulses impulses_of(const ContactImpulse* kept) {
+  return kept ? BlockImpulses{kept->normal, kept->tangent, kept->preload} : BlockImpulses{};
+}
 
 /// The contacts of the last step that pressed. They and the questions ascend by key: the search never goes
 /// back.

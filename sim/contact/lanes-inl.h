@@ -253,6 +253,14 @@ HWY_INLINE Reals rub(Reals& impulse, Reals mass, Reals slip, Reals limit) {
   return hn::Sub(impulse, old);
 }
 
+/// `way` less the whole periods that make it shortest. Hardly ever are there any.
+HWY_INLINE Reals nearest(Reals way, double period) {
+  const D d;
+  const Reals p = hn::Set(d, period);
+  if (hn::AllFalse(d, hn::Ge(hn::Abs(way), hn::Set(d, 0.5 * period)))) return way;
+  return hn::Sub(way, hn::Mul(p, hn::Floor(hn::Add(hn::Div(way, p), hn::Set(d, 0.5)))));
+}
+
 }  // namespace
 }  // namespace throng::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

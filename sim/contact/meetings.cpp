@@ -27,14 +27,6 @@ HWY_INLINE Rows8 rows_of(const broadphase::Pair* pairs) {
   return rows;
 }
 
-/// `way` less the whole periods that make it shortest. Hardly ever are there any.
-HWY_INLINE Reals nearest(Reals way, double period) {
-  const D d;
-  const Reals p = hn::Set(d, period);
-  if (hn::AllFalse(d, hn::Ge(hn::Abs(way), hn::Set(d, 0.5 * period)))) return way;
-  return hn::Sub(way, hn::Mul(p, hn::Floor(hn::Add(hn::Div(way, p), hn::Set(d, 0.5)))));
-}
-
 /// As disc_flight(), which takes no root of those left out.
 HWY_INLINE Mask may_meet(const Four& a, const Four& b, Reals reach, const MeetingsAsked& asked) {
   const D d;

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "sim/contact/contact_key.h"
+#include "sim/contact/kept_impulses.h"
 #include "sim/contact/roll.h"
 #include "sim/periodic.h"
 
@@ -32,23 +33,20 @@ void SoftDiscs::find(const Candidates& candidates, const State& state, const Sof
                      std::span<const SolverBody> bodies) {
   list_candidates(candidates, state, places);
   seat_candidates(bodies.size());
-  fill_blocks(candidates, state, places, bodies);
+  fill_blocks(candidates, places, bodies);
   find_reaches(bodies.size());
   squeeze_ = {};
 }
 
-/// Both ascend by key: the pairs, and what the state has kept.
 void SoftDiscs::list_candidates(const Candidates& candidates, const State& state, const SoftPlaces& places) {
   const Colliders& colliders = candidates.colliders();
   candidates_.clear();
-  std::uint32_t next = 0;
+  KeptImpulses memory(state.disc_contacts);
   for (const broadphase::Pair& pair : candidates.pairs()) {
     if (!is_disc(colliders, pair.a) || !is_disc(colliders, pair.b)) continue;
     const std::uint64_t key = key_of(pair, false);
-    while (next < state.disc_contacts.size() && state.disc_contacts[next].key < key) ++next;
-    const bool kept = next < state.disc_contacts.size() && state.disc_contacts[next].key == key;
     candidates_.push_back({key, pair, places.place(colliders.body[pair.a]),
-                           places.place(colliders.body[pair.b]), kept ? next : kNone, 0});
+                           places.place(colliders.body[pair.b]), memory.find(key), 0});
   }
 }
 
@@ -60,7 +58,7 @@ void SoftDiscs::seat_candidates(std::size_t bodies) {
   for (Candidate& pair : candidates_) pair.seat = next_[std::min(pair.a, pair.b)]++;
 }
 
-void SoftDiscs::fill_blocks(const Candidates& candidates, const State& state, const SoftPlaces& places,
+void SoftDiscs::fill_blocks(const Candidates& candidates, const SoftPlaces& places,
                             std::span<const SolverBody> bodies) {
   blocks_.resize((candidates_.size() + kWidth - 1) / kWidth);
   if (!blocks_.empty()) blocks_.back() = {};
@@ -72,10 +70,9 @@ void SoftDiscs::fill_blocks(const Candidates& candidates, const State& state, co
     block.radius_a[lane] = scene_.bodies.radius[places.row(pair.a)];
     block.radius_b[lane] = scene_.bodies.radius[places.row(pair.b)];
     fill(block, lane, law_of(pair.a, pair.b, places, bodies));
-    const bool kept = pair.kept != kNone;
-    block.touching[lane] = kept ? 1.0 : 0.0;
-    block.slip[lane] = kept ? state.disc_contacts[pair.kept].tangent : 0.0;
-    block.roll[lane] = kept ? state.disc_contacts[pair.kept].rolling : 0.0;
+    block.touching[lane] = pair.kept ? 1.0 : 0.0;
+    block.slip[lane] = pair.kept ? pair.kept->tangent : 0.0;
+    block.roll[lane] = pair.kept ? pair.kept->rolling : 0.0;
     if (!plan_.periodic) continue;
     const Vec shift = candidates.shift(pair.colliders);
     shifts_[pair.seat / kWidth].x[lane] = shift.x(), shifts_[pair.seat / kWidth].y[lane] = shift.y();

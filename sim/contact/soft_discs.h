@@ -49,15 +49,14 @@ class SoftDiscs {
   struct Candidate {
     std::uint64_t key;
     broadphase::Pair colliders;
-    std::uint32_t a, b;  // places
-    std::uint32_t kept;  // which of the state's contacts it was, or kNone
-    std::uint32_t seat;  // a lane of some block
+    std::uint32_t a, b;          // places
+    const ContactImpulse* kept;  // of the state; null where they didn't press
+    std::uint32_t seat;          // a lane of some block
   };
-  static constexpr std::uint32_t kNone = 0xffffffff;
 
   void list_candidates(const Candidates& candidates, const State& state, const SoftPlaces& places);
   void seat_candidates(std::size_t bodies);
-  void fill_blocks(const Candidates& candidates, const State& state, const SoftPlaces& places,
+  void fill_blocks(const Candidates& candidates, const SoftPlaces& places,
                    std::span<const SolverBody> bodies);
   void find_reaches(std::size_t bodies);
   SoftPair law_of(std::uint32_t a, std::uint32_t b, const SoftPlaces& places,

@@ -210,7 +210,7 @@ void learn(std::span<DiscContact> contacts, BodyRows<const SolverBody> bodies, c
 void learn(std::span<PointContact> contacts, BodyRows<const SolverBody> bodies, const Learning& learning) {
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     PointContact &first = contacts[i], *second = nullptr;
-    if (i + 1 < contacts.size() && share_face(first, contacts[i + 1])) second = &contacts[++i];
+    if (i + 1 < contacts.size() && contacts[i + 1].is_second) second = &contacts[++i];
     const double preload = second ? std::max(first.preload, second->preload) : first.preload;
     const double load = second ? 0.5 * (first.normal_impulse + second->normal_impulse) : first.normal_impulse;
     const double learnt = learning(preload, load, first.normal_mass, speed_squared(first, bodies));

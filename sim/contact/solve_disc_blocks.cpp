@@ -53,12 +53,6 @@ HWY_INLINE bool respond(DiscBlock& c, std::size_t k, Motion& a, Motion& b, const
   return true;
 }
 
-/// `way` less the whole periods that make it shortest.
-HWY_INLINE Reals nearest(Reals way, double period) {
-  const Reals p = hn::Set(D(), period);
-  return hn::Sub(way, hn::Mul(p, hn::Floor(hn::Add(hn::Div(way, p), hn::Set(D(), 0.5)))));
-}
-
 /// Of discs whose centres are (x, y) apart.
 HWY_INLINE Reals separation(const DiscBlock& c, std::size_t k, Reals nx, Reals ny, Reals x, Reals y,
                             bool periodic) {

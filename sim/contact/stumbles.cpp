@@ -16,7 +16,7 @@ using narrowphase::Pose;
 
 namespace {
 
-constexpr double kSags = 0.01;  // of the radius: so much of how deep A is counts as sag
+constexpr double kSags = 0.01;   // of the radius: so much of how deep A is counts as sag
 constexpr double kAsOne = 1e-7;  // of the radius: rounding of places that are one
 constexpr double kNears = 1e-5;  // of the radius, in a step: who nears less is stopped by hardly anything
 
@@ -30,7 +30,8 @@ struct Seen {
   int count;
   double depth;  // m, of A in the other, at the deepest point
 
-  Seen(const Touch& touch, const Manifold& m, bool is_a) : normal(is_a ? m.normal : -m.normal), count(m.count) {
+  Seen(const Touch& touch, const Manifold& m, bool is_a)
+      : normal(is_a ? m.normal : -m.normal), count(m.count) {
     const Vec shift = is_a ? Vec(0.0, 0.0) : Vec(-touch.shift);
     depth = -m.points[0].separation;
     for (int i = 0; i < count; ++i) {

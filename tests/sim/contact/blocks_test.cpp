@@ -163,7 +163,7 @@ class DiscBlocksOnEachTarget : public Blocks {
     EXPECT_TRUE(blocks.take(even, alone));
     EXPECT_EQ(blocks.size(), contacts.size());
     for (std::size_t i = 0; i < contacts.size(); ++i)
-      blocks.set_impulses(i, contacts[i].normal_impulse, contacts[i].tangent_impulse, contacts[i].preload);
+      blocks.set_impulses(i, {contacts[i].normal_impulse, contacts[i].tangent_impulse, contacts[i].preload});
   }
 
   /// How many normals are others as they look ahead.
@@ -301,6 +301,7 @@ class FaceBlocksOnEachTarget : public Blocks {
                     point.round_a + point.round_b;
         point.normal_impulse *= uniform(0.5, 1.0);
         result.push_back(point);
+        point.is_second = true;
       }
     }
     return result;
@@ -317,7 +318,7 @@ class FaceBlocksOnEachTarget : public Blocks {
   static std::vector<Face> faces_of(std::span<const PointContact> points) {
     std::vector<Face> faces;
     for (std::size_t i = 0; i < points.size(); i += faces.back().points.size()) {
-      const bool two = i + 1 < points.size() && points[i + 1].normal == points[i].normal;
+      const bool two = i + 1 < points.size() && points[i + 1].is_second;
       faces.push_back({points.subspan(i, two ? 2 : 1), true, true});
     }
     return faces;
