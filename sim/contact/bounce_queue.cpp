@@ -50,22 +50,22 @@ void BounceQueue::list(std::span<const PointContact> contacts) {
     count = pair.size();
     Entry entry{pair[0].a, pair[0].b, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count),
                 -std::numeric_limits<double>::infinity()};
-    entry.normal = pair[0].normal, entry.has_normal = true;
+    Reach reach{.normal = pair[0].normal};
     bool hits = false;
     for (const PointContact& contact : pair) {
-      entry.has_normal &= contact.normal == entry.normal;
+      if (contact.normal != pair[0].normal) reach.normal = Vec(0.0, 0.0);
       entry.touch = std::max(entry.touch, contact.round_a + contact.round_b - contact.gap -
                                               contact.normal.dot(contact.first_b - contact.first_a));
-      entry.reach_a = std::max(entry.reach_a, contact.first_a.norm() + contact.round_a);
-      entry.reach_b = std::max(entry.reach_b, contact.first_b.norm() + contact.round_b);
+      reach.of_a = std::max(reach.of_a, contact.first_a.norm() + contact.round_a);
+      reach.of_b = std::max(reach.of_b, contact.first_b.norm() + contact.round_b);
       entry.bounces |= contact.restitution > 0.0, hits |= contact.hits;
     }
-    if (entry.bounces || hits) entries_.push_back(entry);
+    if (entry.bounces || hits) entries_.push_back(entry), reaches_.push_back(reach);
   }
 }
 
 void BounceQueue::start_step(const Contacts& contacts) {
-  entries_.clear(), joined_ = false;
+  entries_.clear(), reaches_.clear(), joined_ = false;
   list(contacts.disc_bounces);
   discs_ = entries_.size();
   list(contacts.point_bounces);
@@ -73,8 +73,9 @@ void BounceQueue::start_step(const Contacts& contacts) {
 }
 
 /// By how fast their centres are against each other, and how far apart. A little is left to rounding.
-bool BounceQueue::discs_may_meet(const Entry& entry, BodyRows<const SolverBody> bodies,
-                                 const BounceRule& rule) {
+bool BounceQueue::discs_may_meet(std::size_t i, BodyRows<const SolverBody> bodies,
+                                 const BounceRule& rule) const {
+  const Entry& entry = entries_[i];
   const SolverBody &a = bodies[entry.a], &b = bodies[entry.b];
   const double speed = (b.velocity - a.velocity).norm();
   if (speed < least_speed(entry.bounces, rule)) return false;
@@ -86,16 +87,19 @@ bool BounceQueue::discs_may_meet(const Entry& entry, BodyRows<const SolverBody> 
 
 /// Along their normal, which stays for the step, by no more than spins add to the speed there, and to the way
 /// since the step began; by the speed alone where there are several normals.
-bool BounceQueue::points_may_meet(const Entry& entry, BodyRows<const SolverBody> bodies,
-                                  const BounceRule& rule) {
+bool BounceQueue::points_may_meet(std::size_t i, BodyRows<const SolverBody> bodies,
+                                  const BounceRule& rule) const {
+  const Entry& entry = entries_[i];
+  const Reach& reach = reaches_[i - discs_];
   const SolverBody &a = bodies[entry.a], &b = bodies[entry.b];
   const Vec velocity = b.velocity - a.velocity, between = b.position - a.position;
-  const double spins = std::abs(a.spin) * entry.reach_a + std::abs(b.spin) * entry.reach_b;
-  const double nears = spins + (entry.has_normal ? -entry.normal.dot(velocity) : velocity.norm());
+  const bool one_normal = reach.normal != Vec(0.0, 0.0);
+  const double spins = std::abs(a.spin) * reach.of_a + std::abs(b.spin) * reach.of_b;
+  const double nears = spins + (one_normal ? -reach.normal.dot(velocity) : velocity.norm());
   if (nears < least_speed(entry.bounces, rule)) return false;
-  if (!entry.has_normal) return true;
-  const double turned = std::abs(a.turn) * entry.reach_a + std::abs(b.turn) * entry.reach_b;
-  const double apart = entry.normal.dot(between) - entry.touch - turned;
+  if (!one_normal) return true;
+  const double turned = std::abs(a.turn) * reach.of_a + std::abs(b.turn) * reach.of_b;
+  const double apart = reach.normal.dot(between) - entry.touch - turned;
   return !(apart - kRounding * between.lpNorm<1>() > rule.h * (nears + rule.kick.norm()));
 }
 
@@ -104,10 +108,8 @@ void BounceQueue::start(BodyRows<const SolverBody> bodies, const BounceRule& rul
   struck_in_.resize(bodies.size());
   struck_.clear();
   waiting_.assign((entries_.size() + 63) / 64, 0);
-  for (std::uint32_t i = 0; i < entries_.size(); ++i) {
-    const auto may_meet = i < discs_ ? discs_may_meet : points_may_meet;
-    if (may_meet(entries_[i], bodies, rule)) wait(i);
-  }
+  for (std::uint32_t i = 0; i < entries_.size(); ++i)
+    if (i < discs_ ? discs_may_meet(i, bodies, rule) : points_may_meet(i, bodies, rule)) wait(i);
 }
 
 void BounceQueue::go_on() {

@@ -38,13 +38,16 @@ class BounceQueue {
     std::uint32_t first, count;  // contacts
     double touch;  // m, from centre to centre where they touch: of discs in all, of points along the normal
     bool bounces = false;
-    bool has_normal = false;  // one, of points
-    Vec normal{0.0, 0.0};
-    double reach_a = 0.0, reach_b = 0.0;  // m, of points: how far from the bodies' centres they are
   };
 
-  static bool discs_may_meet(const Entry& entry, BodyRows<const SolverBody> bodies, const BounceRule& rule);
-  static bool points_may_meet(const Entry& entry, BodyRows<const SolverBody> bodies, const BounceRule& rule);
+  /// Of points.
+  struct Reach {
+    double of_a = 0.0, of_b = 0.0;  // m, how far from the bodies' centres they are
+    Vec normal{0.0, 0.0};           // zero where there are several
+  };
+
+  bool discs_may_meet(std::size_t i, BodyRows<const SolverBody> bodies, const BounceRule& rule) const;
+  bool points_may_meet(std::size_t i, BodyRows<const SolverBody> bodies, const BounceRule& rule) const;
   bool look_at(std::uint32_t entry, Contacts& contacts, BodyRows<SolverBody> bodies, const BounceRule& rule);
   void list(std::span<const DiscContact> contacts);
   void list(std::span<const PointContact> contacts);
@@ -56,6 +59,7 @@ class BounceQueue {
 
   std::vector<Entry> entries_;
   std::size_t discs_ = 0;                  // how many of them are of discs
+  std::vector<Reach> reaches_;             // of the others
   std::vector<std::uint64_t> waiting_;     // a bit an entry
   std::vector<std::uint64_t> prepared_;    // of each entry, in which phase
   std::uint64_t phase_ = 0, substep_ = 0;  // counted from start() and go_on(); the substep's first phase
