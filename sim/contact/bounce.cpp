@@ -50,23 +50,19 @@ double arrival(const ContactBase& contact, double fall, double h) {
   return -std::max(contact.separation, 0.0) / h - fall;
 }
 
-struct Rebound {
-  double added = 0.0;    ///< m/s, to the velocity along the normal; 0 where the two don't meet so soon
-  bool bounces = false;  ///< else it arrives at the other's surface
-};
-
+/// The velocity that a bounce adds along the normal (m/s); 0 where the two don't meet so soon. What
+/// doesn't bounce but hits arrives at the other's surface.
 template <class Contact>
-Rebound rebound(const Contact& contact, const SolverBody& a, const SolverBody& b, const BounceRule& rule) {
+double rebound(const Contact& contact, const SolverBody& a, const SolverBody& b, const BounceRule& rule) {
   const bool bounces = contact.restitution > 0.0;
-  if (!bounces && !contact.hits) return {};
+  if (!bounces && !contact.hits) return 0.0;
   const double speed = arms(contact).normal_velocity(a, b);
-  if (!(speed < -(bounces ? rule.threshold : rule.hit_speed))) return {};
+  if (!(speed < -(bounces ? rule.threshold : rule.hit_speed))) return 0.0;
   const double fall = relative_kick(contact, a, b, rule.kick);
   const double s = contact.separation;
-  if (!(s + rule.within * (speed + fall) < -kAtItsEnd * rule.within * speed)) return {};
+  if (!(s + rule.within * (speed + fall) < -kAtItsEnd * rule.within * speed)) return 0.0;
   const double parts = bounces ? parting_speed(contact.restitution, speed, s, fall, rule.h) : 0.0;
-  if (parts > 0.0) return {parts - speed, true};
-  return {arrival(contact, fall, rule.h) - speed, false};
+  return (parts > 0.0 ? parts : arrival(contact, fall, rule.h)) - speed;
 }
 
 /// What all strikes of an impact add, of which one adds `added` (m/s): what hits without a bounce is first
@@ -115,7 +111,7 @@ void strike_at(PointContact& contact, SolverBody& a, SolverBody& b, double added
 /// then, have made the two part. False where that is hardly any.
 template <class Contact>
 bool take_back(Contact& contact, BodyRows<SolverBody> bodies, const BounceRule& rule) {
-  if (contact.bounced || !(contact.struck > 0.0)) return false;
+  if (contact.restitution > 0.0 || !(contact.struck > 0.0)) return false;
   SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
   const double fall = relative_kick(contact, a, b, rule.kick);
   const double parting = arms(contact).normal_velocity(a, b) - arrival(contact, fall, rule.h);
@@ -135,9 +131,8 @@ bool take_back(Contact& contact, BodyRows<SolverBody> bodies, const BounceRule& 
 template <class Contact>
 bool bounce_one(Contact& contact, BodyRows<SolverBody> bodies, const BounceRule& rule) {
   SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
-  const auto [added, bounces] = rebound(contact, a, b, rule);
+  const double added = rebound(contact, a, b, rule);
   if (!(added > 0.0)) return take_back(contact, bodies, rule);
-  contact.bounced |= bounces;
   strike_at(contact, a, b, added);
   return true;
 }
@@ -146,12 +141,10 @@ bool bounce_one(Contact& contact, BodyRows<SolverBody> bodies, const BounceRule&
 /// flat spinning. False where that isn't one impact.
 bool bounce_both(PointContact& i, PointContact& j, BodyRows<SolverBody> bodies, const BounceRule& rule) {
   SolverBody &a = bodies[i.a], &b = bodies[i.b];
-  const Rebound of_i = rebound(i, a, b, rule), of_j = rebound(j, a, b, rule);
-  const AtPoints added{of_i.added, of_j.added};
+  const AtPoints added{rebound(i, a, b, rule), rebound(j, a, b, rule)};
   const auto impact = flat_impact(i, j, a, b, added, {whole(i, a, b, added.i), whole(j, a, b, added.j)});
   if (!impact) return false;
   apply(*impact, i, j, a, b);
-  i.bounced |= of_i.bounces, j.bounced |= of_j.bounces;
   note(i, a, b, impact->normal_i, impact->across_i), note(j, a, b, impact->normal_j, impact->across_j);
   return true;
 }
@@ -164,7 +157,7 @@ std::pair<std::size_t, std::size_t> outermost(std::span<const PointContact> cont
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const PointContact& contact = contacts[i];
     if (!(contact.normal.dot(contacts[one].normal) > kSameNormal)) continue;
-    if (!(rebound(contact, bodies[contact.a], bodies[contact.b], rule).added > 0.0)) continue;
+    if (!(rebound(contact, bodies[contact.a], bodies[contact.b], rule) > 0.0)) continue;
     const double lever = cross(contact.arm_a, contact.normal);
     if (lever < cross(contacts[low].arm_a, contact.normal)) low = i;
     if (lever > cross(contacts[high].arm_a, contact.normal)) high = i;
@@ -189,7 +182,7 @@ bool bounce(DiscContact& contact, BodyRows<SolverBody> bodies, const BounceRule&
 bool bounce(std::span<PointContact> contacts, BodyRows<SolverBody> bodies, const BounceRule& rule) {
   bool bounced = false;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    if (!(rebound(contacts[i], bodies[contacts[i].a], bodies[contacts[i].b], rule).added > 0.0)) {
+    if (!(rebound(contacts[i], bodies[contacts[i].a], bodies[contacts[i].b], rule) > 0.0)) {
       bounced |= take_back(contacts[i], bodies, rule);
       continue;
     }

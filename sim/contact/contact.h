@@ -45,7 +45,6 @@ struct ContactBase {
   double struck = 0.0;      ///< N s, among bounces: the normal impulses so far, and of friction in
   double rubbed = 0.0;      ///< them, on b,
   double rolled = 0.0;      ///< N m s, and of what holds back rolling, on b
-  bool bounced = false;     ///< whether any of them made it bounce
   bool hits = false;        ///< among bounces: is stopped though it doesn't bounce, see hit_speed()
 };
 

@@ -161,7 +161,7 @@ void prepare(std::span<DiscContact> contacts, BodyRows<const SolverBody> bodies,
     contact.normal = distance > 0.0 ? Vec(then / distance) : Vec(1.0, 0.0);
     contact.offset = contact.normal.dot(nearest - between) - (contact.radius_a + contact.radius_b);
     contact.separation = separation(contact, bodies[contact.a], bodies[contact.b]);
-    contact.struck = contact.rubbed = contact.rolled = 0.0, contact.bounced = false;
+    contact.struck = contact.rubbed = contact.rolled = 0.0;
   }
 }
 
@@ -174,7 +174,7 @@ void prepare(std::span<PointContact> contacts, BodyRows<const SolverBody> bodies
     const double offset = contact.gap + contact.normal.dot(contact.arm_b - contact.arm_a);
     contact.separation = offset + contact.normal.dot(b.position - a.position);
     contact.offset = offset - (rise(contact.arm_b, contact) * b.turn - rise(contact.arm_a, contact) * a.turn);
-    contact.struck = contact.rubbed = contact.rolled = 0.0, contact.bounced = false;
+    contact.struck = contact.rubbed = contact.rolled = 0.0;
   }
 }
 
