@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "sim/crowd/entrance.h"
 #include "sim/crowd/room.h"
 #include "sim/crowd/ways_size.h"
 
@@ -12,6 +13,7 @@ namespace throng {
 namespace {
 
 constexpr double kSurely = 1.0 + 1e-9;  // so much farther, squared, rounding makes nothing
+constexpr int kEntranceSteps = 10;      // as many an agent looks round an empty entrance for a way
 
 std::string text(double number) {
   char buffer[32];
@@ -151,15 +153,30 @@ std::optional<std::size_t> Ways::dead_end(std::uint32_t goal, double radius, con
   return std::nullopt;
 }
 
-/// Who appears later is checked at a place at random: of his group one must find all ways.
+/// Whether ways lead him on from his place, or, who appears later, from any of many places of the entrance.
+bool Ways::lead_on_from_any(const AgentGroup& group, std::uint32_t agent) const {
+  const double radius = scene_.bodies.radius[scene_.crowd.first + agent];
+  if (lead_on(group, radius, scene_.bodies.position[scene_.crowd.first + agent])) return true;
+  if (!group.entrance) return false;
+  const Sampler entrance(group.entrance->within, radius);
+  Standing nobody;
+  for (int step = 0; step < kEntranceSteps; ++step)
+    if (free_place(scene_, barriers_, nobody, entrance, agent, step, std::nullopt,
+                   [&](const Vec& p) { return lead_on(group, radius, p); }))
+      return true;
+  return false;
+}
+
+/// Who appears isn't asked where a wider one of his group has found a way.
 void Ways::expect_ways() const {
   for (const AgentGroup& group : scene_.crowd.groups) {
-    std::uint32_t dead_ends = 0, first = 0;
-    for (std::uint32_t agent = group.first + group.count; agent-- > group.first;)
-      if (!lead_on(group, scene_.bodies.radius[scene_.crowd.first + agent],
-                   scene_.bodies.position[scene_.crowd.first + agent]))
-        ++dead_ends, first = agent;
-    if (dead_ends > 0 && !(group.entrance && dead_ends < group.count)) fail_at(group, first);
+    double widest = 0.0;
+    for (std::uint32_t agent = group.first; agent < group.first + group.count; ++agent) {
+      const double radius = scene_.bodies.radius[scene_.crowd.first + agent];
+      if (group.entrance && radius <= widest) continue;
+      if (!lead_on_from_any(group, agent)) fail_at(group, agent);
+      widest = std::max(widest, radius);
+    }
   }
 }
 
@@ -175,9 +192,10 @@ std::string Ways::why(std::uint32_t goal, std::size_t phase, const AgentGroup& g
   if (!its.phases[phase].fields[its.size(radius)].leads_from_anywhere())
     return "its goal " + name + when + " is nowhere on the floor that " + agent_name(scene_, row) +
            ", or any other as wide, gets to";
-  return "no way wide enough leads from " + text(scene_.bodies.position[row]) + ", where " +
-         agent_name(scene_, row) + (group.entrance ? " may appear" : " stands") + ", to its goal " + name +
-         when;
+  const std::string where =
+      group.entrance ? "anywhere that " + agent_name(scene_, row) + " may appear"
+                     : text(scene_.bodies.position[row]) + ", where " + agent_name(scene_, row) + " stands,";
+  return "no way wide enough leads from " + where + " to its goal " + name + when;
 }
 
 void Ways::fail_at(const AgentGroup& group, std::uint32_t agent) const {

@@ -47,9 +47,9 @@ struct NoWay : InputError {
 /// for each of the goal's phases.
 class Ways {
  public:
-  /// Throws NoWay that names group, agent and place where no way leads from an agent to one of its goals, and
-  /// before any is made where all would take more than kMostWaysBytes. `scene` and `barriers` must outlive
-  /// this.
+  /// Throws NoWay that names group, agent and place where no way leads from an agent to one of its goals, or
+  /// from anywhere that one may appear to all of them, and before any is made where all would take more than
+  /// kMostWaysBytes. `scene` and `barriers` must outlive this.
   Ways(const Scene& scene, const Barriers& barriers);
 
   /// Whether any goal opens or closes.
@@ -134,6 +134,7 @@ class Ways {
   Eigen::AlignedBox2d reach(std::uint32_t goal, const GoalPhase& phase, bool has_strips) const;
   const FloorPlan& plan(double largest);
   std::optional<std::size_t> dead_end(std::uint32_t goal, double radius, const Vec& place) const;
+  bool lead_on_from_any(const AgentGroup& group, std::uint32_t agent) const;
   void expect_ways() const;
   std::string why(std::uint32_t goal, std::size_t phase, const AgentGroup& group, std::uint32_t agent) const;
   [[noreturn]] void fail_at(const AgentGroup& group, std::uint32_t agent) const;
