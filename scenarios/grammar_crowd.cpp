@@ -119,7 +119,8 @@ Table agent_table() {
        required(
            {"goal", goal(),
             "Where they walk to, by the shortest way, and leave: an area, or a table as below, or a list of "
-            "such, one after the other."}),
+            "such, one after the other. Of several areas at the end they leave from whichever is open and "
+            "they get to."}),
        {"name", text(64), "What sensors.of and record.of call them; entries may share one."},
        {"at", point(), "Where the agent stands, m."},
        {"place", table({{required({"random", random, "Anywhere that is free, uniformly at random."})}}),

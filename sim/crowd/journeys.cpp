@@ -326,7 +326,9 @@ void Journeys::wait_for_opening(State& state, Row row) {
 bool Journeys::is_there(State& state, Row row) {
   switch (leg(state, row).kind) {
     case Leg::Kind::pass:
-      if (ways_.is_open(goal(state, row))) return has_reached(state, row);
+      if (ways_.is_open(goal(state, row)))
+        return has_reached(state, row) ||
+               has_reached_another(state, row, scene_.crowd.group[agent(state, row)]);
       wait_for_opening(state, row);
       return false;
     case Leg::Kind::wait:
@@ -344,13 +346,26 @@ void Journeys::begin_leg(State& state, Row row) const {
   state.crowd.halt[row] = position(state, row);
 }
 
+bool Journeys::has_reached_another(const State& state, Row row, std::uint32_t group) const {
+  const Journey& journey = scene_.crowd.groups[group].journey;
+  const Leg& its = journey[state.crowd.stage[row]];
+  if (its.options.size() == 1 || &its != &journey.back()) return false;
+  const Vec from = this->from(state, row);
+  const Vec& p = position(state, row);
+  return std::ranges::any_of(its.options, [&](std::uint32_t goal) {
+    return ways_.is_open(goal) && ways_.may_reach(goal, from, p) &&
+           (ways_.is_in(goal, p) || ways_.meets_border(goal, from, p));
+  });
+}
+
 bool Journeys::may_be_there(const State& state, Row row, std::uint32_t group) const {
   if (!is_decided(state, row)) return false;
   const Leg& its = scene_.crowd.groups[group].journey[state.crowd.stage[row]];
   if (its.kind == Leg::Kind::pass) {
     const std::uint32_t goal = scene_.crowd.goal(its, state.crowd.option[row]);
     if (ways_.is_open(goal) &&
-        !(ways_.may_reach(goal, from(state, row), position(state, row)) && has_reached(state, row)))
+        !(ways_.may_reach(goal, from(state, row), position(state, row)) && has_reached(state, row)) &&
+        !has_reached_another(state, row, group))
       return false;
   }
   return !stands_yet(state, row);

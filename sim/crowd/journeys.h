@@ -49,7 +49,8 @@ class Journeys {
 
   /// Whether the agent in this row, who is of that group and has walked for a step, may have got to where he
   /// wants to be, or be over with waiting. False of who hasn't set out, wherever he stands, and of who is on
-  /// his way to an open goal and hasn't reached it. O(1) but near goals.
+  /// his way to an open goal and hasn't reached it, nor another that he could leave from. O(1) but near
+  /// goals.
   bool may_be_there(const State& state, std::size_t row, std::uint32_t group) const;
 
   /// Moves on those of whom that is so: who gets to a goal begins the next leg, or takes a place and stays;
@@ -87,6 +88,9 @@ class Journeys {
   bool has_reached(const State& state, Row row) const {
     return is_in(state, row) || ways_.meets_border(goal(state, row), from(state, row), position(state, row));
   }
+  /// Whether he is to leave from one of several goals, and is in any of them that is open, or has just
+  /// stepped over it: others may have carried him there.
+  bool has_reached_another(const State& state, Row row, std::uint32_t group) const;
   /// Whether he is in what is open of his goal, or as good as that. Where one alone can be at a time others
   /// stand round him in an arch, and he doesn't get out: who has stood there for a while has been there, too.
   bool is_in(const State& state, Row row) const {
