@@ -19,9 +19,10 @@ struct ExportTarget {
 
 /// The table of the Pedestrian Dynamics Data Archive (Jülich), as PedPy's
 /// load_trajectory_from_ped_data_archive_hdf5 reads it: a row (id, frame, x, y) for each frame, counted from
-/// 0, and each body that isn't static. The walkable area is the domain, grown where the centre of one
-/// of them has left it; in the unbounded plane the rectangle around the walls and all that they reached.
-/// Throws InputError where all bodies are static or the frames are not evenly spaced in time.
+/// 0, and each agent, or, where the recording has none, each body that isn't static. The walkable area is
+/// that of the agents, else the domain, grown where the centre of one of them has left it; in the unbounded
+/// plane the rectangle around the walls and all that they reached. Throws InputError where all bodies are
+/// static or the frames are not evenly spaced in time.
 void export_pedpy(const Recording& recording, std::span<const std::size_t> frames,
                   const ExportTarget& target);
 

@@ -113,11 +113,13 @@ double frame_rate(const Recording& recording, Frames frames) {
   return 1.0 / (static_cast<double>(apart) * recording.geometry().time.dt);
 }
 
-/// The rows of `scene.bodies` that count as people.
+/// The rows of `scene.bodies` that count as people: agents alone where there are any.
 std::vector<std::size_t> who_moves(const Scene& scene) {
+  const std::vector<BodyKind>& kinds = scene.bodies.kind;
+  const bool has_agents = std::ranges::find(kinds, BodyKind::agent) != kinds.end();
   std::vector<std::size_t> rows;
-  for (std::size_t row = 0; row < scene.bodies.size(); ++row)
-    if (scene.bodies.kind[row] != BodyKind::fixed) rows.push_back(row);
+  for (std::size_t row = 0; row < kinds.size(); ++row)
+    if (has_agents ? kinds[row] == BodyKind::agent : kinds[row] != BodyKind::fixed) rows.push_back(row);
   if (rows.empty()) throw InputError("all bodies are static: there is no trajectory for pedpy");
   return rows;
 }

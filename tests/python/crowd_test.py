@@ -316,6 +316,17 @@ class Crowd(Program):
             self.assertEqual([int((rows["id"] == k).sum()) for k in (1, 2, 3)], [50, 301, 150])
             self.assertEqual(file["trajectory"].attrs["fps"], 50.0)
 
+    def test_pedpy_gets_no_bodies_beside_people(self):
+        """It happened: a gate that moves counted as a pedestrian."""
+        with open(self.folder / "three.toml", "a") as scene:
+            scene.write("[shapes]\ngate = { disc = { radius = 0.3 } }\n[[bodies]]\nshape = 'gate'\nkind = 'kinematic'\n"
+                        "at = [7, 4.5]\nvelocity = [0, -0.1]\n")
+        self.record()
+        self.assertEqual(self.throng("export", "a.h5", "--format", "pedpy", "-o", "a.ped.h5"), (0, ""))
+        with throng_read.open(self.path("a.h5")) as recording, h5py.File(self.path("a.ped.h5")) as file:
+            self.assertEqual(list(recording.bodies.kind), ["kinematic"] + ["agent"] * 3)
+            self.assertEqual(set(file["trajectory"][:]["id"]), {2, 3, 4})
+
     def test_csv_has_a_line_for_each_who_is_there(self):
         self.record()
         self.assertEqual(self.throng("export", "a.h5", "--format", "csv", "-o", "a.csv"), (0, ""))
