@@ -116,7 +116,8 @@ bool Journeys::gets_on(const State& state, Row row) const {
   const double radius = this->radius(state, row);
   if (!is_decided(state, row) || (p - halt).norm() > kAway * radius) return true;
   const DistanceField& way = this->way(state, row, goal(state, row));
-  return way.distance(p) <= way.distance(halt) - radius;
+  const double speed = scene_.crowd.desired_speed[agent(state, row)];
+  return way.distance(p) <= way.distance(halt) - somewhere(radius, speed, kStuckTime);
 }
 
 Heading Journeys::heading(const State& state, Row row, std::uint32_t group) const {

@@ -36,8 +36,9 @@ class Journeys {
   /// Whether he has a place, is as good as there, which is `distance` (m) away, and stands.
   bool has_settled(const State& state, std::size_t row, double distance) const;
 
-  /// Whether he has left the place where he last did so: his goal is nearer by his radius than from there, or
-  /// he is farther from there than those get who go aside. Always, where he has no goal yet.
+  /// Whether he has left the place where he last did so: his goal is nearer than from there, by his radius
+  /// or half of what a slow one walks in kStuckTime, or he is farther from there than those get who go aside.
+  /// Always, where he has no goal yet.
   bool gets_on(const State& state, std::size_t row) const;
 
   /// Has the memory brought near that `heading` of that agent will read.

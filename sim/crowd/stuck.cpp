@@ -12,7 +12,7 @@ namespace {
 constexpr double kDoubt = 1e-3;     // of his desired speed: who is in doubt wants what he wants up to this
 constexpr double kMostDoubt = 5.0;  // beside a way that is 1
 constexpr double kAside = 1.0;      // s: so long who is stuck tries one direction
-constexpr double kLeash = 3.0;      // radii
+constexpr double kLeash = 3.0;      // of what is enough else
 
 }  // namespace
 
@@ -28,9 +28,9 @@ Vec in_doubt(const Scene& scene, const State& state, std::uint32_t id, const Vec
   return is_stuck && wanted != Vec(0.0, 0.0) ? Vec(wanted / wanted.norm()) : wanted;
 }
 
-double leash(const Scene& scene, const State& state, std::size_t row, double radius) {
+double leash(const Scene& scene, const State& state, std::size_t row, double enough) {
   const bool is_stuck = state.crowd.place[row] == 0 && time_stood(scene, state, row) >= kStuckTime;
-  return is_stuck ? kLeash * radius : radius;
+  return is_stuck ? kLeash * enough : enough;
 }
 
 std::vector<StuckAgent> stuck_agents(const Scene& scene, const State& state) {

@@ -45,8 +45,14 @@ inline double time_stood(const Scene& scene, const State& state, std::size_t row
 /// would, or one would behind somebody who waits there.
 Vec in_doubt(const Scene& scene, const State& state, std::uint32_t id, const Vec& towards, double stood);
 
-/// m: who of that radius (m) gets farther from where he has stood has got somewhere. More where he is stuck:
-/// who goes aside would be drawn back at once.
-double leash(const Scene& scene, const State& state, std::size_t row, double radius);
+/// m: who gets farther than that in the time (s) has got somewhere: his radius, or, who is slow, half of what
+/// he does when nothing is in his way.
+inline double somewhere(double radius, double desired_speed, double time) {
+  return std::min(radius, 0.5 * desired_speed * time);
+}
+
+/// m: who gets farther from where he has stood, which is `enough` to be somewhere, doesn't stand. More where
+/// he is stuck: who goes aside would be drawn back at once.
+double leash(const Scene& scene, const State& state, std::size_t row, double enough);
 
 }  // namespace throng

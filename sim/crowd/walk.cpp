@@ -251,7 +251,7 @@ Moved Walk::go(std::size_t place, const Vec& by, bool& squeezed) const {
 
 /// Who has that place and that row walks for a step; notes where he stands.
 Walk::Hindered Walk::walk_one(State& state, std::size_t place, std::size_t row) const {
-  const double dt = scene_.time.dt, radius = ranks_.radius[place];
+  const double dt = scene_.time.dt;
   const Vec from(ranks_.x[place], ranks_.y[place]), by = dt * velocity_[place];
   bool squeezed = false;
   const Moved moved = go(place, by, squeezed);
@@ -259,8 +259,9 @@ Walk::Hindered Walk::walk_one(State& state, std::size_t place, std::size_t row) 
   state.velocity[row] = moved.to == from + by ? velocity_[place] : Vec((moved.to - from) / dt);
   const std::size_t i = row - scene_.crowd.first;
   const double far = (moved.to - state.crowd.stand[i]).squaredNorm();
+  const double enough = somewhere(ranks_.radius[place], known_[i].desired_speed, kHesitation);
   if (const auto is_in = [&](double reach) { return far <= reach * reach; };
-      !is_in(radius) && !is_in(leash(scene_, state, i, radius))) {
+      !is_in(enough) && !is_in(leash(scene_, state, i, enough))) {
     state.crowd.stand[i] = moved.to, state.crowd.stand_step[i] = state.step;
     if (journeys_->gets_on(state, i)) state.crowd.halt[i] = moved.to, state.crowd.halt_step[i] = state.step;
   }

@@ -281,6 +281,22 @@ TEST(Walk, ListsWhoIsStuckBehindOneWhoWantsToStand) {
 
 // It happened: who is stuck goes aside for a second and comes back, which was taken for getting on: of thirty
 // runs of up to 600 s before a door too narrow for the force of its jambs eight said that he was stuck.
+// It happened: who wants less than a radius a second was in doubt, and less than a radius in 10 s stuck,
+// though nothing was in his way: half as fast as he wanted, and not straight on.
+TEST(Walk, LetsSlowAgentsWalkAsTheyWant) {
+  for (const char* model : {"collision_free_speed", "constant_velocity", "social_force", "orca"})
+    for (const double speed : {0.1, 0.015, 0.005}) {
+      SCOPED_TRACE(model);
+      Trial run(corridor(model, "at = [3, 1]\ndesired_speed = " + std::to_string(speed) + "\n"));
+      for (int i = 0; i < 60; ++i) {
+        run.steps(100);
+        ASSERT_TRUE(stuck_agents(run.scene, run.state).empty()) << speed << " after " << run.state.step;
+      }
+      EXPECT_NEAR(run.state.position[0].x() - 3.0, speed * 120, 0.03 * speed * 120);
+      EXPECT_NEAR(run.state.position[0].y(), 1.0, 1e-5 * speed * 120) << speed;
+    }
+}
+
 TEST(Walk, ListsWhoIsStuckAtAnyTimeThoughHeGoesAside) {
   Trial run(
       "time = { dt = 0.01, until = 200 }\nwalkable = 'POLYGON ((0 0, 10 0, 10 6, 0 6, 0 0))'\n"
