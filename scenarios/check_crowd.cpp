@@ -31,12 +31,21 @@ void warn_of_late_measures(const toml::table& root, const Scene& scene, Report& 
   }
 }
 
+/// Of a rate many may be due late, who needn't be counted then to have enough up to the end.
 void warn_of_late_agents(const AgentEntry& entry, const Scene& scene, Report& report) {
   const double end = static_cast<double>(scene.time.steps()) * scene.time.dt;
-  if (!entry.appears || entry.count == 0 || entry.appears->due(0) <= end) return;
-  report.warning(entry.node->as_table()->get("appear")->source(), entry.path + ".appear",
-                 "the first is due at " + after_the_end(entry.appears->due(0), scene) +
-                     ": nobody of this group ever appears");
+  if (!entry.appears || entry.count == 0 || entry.appears->due(entry.count - 1) <= end) return;
+  const auto warn = [&](const char* who, double due, const std::string& what) {
+    report.warning(entry.node->as_table()->get("appear")->source(), entry.path + ".appear",
+                   std::string("the ") + who + " is due at " + after_the_end(due, scene) + ": " + what);
+  };
+  if (entry.appears->due(0) > end)
+    return warn("first", entry.appears->due(0), "nobody of this group ever appears");
+  if (entry.appears->times.empty()) return;
+  std::uint32_t late = 1;
+  while (entry.appears->due(entry.count - 1 - late) > end) ++late;
+  warn("last", entry.appears->due(entry.count - 1),
+       std::to_string(late) + " of this group's " + std::to_string(entry.count) + " never appear");
 }
 
 /// Who set out after the end, though they are there before it.

@@ -156,7 +156,8 @@ class AgentPlacer {
     report_.error(*entry.node->as_table()->get("place"), entry.path + ".place.random",
                   agent_name(scene_, row) + " found no free place in " + where(entry) +
                       (common_area(entry.within, scene_.crowd.walkable) > 0.0
-                           ? ": take a larger `within`, or fewer or smaller agents"
+                           ? std::string(": take a larger `within`, ") +
+                                 (entry.gap > 0.0 ? "a smaller `gap`, " : "") + "or fewer or smaller agents"
                            : ", which has nothing in common with the walkable area"));
   }
 

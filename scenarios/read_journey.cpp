@@ -61,12 +61,23 @@ class JourneyReader {
     return result;
   }
 
+  void expect_once(const toml::node& list, const Path& path) {
+    const std::vector<std::string> all = names(list);
+    for (std::size_t i = 1; i < all.size(); ++i)
+      if (std::find(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(i), all[i]) !=
+          all.begin() + static_cast<std::ptrdiff_t>(i))
+        fail(list, path, in_quotes(all[i]) + " stands there twice");
+  }
+
   void read_leg(const toml::node& node, const Path& path) {
     Leg leg;
     if (node.is_string()) {
       leg.options = {goal_row(names(node))};
     } else {
       const toml::table& table = *node.as_table();
+      for (const char* key : {"nearest", "least_crowded", "queue"})
+        if (const toml::node* list = table.get(key); list && list->is_array())
+          expect_once(*list, Path(path, key));
       if (const toml::node* nearest = table.get("nearest")) leg.options = {goal_row(names(*nearest))};
       if (const toml::node* weights = table.get("weights")) read_weights(*weights->as_table(), path, leg);
       if (const toml::node* choice = table.get("least_crowded")) read_least_crowded(*choice, path, leg);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "scenarios/limits.h"
+#include "scenarios/read.h"
 #include "scenarios/report.h"
 
 namespace throng::scenarios {
@@ -19,6 +20,12 @@ bool is_letter(char c) {
 }
 bool is_space(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+}
+
+/// "1st", "2nd", "12th".
+std::string nth(std::size_t n) {
+  const std::size_t last = n / 10 % 10 == 1 ? 0 : n % 10;
+  return std::to_string(n) + (last == 1 ? "st" : last == 2 ? "nd" : last == 3 ? "rd" : "th");
 }
 
 class WktReader {
@@ -102,7 +109,10 @@ class WktReader {
     const bool returns = line.points.size() >= 2 && line.points.front() == line.points.back();
     line.closed = returns && (ring || line.points.size() > 3);  // out and back is an open line
     if (line.closed) line.points.pop_back();
-    if (ring && !line.closed) return fail("a ring must end with its first point");
+    if (ring && !line.closed)
+      return fail("a ring must end with its first point: the " + nth(result_.lines.size() + 1) +
+                  " begins at " + to_text(line.points.front()) + " and ends at " +
+                  to_text(line.points.back()));
     if (line.points.size() < (ring ? 3 : 2) || (!line.closed && returns && line.points.size() == 2))
       return fail(ring ? "a ring must have at least 3 different points"
                        : "a line must have at least 2 different points");

@@ -346,7 +346,9 @@ const FaultyScenario kFaultyScenarios[] = {
     {WALL "wkt = 'LINESTRING (0 0, 1 nan)'", "error: walls[0].wkt: must have a number"},
     {WALL "wkt = 'LINESTRING (0 0, 1 1'", "error: walls[0].wkt: must have a , or ) here (character 21)"},
     {WALL "wkt = 'LINESTRING (0 0, 1 1) x'", "error: walls[0].wkt: must end after its last parenthesis"},
-    {WALL "wkt = 'POLYGON ((0 0, 1 0, 1 1))'", "error: walls[0].wkt: a ring must end with its first point"},
+    {WALL "wkt = 'POLYGON ((0 0, 1 0, 1 1))'",
+     "error: walls[0].wkt: a ring must end with its first point: "
+     "the 1st begins at [0, 0] and ends at [1, 1] (character 25)"},
     {WALL "wkt = 'POLYGON ((0 0, 1 0, 0 0))'",
      "error: walls[0].wkt: a ring must have at least 3 different points"},
     {WALL "wkt = 'LINESTRING (0 0, 1.5.5)'",

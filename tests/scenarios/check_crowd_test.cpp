@@ -105,7 +105,12 @@ TEST(CheckCrowd, WarnsOfThoseWhoAreDueAfterTheEnd) {
       "of this group ever appears");
   expect_warning(group(random + "appear.times = [100.5, 200]\n"),
                  "agents[0].appear: the first is due at 100.5 s");
-  EXPECT_EQ(said_of(group(random + "appear.times = [99, 200]\n")), "");
+  expect_warning(
+      group(random + "appear = { times = [1, 99, 100, 100.5, 500], together = 2 }\n"),
+      "agents[0].appear: the last is due at 500 s, and the run ends at 100 s (time.until): 4 of this "
+      "group's 10 never appear");
+  EXPECT_EQ(said_of(group(random + "appear.times = [99, 100]\n")), "");
+  EXPECT_EQ(said_of(group(random + "count = 500\nappear.rate = 1\n")), "") << "enough up to the end";
 }
 
 TEST(CheckCrowd, WarnsOfThoseWhoSetOutAfterTheEnd) {

@@ -288,11 +288,20 @@ TEST(Crowd, IsRefusedWhereItLacksSomething) {
   expect_fault(kFloor + kGroup + "at = [1, 1]\nsocial_force = { mas = 70 }\n", "did you mean \"mass\"?");
 }
 
+TEST(Crowd, IsRefusedWhereAnOptionStandsTwice) {
+  for (const char* kind : {"nearest", "least_crowded"})
+    expect_fault(
+        kFloor + "[[agents]]\nmodel = 'orca'\nat = [1, 1]\ngoal." + kind + " = ['exit', 'start', 'exit']\n",
+        "agents[0].goal." + std::string(kind) + ": \"exit\" stands there twice");
+}
+
 TEST(Crowd, IsRefusedWhereItHasNoRoom) {
   expect_fault(kFloor + kGroup + kRandom + "count = 300\n", "agents[0].place.random: agent ");
   const std::string second = kFloor + kGroup + "at = [6, 1]\n" + kGroup + "radius = 1\ncount = 9\n";
   expect_fault(second + kRandom, " of 9 (id ");
   expect_fault(second + kRandom, ", radius 1 m) found no free place in \"start\": take a larger");
+  expect_fault(kFloor + kGroup + "place.random = { within = 'start', gap = 2 }\n",
+               ": take a larger `within`, a smaller `gap`, or fewer or smaller agents");
   expect_fault(second + "place.random.within = [[0, 0], [3, 5]]\n",
                " found no free place in [[0, 0], [3, 5]]: ");
   expect_fault(kFloor + "off = [[20, 0], [23, 0], [23, 5]]\n" + kGroup + "place.random.within = 'off'\n",
