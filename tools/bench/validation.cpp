@@ -60,11 +60,11 @@ std::string figure_text(const Json& number) {
   return number.is_number() ? buffer : "-";
 }
 
-/// "+-0.02, worst 1.31" where there are several draws.
+/// "+-0.02 (2 s.e.), worst 1.31" where there are several draws.
 std::string draws_text(const Json& error) {
   if (!error.contains("worst")) return "";
   const std::string worst = "worst " + figure_text(error["worst"]);
-  return error["doubt"] > 0.0 ? "+-" + figure_text(error["doubt"]) + ", " + worst : worst;
+  return error["doubt"] > 0.0 ? "+-" + figure_text(error["doubt"]) + " (2 s.e.), " + worst : worst;
 }
 
 /// "0 to 1.33", "at least 0.1", "at most 60".
@@ -118,7 +118,7 @@ void print_verdicts(const std::vector<Row>& rows, std::size_t begin) {
     if (i == 0 || rows[i - 1].name != row.name) std::printf("%s (%s)\n", row.name.c_str(), row.check.c_str());
     const Json& e = row.error;
     const std::string verdict = e["verdict"], unit = e["unit"], note = e["note"];
-    std::printf("  %-32s %-10s %9s %-4s  %-16s %-22s %s\n", row.engine.c_str(), verdict.c_str(),
+    std::printf("  %-32s %-10s %9s %-4s  %-16s %-30s %s\n", row.engine.c_str(), verdict.c_str(),
                 figure_text(e["value"]).c_str(), unit.c_str(), bounds_text(e).c_str(), draws_text(e).c_str(),
                 note.c_str());
   }
