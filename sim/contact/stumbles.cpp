@@ -136,17 +136,18 @@ bool Stumbles::is_hidden(const Step& step, std::uint32_t touch, std::uint32_t co
   return false;
 }
 
+Manifold Stumbles::manifold(const Step& step, std::uint32_t touch) {
+  const Touch& one = step.touches[touch];
+  if (!one.held || !step.held.knows(one.lane)) return step.manifolds[touch];
+  return touch_manifold(step.start.candidates, one, touch_poses(step.start, one), nullptr);
+}
+
 /// Whether the surface that A touches in one touch hides what it touches in another.
 bool Stumbles::hides(const Step& step, std::uint32_t surface, std::uint32_t touch, std::uint32_t collider) {
-  const auto& [start, touches, manifolds, held] = step;
-  const Touch &its = touches[surface], &one = touches[touch];
+  const StepStart& start = step.start;
+  const Touch &its = step.touches[surface], &one = step.touches[touch];
   if (is_side(start, one)) return false;
-  const auto manifold = [&](std::uint32_t i) {
-    const bool is_known = touches[i].held && held.knows(touches[i].lane);
-    return is_known ? touch_manifold(start.candidates, touches[i], touch_poses(start, touches[i]), nullptr)
-                    : manifolds[i];
-  };
-  const Manifold m = manifold(surface), n = manifold(touch);
+  const Manifold m = manifold(step, surface), n = manifold(step, touch);
   if (m.count == 0 || n.count == 0) return false;
   const Seen shown(its, m, is_a(its, collider)), seen(one, n, is_a(one, collider));
   const Colliders& colliders = start.colliders();

@@ -48,6 +48,7 @@ class Stumbles {
   void join(const Step& step);
   bool is_one(const Step& step, std::uint32_t touch) const;
   bool is_hidden(const Step& step, std::uint32_t touch, std::uint32_t collider) const;
+  static narrowphase::Manifold manifold(const Step& step, std::uint32_t touch);
   static bool hides(const Step& step, std::uint32_t surface, std::uint32_t touch, std::uint32_t collider);
 
   std::vector<std::uint8_t> suspects_;        // of each touch
