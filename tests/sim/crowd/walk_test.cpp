@@ -279,8 +279,6 @@ TEST(Walk, ListsWhoIsStuckBehindOneWhoWantsToStand) {
   EXPECT_EQ(stuck[0].position, run.state.position[0]);
 }
 
-// It happened: who is stuck goes aside for a second and comes back, which was taken for getting on: of thirty
-// runs of up to 600 s before a door too narrow for the force of its jambs eight said that he was stuck.
 // It happened: who wants less than a radius a second was in doubt, and less than a radius in 10 s stuck,
 // though nothing was in his way: half as fast as he wanted, and not straight on.
 TEST(Walk, LetsSlowAgentsWalkAsTheyWant) {
@@ -297,6 +295,8 @@ TEST(Walk, LetsSlowAgentsWalkAsTheyWant) {
     }
 }
 
+// It happened: who is stuck goes aside for a second and comes back, which was taken for getting on: of thirty
+// runs of up to 600 s before a door too narrow for the force of its jambs eight said that he was stuck.
 TEST(Walk, ListsWhoIsStuckAtAnyTimeThoughHeGoesAside) {
   Trial run(
       "time = { dt = 0.01, until = 200 }\nwalkable = 'POLYGON ((0 0, 10 0, 10 6, 0 6, 0 0))'\n"
