@@ -64,7 +64,8 @@ void settle_auto_time(const toml::table& root, Scene& scene, Report& report);
 /// Rates, fields and form of the recording; part of read_settings.
 void read_record(const toml::table& root, Scene& scene, Report& report);
 
-/// Refuses a recorded region where nobody can be. Expects domain and floor in the scene.
+/// Warns of a recorded region that is outside of where bodies are held. Expects domain and floor in the
+/// scene.
 void check_region(const toml::table& root, const Scene& scene, Report& report);
 
 /// Refuses a quantum that is too fine for where recorded bodies may be. Expects all of them in the scene.

@@ -22,7 +22,8 @@ constexpr double kMostSubsteps = 1000.0;
 constexpr double kRigidStep = 0.05;  // of √(d / g), d an equivalent diameter: what longer do, README says
 constexpr double kHeavyStep = 0.2;   // likewise, of √(d / (r g)), r the ratio of masses
 constexpr double kHeavy = 16.0;      // of which from here on that is the stricter
-constexpr double kByDefault = 0.5;   // of those, where the scenario doesn't say; not more substeps than that
+constexpr double kByDefault =
+    0.5;  // of the first, where the scenario doesn't say; not more substeps than that
 constexpr double kMostByDefault = 40.0;
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
@@ -214,7 +215,7 @@ void check_heavy_step(const toml::table& root, const Scene& scene, Report& repor
                      three_digits(step.longest) +
                      " s on the light one overlaps what it lies on by a tenth of its radius, from four times "
                      "that on it may be pressed through; " +
-                     remedy(scene, kByDefault * step.longest, "should"));
+                     remedy(scene, step.longest, "should"));
 }
 
 void settle_rigid_contacts(const toml::table& root, Scene& scene, Report& report) {

@@ -149,10 +149,10 @@ void check_region(const toml::table& root, const Scene& scene, Report& report) {
   const std::optional<Eigen::AlignedBox2d>& within = scene.record.within;
   const bool is_bounded = scene.domain.kind != DomainKind::unbounded || !scene.crowd.walkable.empty();
   if (!within || !is_bounded || within->intersects(recording::place_of_bodies(scene))) return;
-  report.error(*root["record"]["within"].node(), "record.within",
-               std::string("is wholly outside of the ") +
-                   (scene.domain.kind != DomainKind::unbounded ? "domain" : "walkable area") +
-                   ": nobody is ever there");
+  report.warning(root["record"]["within"].node()->source(), "record.within",
+                 std::string("is wholly outside of the ") +
+                     (scene.domain.kind != DomainKind::unbounded ? "domain" : "walkable area") +
+                     ": nobody is recorded whom its border holds");
 }
 
 void check_quantum(const toml::table& root, const Scene& scene, Report& report) {

@@ -23,7 +23,8 @@ ContactFinder::ContactFinder(const Scene& scene, const Plan& plan, const Collide
       all_bounce_(std::ranges::all_of(plan.meeting, [](const Surface& s) { return s.restitution > 0.0; })),
       parts_(scene, plan),
       discs_(scene, plan),
-      ahead_(scene, plan, colliders) {}
+      ahead_(scene, plan, colliders),
+      stumbles_(scene.time.dt) {}
 
 void ContactFinder::find(const StepStart& start, Contacts& contacts, Workers& workers) {
   const auto& [candidates, state, bodies] = start;
@@ -122,7 +123,7 @@ void ContactFinder::search_one(const StepStart& start, std::size_t touch, KeptIm
   manifolds_[touch] = touch_manifold(start.candidates, one, touch_poses(start, one), memory.find(one.key()));
   points_[touch] = static_cast<std::uint8_t>(manifolds_[touch].count);
   ahead_.ask(start, touches_, touch, manifolds_[touch]);
-  const bool may_stumble = stumbles_.ask(start, touches_, touch, manifolds_[touch], scene_.time.dt);
+  const bool may_stumble = stumbles_.ask(start, touches_, touch, manifolds_[touch]);
   if (!one.held) return;
   held_.ask_nothing(one.lane);  // of what is held from now on
   if (!may_stumble) hold(start, touch);

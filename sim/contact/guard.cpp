@@ -46,9 +46,8 @@ double way(const SolverBody& body, const Vec& position, double reach) {
 void part(const PointArms& at, SolverBody& a, SolverBody& b, const Surface& surface, double leaves) {
   const double speed = at.normal_velocity(a, b);
   if (!(speed < 0.0)) return;
-  const auto [normal, across] =
-      corner_impact(at, surface.friction, a, b, leaves - surface.restitution * speed);
-  at.apply(a, b, normal, across);
+  const auto [normal, across] = corner_impact(at, surface.friction, a, b, -surface.restitution * speed);
+  at.apply(a, b, normal + leaves * effective_mass(a, b, at.arm_a, at.arm_b, at.normal), across);
 }
 
 /// m/s, at which two whose hearts touch come nearer at that point.

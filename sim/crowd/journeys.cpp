@@ -355,7 +355,8 @@ bool Journeys::has_reached_another(const State& state, Row row, std::uint32_t gr
   const Vec& p = position(state, row);
   return std::ranges::any_of(its.options, [&](std::uint32_t goal) {
     return ways_.is_open(goal) && ways_.may_reach(goal, from, p) &&
-           (ways_.is_in(goal, p) || ways_.meets_border(goal, from, p));
+           (ways_.is_in(goal, p) || ways_.meets_border(goal, from, p) ||
+            (ways_.has_strips(goal) && ways_.is_at_strip(goal, radius(state, row), p, false)));
   });
 }
 

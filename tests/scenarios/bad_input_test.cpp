@@ -134,8 +134,6 @@ const FaultyScenario kFaultyScenarios[] = {
      "s.toml:2:21: error: record.within: must have its least x and y first, [[min x, min y], [max x, max "
      "y]], "
      "and is [[0, 0], [0, 1]]"},
-    {"domain = { box = [[0, 0], [20, 60]] }\nrecord = { within = [[21, 0], [22, 1]] }",
-     "s.toml:3:21: error: record.within: is wholly outside of the domain: nobody is ever there"},
     {"record = { fields = ['position', 'angle', 'position'] }",
      "s.toml:2:43: error: record.fields: \"position\" stands there twice"},
     {"record = { also = [{ every = 5, fields = ['velocity'] }] }",

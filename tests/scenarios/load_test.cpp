@@ -258,6 +258,18 @@ const std::string kSoft =
     "throng = 1\ncontact = { model = 'spring', stiffness = 1e6 }\nmaterials.default.restitution = 0.5\n"
     "shapes.b.disc.radius = 1\nbodies = [{ shape = 'b', at = [0, 0] }, { shape = 'b', at = [5, 0] }]\n";
 
+TEST(Load, WarnsOfARecordedRegionOutsideOfTheDomain) {
+  const auto said = [](const std::string& within) {
+    return faults(load_text(
+        "throng = 1\ndomain = { box = [[0, 0], [20, 60]] }\nrecord = { within = " + within + " }\n"));
+  };
+  EXPECT_EQ(
+      said("[[21, 0], [22, 1]]"),
+      "s.toml:3:21: warning: record.within: is wholly outside of the domain: nobody is recorded whom its "
+      "border holds\n");
+  EXPECT_EQ(said("[[19, 0], [22, 1]]"), "");
+}
+
 TEST(Load, WarnsOfARecordingOfNothing) {
   const auto said = [](const std::string& rest) {
     const Loaded loaded = load_text("throng = 1\nrecord = { fields = []" + rest);
@@ -361,7 +373,7 @@ TEST(Load, WarnsOfSubstepsInWhichHeavyBodiesPressLightOnesThroughOthers) {
       "s.toml:3:34: warning: time.substeps: substeps of 0.0025 s are long should a body of 1e+03 kg come "
       "to lie on one of 1 kg, 1e+03 times lighter: from 0.00202 s on the light one overlaps what it lies "
       "on by a tenth of its radius, from four times that on it may be pressed through; time.substeps "
-      "should be at least 13\n");
+      "should be at least 7\n");
   EXPECT_EQ(faults(load_text(kHeavyOnLight, {"time.substeps = 7"})), "");
   EXPECT_EQ(faults(load_text(kHeavyOnLight, {"materials.heavy.density = 500"})), "");
   EXPECT_EQ(faults(load_text(kHeavyOnLight, {"materials.light.density = 1000"})), "");

@@ -153,6 +153,54 @@ TEST(Seams, OfPlanksThatLieOnAFloorStopNobodyButStepsDo) {
   EXPECT_LT(speed_after(0.01), 4.0);
 }
 
+/// Slowly over driven slabs that are far larger than the box.
+TEST(Seams, OfLongSlabsStopNobodyHoweverSlow) {
+  Trial trial("gravity = [0, -9.81]\ntime = { dt = 0.01, until = 9 }\n[materials.default]\nfriction = 0\n" +
+              std::string(kSliders) +
+              "slab = { polygon = [[-50, -0.5], [50, -0.5], [50, 0.5], [-50, 0.5]] }\n"
+              "[[bodies]]\nshape = \"box\"\nat = [-0.4, 0.25]\nvelocity = [0.04, 0]\n"
+              "[[bodies]]\nshape = \"slab\"\nkind = \"kinematic\"\nat = [-50, -0.5]\n"
+              "[[bodies]]\nshape = \"slab\"\nkind = \"kinematic\"\nat = [50, -0.5]\n");
+  trial.steps(800);
+  EXPECT_NEAR(trial.state.velocity[0].x(), 0.04, 1e-4);
+}
+
+/// What presses is no seam: a bed of pebbles bears what lands on it, a lift lifts who is half on it, and the
+/// end of a slab that something far away is sunk in stops who runs against it.
+TEST(Seams, AreNotWhatBearsSomebodyOrStopsHim) {
+  const std::string ball = "ball = { disc = { radius = 0.25 } }\n",
+                    still = "[materials.default]\nfriction = 0\n";
+  Trial bed(
+      "gravity = [0, -9.81]\ntime = { dt = 0.016666666666666666, until = 2 }\n"
+      "[materials.default]\nfriction = 0.5\ndensity = 1\n[materials.lead]\ndensity = 100\n"
+      "[shapes]\nbig = { disc = { radius = 1 } }\n"
+      "pebble = { polygon = [[-0.015, -0.015], [0.015, -0.015], [0.015, 0.015], [-0.015, 0.015]] }\n"
+      "[[bodies]]\nshape = \"big\"\nat = [0, 1.06]\nvelocity = [0, -1]\n"
+      "[[bodies]]\nshape = \"pebble\"\nmaterial = \"lead\"\nplace = { lattice = { origin = [-0.62, 0.015], "
+      "spacing = [0.031, 0.031], size = [41, 1] } }\n[[walls]]\nsegment = [[-5, 0], [10, 0]]\n");
+  bed.steps(18);
+  EXPECT_LT(overlap(bed.scene, bed.state).max, 1e-3);
+
+  Trial lift("gravity = [0, -9.81]\ntime = { dt = 0.016666666666666666, until = 1 }\n" + still +
+             "[shapes]\n" + ball +
+             "lift = { polygon = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]] }\n"
+             "[[bodies]]\nshape = \"ball\"\nat = [-0.05, 0.25]\n"
+             "[[bodies]]\nshape = \"lift\"\nkind = \"kinematic\"\nat = [0.5, -0.5]\nvelocity = [0, 5]\n"
+             "[[walls]]\nsegment = [[-3, 0], [0, 0]]\n");
+  lift.steps(3);
+  EXPECT_GT(lift.state.position[0].y(), 0.47);
+
+  Trial slab("gravity = [0, 0]\ntime = { dt = 0.005, until = 1 }\n" + still +
+             "[shapes]\nbox = { polygon = [[-0.03, -0.03], [0.03, -0.03], [0.03, 0.03], [-0.03, 0.03]] }\n"
+             "crate = { polygon = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]] }\n"
+             "slab = { polygon = [[-10, -0.5], [10, -0.5], [10, 0.5], [-10, 0.5]] }\n"
+             "[[bodies]]\nshape = \"box\"\nat = [-0.045, -0.03]\nvelocity = [2, 0]\n"
+             "[[bodies]]\nshape = \"slab\"\nkind = \"kinematic\"\nat = [10, -0.5]\n"
+             "[[bodies]]\nshape = \"crate\"\nat = [15, 0.44]\n");
+  slab.steps(80);
+  EXPECT_LT(slab.state.position[0].x(), -0.029);
+}
+
 /// On waves of many short pieces a body without friction loses the little that a body that
 /// doesn't bounce loses in hollows of some thousandths: the turn's square of its energy at each.
 TEST(Seams, OfWavesCostLittle) {
