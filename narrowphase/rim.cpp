@@ -49,13 +49,17 @@ std::span<const DirectedEdge> from(const std::vector<DirectedEdge>& sides, std::
   return {first, last};
 }
 
-/// Whether another solid has the same edge the other way round. Walls are no solids: their sides are all
-/// real, also where two stand in one place.
+/// Walls are none: their sides are all real, also where two stand in one place.
+bool is_solid(const Convex& part) {
+  return part.vertices.size() > 2;
+}
+
+/// Whether another solid has the same edge the other way round.
 bool is_inner(std::span<const Convex> parts, const std::vector<DirectedEdge>& sides,
               const DirectedEdge& side) {
-  const auto is_solid = [&](const DirectedEdge& one) { return parts[one.part].vertices.size() > 2; };
-  return is_solid(side) && std::ranges::any_of(from(sides, side.head), [&](const DirectedEdge& other) {
-           return other.head == side.tail && other.part != side.part && is_solid(other);
+  return is_solid(parts[side.part]) &&
+         std::ranges::any_of(from(sides, side.head), [&](const DirectedEdge& other) {
+           return other.head == side.tail && other.part != side.part && is_solid(parts[other.part]);
          });
 }
 
@@ -127,14 +131,20 @@ struct Corner {
     return !rim[edge].inner && turn == Turn::concave && !goes_straight_on(part.normals[edge], other);
   }
 
-  /// The face that bounds the hollow of the outline in which `centre` is; or none.
-  const Vec* hollow_face(const Vec& centre) const {
+  /// The face that bounds the hollow of the outline in which `centre` is; or, if it has sunk into a solid
+  /// behind one of the hollow's two faces, that towards which `d` leans; or none.
+  const Vec* hollow_face(const Vec& d, const Vec& centre) const {
     const Vec way = centre - part.vertices[vertex];
-    const auto is_in = [&](std::size_t edge, Turn turn, const Vec& other) {
-      return is_hollow(edge, turn, other) && dot(part.normals[edge], way) >= 0.0 && dot(other, way) >= 0.0;
+    const auto is_in = [&](std::size_t edge, Turn turn, const Vec& other, bool solid) {
+      const Vec& own = part.normals[edge];
+      if (!is_hollow(edge, turn, other)) return false;
+      const bool before_own = dot(own, way) >= 0.0, before_other = dot(other, way) >= 0.0;
+      const bool leans = solid && dot(own, d) > std::max(dot(other, d), 0.0);
+      return leans ? before_own || before_other : before_own && before_other;
     };
-    if (is_in(before, rim[before].at_head, rim[before].after)) return &part.normals[before];
-    if (is_in(after, rim[after].at_tail, rim[after].before)) return &part.normals[after];
+    const RimEdge &in = rim[before], &out = rim[after];
+    if (is_in(before, in.at_head, in.after, in.solid_after)) return &part.normals[before];
+    if (is_in(after, out.at_tail, out.before, out.solid_before)) return &part.normals[after];
     return nullptr;
   }
 
@@ -227,6 +237,7 @@ std::vector<Rim> rims(std::span<const Convex> parts) {
     in.at_head = out.at_tail = turn_between(side, *other);
     in.after = parts[other->part].normals[other->edge];
     out.before = parts[side.part].normals[side.edge];
+    in.solid_after = out.solid_before = is_solid(parts[side.part]) && is_solid(parts[other->part]);
   }
   for (std::size_t i = 0; i < parts.size(); ++i)
     if (stands_alone(parts[i], result[i])) result[i].clear();
@@ -244,7 +255,7 @@ Manifold on_outline(const Manifold& m, const PlacedConvex& part, const Rim& rim,
   if (corner.admits(d)) return m;
   const Vec& vertex = part.shape.vertices[corner.vertex];
   const Vec centre = from_world * body.pose.position;
-  if (const Vec* face = corner.hollow_face(centre)) return face_contact(part, vertex, *face, body, reach);
+  if (const Vec* face = corner.hollow_face(d, centre)) return face_contact(part, vertex, *face, body, reach);
   const std::optional<Lean> lean = corner.nearest(d, centre);
   if (lean && body.shape.vertices.size() > 1 &&
       goes_straight_on(lean->normal, part.shape.normals[lean->edge]))

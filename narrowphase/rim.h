@@ -18,7 +18,8 @@ enum class Turn : std::uint8_t { convex, flat, concave };
 struct RimEdge {
   bool inner = false;  ///< another part lies behind: nothing from outside touches it
   Turn at_tail = Turn::convex, at_head = Turn::convex;
-  Vec before{0.0, 0.0}, after{0.0, 0.0};  ///< outward unit normals of the outline's edges there
+  Vec before{0.0, 0.0}, after{0.0, 0.0};           ///< outward unit normals of the outline's edges there
+  bool solid_before = false, solid_after = false;  ///< whether those, and this one, are solids', not walls'
 };
 
 /// Of each edge of a part; empty for a part that meets no other.

@@ -105,6 +105,7 @@ void relax(Workspace& work, std::size_t group, bool periodic) {
 void start_and_push_apart(Workspace& work, const Vec* period) {
   const std::size_t parts = work.finder.parts().count();
   const bool joined = parts > 1;
+  work.contacts.turning.turn(work.contacts.faces, work.bodies, work.solver.h, work.workers);
   warm_start(work.contacts.disc_rolls, work.bodies);
   warm_start(work.contacts.point_rolls, work.bodies);
   if (joined) start(work, parts, period);

@@ -54,6 +54,9 @@ struct DiscContact : ContactBase {
   double radius_a = 0.0, radius_b = 0.0;  ///< m
 };
 
+/// Whose face a normal is of, if it is to turn with it: see TurningFaces.
+enum class Turner : std::uint8_t { nobody, a, b };
+
 /// One point of a manifold. The normal is that of the step's beginning, or of when the two meet or pass where
 /// they near each other fast. Arms turn with their bodies, but a disc's radius points along the normal for
 /// ever.
@@ -63,6 +66,7 @@ struct PointContact : ContactBase {
   double round_a = 0.0, round_b = 0.0;       ///< m, the radius of a disc, which doesn't
   double gap = 0.0;        ///< m, separation = gap + normal . (position_b + arm_b - position_a - arm_a)
   bool is_second = false;  ///< of one manifold with the point before
+  Turner turner = Turner::nobody;
 };
 
 /// How arms turn with their bodies: by the angle (rad) less a twelfth of its cube, at unit length, as longer

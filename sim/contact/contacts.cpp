@@ -46,7 +46,7 @@ void Contacts::start(BodyRows<const SolverBody> bodies, std::size_t groups) {
   hits = 0;
   disc_key.clear(), disc_bounces.clear();
   faces.groups() == groups ? faces.clear() : faces.start(bodies.size(), groups, bodies.slots());
-  point_key.clear(), point_feature.clear(), point_bounces.clear();
+  point_key.clear(), point_feature.clear(), point_bounces.clear(), turning.clear();
   disc_rolls.clear(), point_rolls.clear();
 }
 

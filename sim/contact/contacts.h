@@ -8,6 +8,7 @@
 #include "sim/contact/disc_blocks.h"
 #include "sim/contact/face_blocks.h"
 #include "sim/contact/roll.h"
+#include "sim/contact/turning_faces.h"
 #include "sim/state.h"
 #include "sim/workers.h"
 
@@ -21,6 +22,7 @@ struct Contacts {
   FaceBlocks faces;
   std::vector<std::uint64_t> point_key;
   std::vector<std::uint32_t> point_feature;
+  TurningFaces turning;                 ///< of those that turn far
   std::vector<RollContact> disc_rolls;  ///< of the same contacts; empty where nothing resists rolling
   std::vector<RollContact> point_rolls;
   std::vector<DiscContact> disc_bounces;    ///< those of who hits; all where a surface bounces

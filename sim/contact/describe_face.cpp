@@ -1,12 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "sim/contact/describe_face.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "sim/contact/fast.h"
+
 namespace throng {
 
+using narrowphase::Convex;
 using narrowphase::Manifold;
 using narrowphase::ManifoldPoint;
+using narrowphase::Pose;
 
 namespace {
+
+constexpr double kOneNormal = 1.0 - 1e-12;  // cosine of the angle between two that are one
+constexpr double kTouches = 1e-6;           // of the smaller radius: nobody stands between them
 
 /// m, the radius of a disc; 0 for a polygon.
 double rounding(const Colliders& colliders, std::uint32_t row) {
@@ -54,25 +64,57 @@ void turn_back(PointContact& contact, double turn_a, double turn_b) {
   contact.first_b = Turn(-turn_b)(contact.first_b);
 }
 
+/// Whether the outward normal of one of its edges, at that angle, is that.
+bool has_face(const Convex& shape, double angle, const Vec& normal) {
+  const Pose turned = narrowphase::pose(Vec(0.0, 0.0), angle);
+  return std::ranges::any_of(shape.normals,
+                             [&](const Vec& n) { return turned.rotate(n).dot(normal) > kOneNormal; });
+}
+
+bool meet(const Colliders& colliders, const Touch& touch, const Manifold& m) {
+  const double a = colliders.radius[touch.pair.a];
+  const double near = kTouches * (touch.obstacle ? a : std::min(a, colliders.radius[touch.pair.b]));
+  return std::ranges::any_of(std::span(m.points).first(static_cast<std::size_t>(m.count)),
+                             [&](const ManifoldPoint& point) { return point.separation <= near; });
+}
+
+/// Of whose face the normal is, `when` (s) the two meet, if that one turns far. Of two parallel faces that on
+/// which the manifold was described.
+Turner turner_of(const StepStart& start, const Touch& touch, const Manifold& m, double when, double dt) {
+  const SolverBody &a = start.bodies[touch.a], &b = start.bodies[touch.b];
+  if (!(std::max(std::abs(a.spin), std::abs(b.spin)) * dt > kFaceTurn)) return Turner::nobody;
+  if (!meet(start.colliders(), touch, m)) return Turner::nobody;
+  const auto is_of = [&](std::uint32_t collider, const SolverBody& body, std::uint32_t row,
+                         const Vec& normal) {
+    return !is_disc(start.colliders(), collider) &&
+           has_face(*start.colliders().shape[collider], start.state.angle[row] + when * body.spin, normal);
+  };
+  const bool of_a = is_of(touch.pair.a, a, touch.a, m.normal);
+  const bool of_b = !touch.obstacle && is_of(touch.pair.b, b, touch.b, -m.normal);
+  if (of_a && of_b) return narrowphase::reference_is_b(m.points[0].feature) ? Turner::b : Turner::a;
+  return of_a ? Turner::a : of_b ? Turner::b : Turner::nobody;
+}
+
 }  // namespace
 
 std::span<PointContact> describe_face(const StepStart& start, const Touch& touch, const Surface& surface,
-                                      const Manifold& m, const LookAhead::Meeting* meeting,
+                                      const Manifold& m, const LookAhead::Meeting* meeting, double dt,
                                       std::array<PointContact, 2>& points) {
   const Colliders& colliders = start.colliders();
   const bool about_a = is_disc(colliders, touch.pair.a);
   const bool about_b = !touch.obstacle && is_disc(colliders, touch.pair.b);
   const SolverBody &a = start.bodies[touch.a], &b = start.bodies[touch.b];
   const auto count = static_cast<std::size_t>(m.count);
+  const Turner turner = turner_of(start, touch, m, meeting ? meeting->when : 0.0, dt);
   for (std::size_t p = 0; p < count; ++p) {
     describe(colliders, touch, surface, m.normal, points[p]);
-    points[p].is_second = p > 0;
+    points[p].is_second = p > 0, points[p].turner = turner;
     if (meeting) {
       place(points[p], m.points[p], moved(a, meeting->at_a), moved(b, meeting->at_b), touch.shift, about_a,
             about_b, true);
       turn_back(points[p], meeting->when * a.spin, meeting->when * b.spin);
     } else {
-      place(points[p], m.points[p], a, b, touch.shift, about_a, about_b, false);
+      place(points[p], m.points[p], a, b, touch.shift, about_a, about_b, turner != Turner::nobody);
     }
   }
   return {points.data(), count};

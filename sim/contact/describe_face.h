@@ -13,9 +13,9 @@
 namespace throng {
 
 /// Fills `points` by those of a touch's manifold as the solver knows them, without impulses, and returns
-/// them. `meeting`: where the manifold was found; null as the step begins.
+/// them. `meeting`: where the manifold was found; null as the step begins, which lasts for `dt` (s).
 std::span<PointContact> describe_face(const StepStart& start, const Touch& touch, const Surface& surface,
                                       const narrowphase::Manifold& m, const LookAhead::Meeting* meeting,
-                                      std::array<PointContact, 2>& points);
+                                      double dt, std::array<PointContact, 2>& points);
 
 }  // namespace throng

@@ -34,13 +34,17 @@ void fill_lane(FaceBlock& block, std::size_t lane, const PointContact& contact) 
   block.round_a[lane] = contact.round_a, block.round_b[lane] = contact.round_b;
 }
 
-void fill_point(FaceBlock::Point& point, std::size_t lane, const PointContact& contact) {
+void place_point(FaceBlock::Point& point, std::size_t lane, const PointContact& contact) {
   point.normal_mass[lane] = contact.normal_mass, point.tangent_mass[lane] = contact.tangent_mass;
-  point.normal_impulse[lane] = contact.normal_impulse, point.tangent_impulse[lane] = contact.tangent_impulse;
-  point.preload[lane] = contact.preload;
   point.first_ax[lane] = contact.first_a.x(), point.first_ay[lane] = contact.first_a.y();
   point.first_bx[lane] = contact.first_b.x(), point.first_by[lane] = contact.first_b.y();
   point.gap[lane] = contact.gap;
+}
+
+void fill_point(FaceBlock::Point& point, std::size_t lane, const PointContact& contact) {
+  place_point(point, lane, contact);
+  point.normal_impulse[lane] = contact.normal_impulse, point.tangent_impulse[lane] = contact.tangent_impulse;
+  point.preload[lane] = contact.preload;
 }
 
 }  // namespace
@@ -139,6 +143,12 @@ void FaceBlocks::fill(std::size_t i, std::span<const PointContact> face) {
   FaceBlock& block = this->block(i);
   fill_lane(block, at(i), face[0]);
   for (std::size_t p = 0; p < face.size(); ++p) fill_point(block.points[p], at(i), face[p]);
+}
+
+void FaceBlocks::place(std::size_t i, std::span<const PointContact> face) {
+  FaceBlock& block = this->block(i);
+  fill_lane(block, at(i), face[0]);
+  for (std::size_t p = 0; p < face.size(); ++p) place_point(block.points[p], at(i), face[p]);
 }
 
 void FaceBlocks::set_polygons(std::uint32_t lane, double friction) {

@@ -102,6 +102,9 @@ class FaceBlocks {
   /// The points of a face, from the i-th contact on. Different faces may be filled at the same time.
   void fill(std::size_t i, std::span<const PointContact> face);
 
+  /// The same face in another place: impulses stay. Likewise.
+  void place(std::size_t i, std::span<const PointContact> face);
+
   /// Of the face of two polygons that sits there: what doesn't change while it does.
   void set_polygons(std::uint32_t lane, double friction);
 

@@ -10,6 +10,7 @@
 ///  * two that get past each other by more than kAheadWay in a step press as they will meet: see LookAhead;
 ///  * polygons that are slower than both, hit_speed() and kAheadWay in a step, may be held: see HeldFaces,
 ///    which looks at those alone whose faces will last for some steps;
+///  * what touches a face that turns by more than kFaceTurn goes with it: see TurningFaces;
 ///  * bodies that turn by more than kFarTurn feel masses as their arms are then;
 ///  * bodies that pass each other slowly learn what they bear: see Learning::slow;
 ///  * bodies that get farther in a step than to each other's hearts may have to be guarded: see Guard;
@@ -28,6 +29,6 @@ inline constexpr double kRestSpeed = 2.0;
 inline constexpr double kAheadWay = 0.02;
 
 /// rad, in a step.
-inline constexpr double kFarTurn = 0.1;
+inline constexpr double kFaceTurn = 5e-3, kFarTurn = 0.1;
 
 }  // namespace throng

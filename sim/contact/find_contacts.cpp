@@ -134,13 +134,14 @@ std::span<PointContact> ContactFinder::face(const StepStart& start, std::size_t 
                                             std::array<PointContact, 2>& points) const {
   const Touch& one = touches_[touch];
   const Surface& surface = surface_of(scene_, plan_, start.obstacles(), one);
-  return describe_face(start, one, surface, manifolds_[touch], ahead_.meeting(touch), points);
+  return describe_face(start, one, surface, manifolds_[touch], ahead_.meeting(touch), scene_.time.dt, points);
 }
 
 void ContactFinder::fill_faces(const StepStart& start, Contacts& contacts, Workers& workers) {
   const std::size_t size = contacts.faces.size();
   contacts.point_key.resize(size), contacts.point_feature.resize(size);
   if (plan_.restitution) contacts.point_bounces.resize(size);
+  turns_.assign(touches_.size(), 0);
   workers.for_ranges(touches_.size(), [&](std::size_t begin, std::size_t end) {
     if (begin == end) return;
     KeptImpulses memory(start.state.point_contacts, touches_[begin].key());
@@ -154,6 +155,17 @@ void ContactFinder::fill_faces(const StepStart& start, Contacts& contacts, Worke
         fill_searched(start, i, memory, points, contacts);
     }
   });
+  list_turning(start, contacts);
+}
+
+void ContactFinder::list_turning(const StepStart& start, Contacts& contacts) const {
+  std::array<PointContact, 2> points;
+  for (auto i = turns_.begin(); (i = std::find(i, turns_.end(), 1)) != turns_.end(); ++i) {
+    const auto touch = static_cast<std::size_t>(i - turns_.begin());
+    const LookAhead::Meeting* meeting = ahead_.meeting(touch);
+    contacts.turning.add(first_point_[touch], face(start, touch, points), touches_[touch].shift,
+                         meeting ? meeting->when : 0.0, start.bodies);
+  }
 }
 
 /// The keys and features under which the touch's points are kept.
@@ -174,6 +186,7 @@ void ContactFinder::fill_searched(const StepStart& start, std::size_t touch, Kep
     face[p].normal_impulse = normal, face[p].tangent_impulse = across, face[p].preload = preload;
   }
   contacts.faces.fill(first_point_[touch], face);
+  turns_[touch] = face[0].turner != Turner::nobody;
   if (plan_.restitution) std::ranges::copy(face, contacts.point_bounces.begin() + first_point_[touch]);
   const SolverBody &a = start.bodies[face[0].a], &b = start.bodies[face[0].b];
   hits_[touch] = std::ranges::any_of(

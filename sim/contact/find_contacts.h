@@ -93,6 +93,7 @@ class ContactFinder {
   void fill_faces(const StepStart& start, Contacts& contacts, Workers& workers);
   void fill_searched(const StepStart& start, std::size_t touch, KeptImpulses& memory,
                      std::array<PointContact, 2>& points, Contacts& contacts);
+  void list_turning(const StepStart& start, Contacts& contacts) const;
   std::span<PointContact> face(const StepStart& start, std::size_t touch,
                                std::array<PointContact, 2>& points) const;
   std::span<std::uint32_t> names(std::size_t touch, Contacts& contacts) const;
@@ -166,6 +167,7 @@ class ContactFinder {
   std::vector<HeldFaces::Move> moves_;              // likewise, of those that are held
   std::vector<std::uint32_t> first_point_;          // of each touch: how many come before
   std::vector<std::uint8_t> hits_;                  // of each touch
+  std::vector<std::uint8_t> turns_;                 // of each touch: its face does, far
   std::vector<Meeting> meetings_;                   // where somebody may hit
   Islands islands_;                                 // by them
   std::vector<Cluster> clusters_;                   // likewise, of each body that is the first of one

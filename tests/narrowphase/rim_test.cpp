@@ -126,6 +126,23 @@ TEST(OnOutline, PressesOnTheFaceBeyondAHollow) {
   EXPECT_NEAR(m.points[0].separation, 0.1 * std::sin(0.5), 1e-15);
 }
 
+/// However it leans: who is in a solid up to his middle is still held, also where the face ends in a hollow.
+TEST(OnOutline, HoldsWhoHasSunkBehindAFaceThatEndsInAHollow) {
+  const std::vector<Convex> parts = {convex({{-2, -1}, {0.1, -1}, {0, 0}, {-2, 0}}),
+                                     convex({{0.1, -1}, {1, -1}, {1, 2}, {0, 2}, {0, 0}})};
+  const Rim rim = rims(parts)[0];
+  const Convex bar = convex({{-0.3, -0.01}, {0.3, -0.01}, {0.3, 0.01}, {-0.3, 0.01}});
+  for (const double depth : {0.005, 0.012, 0.019})
+    for (const double lean : {-1e-2, -1e-3, 0.0, 1e-3, 1e-2}) {
+      const Pose at = pose({-0.25, 0.01 - depth}, lean);
+      const Manifold m =
+          on_outline(manifold(parts[0], {}, bar, at, 0.1), {parts[0], {}}, rim, {bar, at}, 0.1, false);
+      ASSERT_GT(m.count, 0) << depth << " m, " << lean;
+      EXPECT_GT(m.normal.y(), 0.999);
+      EXPECT_NEAR(m.points[0].separation, -depth, 0.3 * std::abs(lean) + 1e-9);
+    }
+}
+
 TEST(OnOutline, KeepsWhatLeansNoFurtherThanTheCorner) {
   const Convex ball = disc(0.5);
   const std::vector<Convex> parts = bent_wall(-1.0);
