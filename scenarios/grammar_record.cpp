@@ -76,8 +76,12 @@ Type observe_table() {
       {"temperature", "packing_fraction", "coordination_number", "collisions", "compressibility_factor"});
   return table(
       {{{"quantities", list(quantity, 0, "a list of quantities", 16),
-         "temperature: k T, J, of the centres. packing_fraction: which part of the area dynamic bodies take. "
-         "coordination_number: on how many others, walls too, a dynamic body presses, by the mean over all. "
+         "temperature: k T, J, of the centres, beside the motion of all together where nothing stands in "
+         "their "
+         "way and nothing pulls. packing_fraction: which part of the area dynamic bodies take. "
+         "coordination_number: on how many others, walls too, a dynamic body presses, by the mean over all; "
+         "unknown "
+         "before the first step. "
          "collisions: how many so far, of pairs and with walls. compressibility_factor: P A / (n k T), by "
          "the virial of pairs alone (the push of a box's "
          "walls isn't "

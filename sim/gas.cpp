@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/gas.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/periodic.h"
@@ -16,6 +17,13 @@ struct Motion {
   double bodies = 0.0;  // less one where their common motion is left out
 };
 
+/// Whether nothing but other dynamic bodies acts on them.
+bool keeps_momentum(const Scene& scene) {
+  const auto yields = [](BodyKind kind) { return kind == BodyKind::dynamic; };
+  return scene.domain.kind != DomainKind::box && scene.walls.empty() && scene.gravity == Vec(0.0, 0.0) &&
+         std::ranges::all_of(scene.bodies.kind, yields);
+}
+
 Motion motion(const Scene& scene, const std::vector<Vec>& velocity) {
   Motion all;
   double weight = 0.0;
@@ -28,8 +36,9 @@ Motion motion(const Scene& scene, const std::vector<Vec>& velocity) {
     weight += m;
     all.bodies += 1.0;
   }
-  if (scene.domain.kind != DomainKind::periodic) return all;
-  return {all.energy - 0.5 * momentum.squaredNorm() / weight, all.bodies - 1.0};
+  if (!keeps_momentum(scene)) return all;
+  const double common = 0.5 * momentum.squaredNorm() / weight;
+  return {std::max(all.energy - common, 0.0), all.bodies - 1.0};
 }
 
 /// 2 E t; nothing where the gas isn't the one that it was, or not all of its collisions are known.
@@ -66,7 +75,7 @@ std::optional<double> compressibility_by_rate(const Scene& scene, const State& s
 std::optional<double> compressibility_now(const Scene& scene, const State& state,
                                           std::span<const ContactRow> contacts) {
   const double energy = motion(scene, state.velocity).energy;
-  if (!(energy > 0.0)) return std::nullopt;
+  if (!(energy > 0.0) || state.step == 0) return std::nullopt;
   const Vec period = scene.domain.max - scene.domain.min;
   double virial = 0.0;  // N m s
   for (const ContactRow& row : contacts) {

@@ -8,6 +8,8 @@
 
 #include "sim/contact/soft_law.h"
 #include "sim/meeting_materials.h"
+#include "sim/overlap.h"
+#include "sim/state.h"
 
 namespace throng {
 
@@ -93,12 +95,14 @@ SoftTiming soft_timing(const Scene& scene) {
   const double part = alone ? 1.0 : 0.5;  // of mass and radius, that two alike have
   constexpr double infinite = std::numeric_limits<double>::infinity();
   SoftTiming timing{first_speed(scene) + top_speed(scene), infinite, restitution, infinite};
+  const double deepest = overlap(scene, placed_bodies(scene)).max;
   for (std::size_t row = 0; row < scene.bodies.size(); ++row) {
     if (scene.bodies.kind[row] != BodyKind::dynamic) continue;
     const double reduced = part * mass(scene, row);
     const SoftPair pair = soft_pair(scene, reduced, part * scene.bodies.radius[row], ratio);
-    const double frequency = std::sqrt(largest_stiffness(scene, pair, reduced, timing.speed) / reduced);
-    timing.contact = std::min(timing.contact, contact_duration(scene, pair, reduced, timing.speed));
+    const double speed = timing.speed + speed_of_depth(scene, pair, reduced, deepest);
+    const double frequency = std::sqrt(largest_stiffness(scene, pair, reduced, speed) / reduced);
+    timing.contact = std::min(timing.contact, contact_duration(scene, pair, reduced, speed));
     timing.longest = std::min({timing.longest, 2.0 / (frequency * std::sqrt(packed(tangential.stiffness))),
                                1.0 / (ratio * frequency * packed(tangential.damping))});
   }

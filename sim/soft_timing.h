@@ -10,7 +10,7 @@ namespace throng {
 
 /// How long soft contacts of a scene last, and how long a substep may be.
 struct SoftTiming {
-  double speed = 0.0;        ///< m/s, at which bodies may meet
+  double speed = 0.0;        ///< m/s, at which bodies may meet that didn't begin in each other
   double contact = 0.0;      ///< s, the shortest impact; infinite where none is to be expected
   double restitution = 1.0;  ///< the least of what may meet
   double longest = 0.0;  ///< s, the longest substep that is stable, in the densest packing; may be infinite
@@ -32,7 +32,8 @@ double first_speed_of_ways(const Scene& scene);
 
 /// Of all discs that are dynamic, as if each met its like, or an obstacle where it is alone. `speed` is twice
 /// that of the fastest body and what a fall from the top of the scene to its bottom adds. Impacts of `spring`
-/// last as long at any speed; those of `hertz` are the shorter the faster. O(bodies).
+/// last as long at any speed; those of `hertz` are the shorter the faster, and as short where bodies begin as
+/// deep in each other. O(bodies) but for that overlap, as overlap() takes.
 ///
 /// Stable are w h < 2 and z h < 2, w the highest frequency and z the highest damping rate of a packing in
 /// which each disc has six contacts.

@@ -45,17 +45,23 @@ void add_agent(const Scene& scene, State& state, std::uint32_t agent, const Vec&
   crowd.halt.push_back(place), crowd.halt_step.push_back(state.step);
 }
 
-State initial_state(const Scene& scene) {
+State placed_bodies(const Scene& scene) {
   const Bodies& bodies = scene.bodies;
-  const Crowd& crowd = scene.crowd;
   State state;
-  for (std::size_t row = 0; row < bodies.size() - crowd.size(); ++row) {
+  for (std::size_t row = 0; row < bodies.size() - scene.crowd.size(); ++row) {
     state.id.push_back(static_cast<std::uint32_t>(row + 1));
     state.position.push_back(bodies.position[row]);
     state.angle.push_back(bodies.angle[row]);
     state.velocity.push_back(bodies.velocity[row]);
     state.spin.push_back(bodies.spin[row]);
   }
+  return state;
+}
+
+State initial_state(const Scene& scene) {
+  const Bodies& bodies = scene.bodies;
+  const Crowd& crowd = scene.crowd;
+  State state = placed_bodies(scene);
   state.sensed.resize(scene.sensors.size());
   if (plan_for(scene).sleep) {
     state.sleep.calm.resize(bodies.size(), 0);

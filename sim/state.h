@@ -94,6 +94,9 @@ void add_agent(const Scene& scene, State& state, std::uint32_t agent, const Vec&
 /// The state at time 0.
 State initial_state(const Scene& scene);
 
+/// The bodies of it, no agents, and nothing that steps remember.
+State placed_bodies(const Scene& scene);
+
 /// How many bodies sleep. O(bodies).
 std::size_t asleep(const SleepState& sleep);
 

@@ -24,9 +24,9 @@ class Flights {
   Flights(const Scene& scene, const Plan& plan);
 
   /// Looks where all are after a step from `state`, of whose bodies `masses` has rows. False where some
-  /// overlap by more than rounding, or collisions don't end: that is the solver's matter.
-  /// O(bodies + candidates + collisions log collisions). Collisions at one time come in the order of their
-  /// pairs.
+  /// overlap by more than rounding, or collisions go on and on while no time does: that is the solver's
+  /// matter. O(bodies + candidates + collisions log collisions). Collisions at one time come in the order of
+  /// their pairs.
   bool fly(const Candidates& candidates, const State& state, BodyRows<const SolverBody> masses,
            Workers& workers);
 

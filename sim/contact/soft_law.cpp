@@ -61,6 +61,11 @@ double contact_duration(const Scene& scene, const SoftPair& pair, double mass, d
                      : std::numeric_limits<double>::infinity();
 }
 
+double speed_of_depth(const Scene& scene, const SoftPair& pair, double mass, double depth) {
+  if (scene.contact == ContactModel::spring) return depth * std::sqrt(pair.stiffness / mass);
+  return std::sqrt(0.8 * pair.stiffness / mass * depth * depth * std::sqrt(depth));
+}
+
 double largest_stiffness(const Scene& scene, const SoftPair& pair, double mass, double speed) {
   if (scene.contact == ContactModel::spring) return pair.stiffness;
   return speed > 0.0 ? 1.5 * pair.stiffness * std::sqrt(largest_depth(pair, mass, speed)) : 0.0;

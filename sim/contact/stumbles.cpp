@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kSags = 0.01;   // of the radius: so much of how deep A is counts as sag
 constexpr double kAsOne = 1e-7;  // of the radius: rounding of places that are one
-constexpr double kNears = 1e-5;  // of the radius, in a step: who nears less is stopped by hardly anything
+constexpr double kNears = 1e-6;  // of the radius, in a step: who nears less is stopped by hardly anything
 
 /// Cosines of angles between normals that are as good as one: of a disc, which rolls on over any, and else.
 constexpr double kSameOfDisc = 1.0 - 1e-9, kSame = 0.99;
@@ -100,11 +100,14 @@ double smaller_radius(const Colliders& colliders, const Touch& touch) {
   return touch.obstacle ? a : std::min(a, colliders.radius[touch.pair.b]);
 }
 
-/// m/s, of b against a at the first of the points.
+/// m/s, of b against a at the first of the points. A disc that rolls goes on though its surface stands there:
+/// its spin is left out.
 Vec velocity(const StepStart& start, const Touch& touch, const Manifold& m) {
   const SolverBody &a = start.bodies[touch.a], &b = start.bodies[touch.b];
   const Vec arm_a = m.points[0].point - a.position, arm_b = m.points[0].point - touch.shift - b.position;
-  return b.velocity + b.spin * tangent(arm_b) - a.velocity - a.spin * tangent(arm_a);
+  const double spin_a = is_disc(start.colliders(), touch.pair.a) ? 0.0 : a.spin;
+  const double spin_b = !touch.obstacle && is_disc(start.colliders(), touch.pair.b) ? 0.0 : b.spin;
+  return b.velocity + spin_b * tangent(arm_b) - a.velocity - spin_a * tangent(arm_a);
 }
 
 bool rolls(const Colliders& colliders, std::uint32_t collider) {

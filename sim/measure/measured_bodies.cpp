@@ -103,7 +103,8 @@ std::vector<double> measure_bodies(const Scene& scene, const State& state,
   std::vector<double> values;
   if (asked.temperature) values.push_back(temperature(scene, state));
   if (asked.packing_fraction) values.push_back(packing_fraction(scene, state, packing_box(scene)));
-  if (asked.coordination_number) values.push_back(coordination_number(scene, contacts));
+  if (asked.coordination_number)
+    values.push_back(state.step > 0 ? coordination_number(scene, contacts) : kUnknown);
   if (asked.collisions)
     for (const std::int64_t count : {state.collisions.pairs, state.collisions.walls})
       values.push_back(static_cast<double>(count));

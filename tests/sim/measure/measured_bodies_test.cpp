@@ -114,7 +114,7 @@ TEST(PairCorrelation, IsRefusedBeyondTheClosedForm) {
 }
 
 /// Two discs, m = pi / 4, that meet head on, 2 m/s against each other, once in 2 s: J = 2 m, virial 1 J,
-/// E = m, and what they have in equilibrium by k T = E / 2.
+/// E = m, and what they have in equilibrium by k T = E, as one of the two goes with their common motion.
 TEST(CompressibilityFactor, OfTwoThatMeetOnce) {
   for (const char* engine : {"event_driven", "native"}) {
     const Scene scene =
@@ -124,7 +124,7 @@ TEST(CompressibilityFactor, OfTwoThatMeetOnce) {
     const auto run = simulation(scene);
     for (int i = 0; i < 4; ++i) run->step();
     const std::vector<double> found = measure_bodies(scene, run->state(), {});
-    const double m = pi / 4, collision = std::sqrt(2 * pi * (m / 2)) * std::sqrt(m / 2);
+    const double m = pi / 4, collision = std::sqrt(2 * pi * (m / 2)) * std::sqrt(m);
     ASSERT_EQ(found.size(), 4u);
     EXPECT_EQ(found[0], 1.0) << engine;
     EXPECT_EQ(found[1], 0.0);
@@ -201,8 +201,24 @@ TEST(CompressibilityFactor, OfSoftDiscsIsThatOfTheirForces) {
       "[[bodies]]\nshape = \"ball\"\nat = [0.9, 4]\nvelocity = [3, 0]\n"
       "[[bodies]]\nshape = \"ball\"\nat = [7, 4]\nvelocity = [-3, 0]\n");
   const std::vector<ContactRow> contacts{{1, 2, 2.5, Vec(0, 4)}, {1, 0, 9.0, Vec(1, 5)}};
-  const std::optional<double> z = compressibility_now(scene, initial_state(scene), contacts);
+  State state = initial_state(scene);
+  EXPECT_FALSE(compressibility_now(scene, state, {})) << "nobody has looked for contacts yet";
+  state.step = 1;
+  const std::optional<double> z = compressibility_now(scene, state, contacts);
   EXPECT_NEAR(z.value_or(0), 1 + 475 / (2 * pi * 9), 1e-10);
+}
+
+TEST(CoordinationNumber, IsUnknownBeforeTheFirstStep) {
+  const Scene scene = scene_from(
+      "contact = { model = \"spring\", stiffness = 1e3 }\n[observe]\nquantities = "
+      "[\"coordination_number\"]\n" +
+      std::string(kDisc) + ball(0, 0, 0, 0) + ball(0.99, 0, 0, 0));
+  const auto run = simulation(scene);
+  EXPECT_TRUE(std::isnan(measure_bodies(scene, run->state(), {}).at(0)));
+  run->step();
+  std::vector<ContactRow> contacts;
+  run->list_contacts(contacts);
+  EXPECT_EQ(measure_bodies(scene, run->state(), contacts).at(0), 1.0);
 }
 
 /// Stiff springs that lose nothing: hard discs, but that an impact takes time.
