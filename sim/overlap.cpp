@@ -80,6 +80,30 @@ Overlap crowd_overlap(const Scene& scene, const State& state) {
   return result;
 }
 
+/// Calls f(depth, a, b) for each two parts that are in each other, by rows of their bodies; b is a itself for
+/// what doesn't move.
+template <class F>
+void for_each_overlap(const Scene& scene, const State& state, const Plan& plan, F f) {
+  Workers alone(1);
+  Candidates candidates(scene, plan, alone);
+  candidates.find(state, 0.0);
+  const Colliders& colliders = candidates.colliders();
+  const ColliderParts parts(state, colliders);
+  for (const broadphase::Pair& pair : candidates.pairs()) {
+    Pose pose_b = parts.pose(pair.b);
+    pose_b.position += candidates.shift(pair);
+    const double distance =
+        narrowphase::separation(parts.shape(pair.a), parts.pose(pair.a), parts.shape(pair.b), pose_b)
+            .distance;
+    if (distance < 0.0) f(-distance, colliders.body[pair.a], colliders.body[pair.b]);
+  }
+  for (const broadphase::Pair& pair : candidates.obstacle_pairs()) {
+    const double distance = obstacle_distance(parts.shape(pair.a), parts.pose(pair.a), candidates.obstacles(),
+                                              pair.b, candidates.obstacle_shift(pair.a));
+    if (distance < 0.0) f(-distance, colliders.body[pair.a], colliders.body[pair.a]);
+  }
+}
+
 }  // namespace
 
 Overlap overlap(const Scene& scene, const State& state) {
@@ -87,28 +111,24 @@ Overlap overlap(const Scene& scene, const State& state) {
   Overlap result;
   if (plan.crowd) return crowd_overlap(scene, state);
   if (!plan.contacts()) return result;
-  Workers alone(1);
-  Candidates candidates(scene, plan, alone);
-  candidates.find(state, 0.0);
-  const ColliderParts parts(state, candidates.colliders());
   double sum = 0.0;
-  const auto count = [&](double distance) {
-    if (!(distance < 0.0)) return;
+  for_each_overlap(scene, state, plan, [&](double depth, std::uint32_t, std::uint32_t) {
     ++result.pairs;
-    sum -= distance;
-    result.max = std::max(result.max, -distance);
-  };
-  for (const broadphase::Pair& pair : candidates.pairs()) {
-    Pose pose_b = parts.pose(pair.b);
-    pose_b.position += candidates.shift(pair);
-    count(narrowphase::separation(parts.shape(pair.a), parts.pose(pair.a), parts.shape(pair.b), pose_b)
-              .distance);
-  }
-  for (const broadphase::Pair& pair : candidates.obstacle_pairs())
-    count(obstacle_distance(parts.shape(pair.a), parts.pose(pair.a), candidates.obstacles(), pair.b,
-                            candidates.obstacle_shift(pair.a)));
+    sum += depth;
+    result.max = std::max(result.max, depth);
+  });
   if (result.pairs > 0) result.mean = sum / static_cast<double>(result.pairs);
   return result;
+}
+
+std::vector<double> deepest_overlaps(const Scene& scene, const State& state) {
+  std::vector<double> deepest(scene.bodies.size(), 0.0);
+  const Plan plan = plan_for(scene, ContactModel::impulse);
+  if (!plan.contacts()) return deepest;
+  for_each_overlap(scene, state, plan, [&](double depth, std::uint32_t a, std::uint32_t b) {
+    deepest[a] = std::max(deepest[a], depth), deepest[b] = std::max(deepest[b], depth);
+  });
+  return deepest;
 }
 
 }  // namespace throng

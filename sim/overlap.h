@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "sim/scene.h"
 #include "sim/state.h"
@@ -17,5 +18,8 @@ struct Overlap {
 };
 
 Overlap overlap(const Scene& scene, const State& state);
+
+/// m, of each body of a scene without agents: how deep it is in the one that it is deepest in.
+std::vector<double> deepest_overlaps(const Scene& scene, const State& state);
 
 }  // namespace throng

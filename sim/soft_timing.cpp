@@ -95,12 +95,15 @@ SoftTiming soft_timing(const Scene& scene) {
   const double part = alone ? 1.0 : 0.5;  // of mass and radius, that two alike have
   constexpr double infinite = std::numeric_limits<double>::infinity();
   SoftTiming timing{first_speed(scene) + top_speed(scene), infinite, restitution, infinite};
-  const double deepest = overlap(scene, placed_bodies(scene)).max;
+  const bool hertz = scene.contact == ContactModel::hertz;
+  const std::vector<double> deep =
+      hertz ? deepest_overlaps(scene, placed_bodies(scene)) : std::vector<double>();
   for (std::size_t row = 0; row < scene.bodies.size(); ++row) {
     if (scene.bodies.kind[row] != BodyKind::dynamic) continue;
     const double reduced = part * mass(scene, row);
     const SoftPair pair = soft_pair(scene, reduced, part * scene.bodies.radius[row], ratio);
-    const double speed = timing.speed + speed_of_depth(scene, pair, reduced, deepest);
+    const double parts = hertz ? speed_of_depth(pair, reduced, deep[row]) : 0.0;
+    const double speed = std::sqrt(timing.speed * timing.speed + parts * parts);
     const double frequency = std::sqrt(largest_stiffness(scene, pair, reduced, speed) / reduced);
     timing.contact = std::min(timing.contact, contact_duration(scene, pair, reduced, speed));
     timing.longest = std::min({timing.longest, 2.0 / (frequency * std::sqrt(packed(tangential.stiffness))),

@@ -53,7 +53,8 @@ void BounceQueue::list(std::span<const PointContact> contacts) {
     Reach reach{.normal = pair[0].normal};
     bool hits = false;
     for (const PointContact& contact : pair) {
-      if (contact.normal != pair[0].normal) reach.normal = Vec(0.0, 0.0);
+      if (contact.normal != pair[0].normal || contact.turner.body != Turner::Body::none)
+        reach.normal = Vec(0.0, 0.0);
       entry.touch = std::max(entry.touch, contact.round_a + contact.round_b - contact.gap -
                                               contact.normal.dot(contact.first_b - contact.first_a));
       reach.of_a = std::max(reach.of_a, contact.first_a.norm() + contact.round_a);

@@ -54,19 +54,27 @@ struct DiscContact : ContactBase {
   double radius_a = 0.0, radius_b = 0.0;  ///< m
 };
 
-/// Whose face a normal is of, if it is to turn with it: see TurningFaces.
-enum class Turner : std::uint8_t { nobody, a, b };
+/// The face that a normal is of, if it is to turn with it: see TurningFaces.
+struct Turner {
+  enum class Body : std::uint8_t { none, a, b };
+  Body body = Body::none;  ///< whose it is
+  double begin = 0.0,
+         end = 0.0;      ///< m, from where to where it goes, along the normal turned left, from its centre
+  Vec normal{0.0, 0.0};  ///< of the contact, as the step begins
+  Vec shift{0.0, 0.0};   ///< m, to b's image
+  double from = 0.0;     ///< rad, the body's turn from which on it is touched
+};
 
 /// One point of a manifold. The normal is that of the step's beginning, or of when the two meet or pass where
 /// they near each other fast. Arms turn with their bodies, but a disc's radius points along the normal for
-/// ever.
+/// ever. All that is otherwise where there is a turner.
 struct PointContact : ContactBase {
   Vec arm_a{0.0, 0.0}, arm_b{0.0, 0.0};      ///< m, from the bodies' centres to the contact, in this substep
   Vec first_a{0.0, 0.0}, first_b{0.0, 0.0};  ///< m, what of them turns, as the step begins
   double round_a = 0.0, round_b = 0.0;       ///< m, the radius of a disc, which doesn't
   double gap = 0.0;        ///< m, separation = gap + normal . (position_b + arm_b - position_a - arm_a)
   bool is_second = false;  ///< of one manifold with the point before
-  Turner turner = Turner::nobody;
+  Turner turner;
 };
 
 /// How arms turn with their bodies: by the angle (rad) less a twelfth of its cube, at unit length, as longer

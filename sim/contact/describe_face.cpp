@@ -16,7 +16,7 @@ using narrowphase::Pose;
 namespace {
 
 constexpr double kOneNormal = 1.0 - 1e-12;  // cosine of the angle between two that are one
-constexpr double kTouches = 1e-6;           // of the smaller radius: nobody stands between them
+constexpr double kTouches = 1e-3;           // of the smaller radius: nobody stands between them
 
 /// m, the radius of a disc; 0 for a polygon.
 double rounding(const Colliders& colliders, std::uint32_t row) {
@@ -64,14 +64,8 @@ void turn_back(PointContact& contact, double turn_a, double turn_b) {
   contact.first_b = Turn(-turn_b)(contact.first_b);
 }
 
-/// Whether the outward normal of one of its edges, at that angle, is that.
-bool has_face(const Convex& shape, double angle, const Vec& normal) {
-  const Pose turned = narrowphase::pose(Vec(0.0, 0.0), angle);
-  return std::ranges::any_of(shape.normals,
-                             [&](const Vec& n) { return turned.rotate(n).dot(normal) > kOneNormal; });
-}
-
-bool meet(const Colliders& colliders, const Touch& touch, const Manifold& m) {
+/// Whether the two touch, or nearly so.
+bool is_met(const Colliders& colliders, const Touch& touch, const Manifold& m) {
   const double a = colliders.radius[touch.pair.a];
   const double near = kTouches * (touch.obstacle ? a : std::min(a, colliders.radius[touch.pair.b]));
   return std::ranges::any_of(std::span(m.points).first(static_cast<std::size_t>(m.count)),
@@ -82,17 +76,28 @@ bool meet(const Colliders& colliders, const Touch& touch, const Manifold& m) {
 /// which the manifold was described.
 Turner turner_of(const StepStart& start, const Touch& touch, const Manifold& m, double when, double dt) {
   const SolverBody &a = start.bodies[touch.a], &b = start.bodies[touch.b];
-  if (!(std::max(std::abs(a.spin), std::abs(b.spin)) * dt > kFaceTurn)) return Turner::nobody;
-  if (!meet(start.colliders(), touch, m)) return Turner::nobody;
-  const auto is_of = [&](std::uint32_t collider, const SolverBody& body, std::uint32_t row,
-                         const Vec& normal) {
-    return !is_disc(start.colliders(), collider) &&
-           has_face(*start.colliders().shape[collider], start.state.angle[row] + when * body.spin, normal);
+  const bool far_a = turns_far(a.spin, dt), far_b = turns_far(b.spin, dt);
+  if (!(far_a || far_b) || !is_met(start.colliders(), touch, m)) return {};
+  const auto face = [&](Turner::Body whose, std::uint32_t collider, double spin,
+                        std::uint32_t row) -> Turner {
+    if (is_disc(start.colliders(), collider)) return {};
+    const Convex& shape = *start.colliders().shape[collider];
+    const Pose at = narrowphase::pose(Vec(0.0, 0.0), start.state.angle[row] + when * spin);
+    const Vec outward = whose == Turner::Body::a ? m.normal : Vec(-m.normal), along = tangent(m.normal);
+    for (std::size_t e = 0; e < shape.normals.size(); ++e) {
+      if (at.rotate(shape.normals[e]).dot(outward) <= kOneNormal) continue;
+      const double tail = along.dot(at.rotate(shape.vertices[e]));
+      const double head = along.dot(at.rotate(shape.vertices[(e + 1) % shape.vertices.size()]));
+      return {whose,       std::min(tail, head), std::max(tail, head), Turn(-when * spin)(m.normal),
+              touch.shift, when * spin};
+    }
+    return {};
   };
-  const bool of_a = is_of(touch.pair.a, a, touch.a, m.normal);
-  const bool of_b = !touch.obstacle && is_of(touch.pair.b, b, touch.b, -m.normal);
-  if (of_a && of_b) return narrowphase::reference_is_b(m.points[0].feature) ? Turner::b : Turner::a;
-  return of_a ? Turner::a : of_b ? Turner::b : Turner::nobody;
+  const Turner of_a = face(Turner::Body::a, touch.pair.a, a.spin, touch.a);
+  const Turner of_b = touch.obstacle ? Turner{} : face(Turner::Body::b, touch.pair.b, b.spin, touch.b);
+  const bool is_b = of_b.body != Turner::Body::none &&
+                    (of_a.body == Turner::Body::none || narrowphase::reference_is_b(m.points[0].feature));
+  return is_b ? (far_b ? of_b : Turner{}) : (far_a ? of_a : Turner{});
 }
 
 }  // namespace
@@ -114,7 +119,7 @@ std::span<PointContact> describe_face(const StepStart& start, const Touch& touch
             about_b, true);
       turn_back(points[p], meeting->when * a.spin, meeting->when * b.spin);
     } else {
-      place(points[p], m.points[p], a, b, touch.shift, about_a, about_b, turner != Turner::nobody);
+      place(points[p], m.points[p], a, b, touch.shift, about_a, about_b, turner.body != Turner::Body::none);
     }
   }
   return {points.data(), count};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
+
 #include "sim/plan.h"
 #include "sim/scene.h"
 
@@ -30,5 +32,10 @@ inline constexpr double kAheadWay = 0.02;
 
 /// rad, in a step.
 inline constexpr double kFaceTurn = 5e-3, kFarTurn = 0.1;
+
+/// Whether the faces of who spins so (rad/s) turn far within a step of `dt` (s).
+inline bool turns_far(double spin, double dt) {
+  return std::abs(spin) * dt > kFaceTurn;
+}
 
 }  // namespace throng

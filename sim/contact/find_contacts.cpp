@@ -162,9 +162,7 @@ void ContactFinder::list_turning(const StepStart& start, Contacts& contacts) con
   std::array<PointContact, 2> points;
   for (auto i = turns_.begin(); (i = std::find(i, turns_.end(), 1)) != turns_.end(); ++i) {
     const auto touch = static_cast<std::size_t>(i - turns_.begin());
-    const LookAhead::Meeting* meeting = ahead_.meeting(touch);
-    contacts.turning.add(first_point_[touch], face(start, touch, points), touches_[touch].shift,
-                         meeting ? meeting->when : 0.0, start.bodies);
+    contacts.turning.add(first_point_[touch], face(start, touch, points));
   }
 }
 
@@ -186,7 +184,7 @@ void ContactFinder::fill_searched(const StepStart& start, std::size_t touch, Kep
     face[p].normal_impulse = normal, face[p].tangent_impulse = across, face[p].preload = preload;
   }
   contacts.faces.fill(first_point_[touch], face);
-  turns_[touch] = face[0].turner != Turner::nobody;
+  turns_[touch] = face[0].turner.body != Turner::Body::none;
   if (plan_.restitution) std::ranges::copy(face, contacts.point_bounces.begin() + first_point_[touch]);
   const SolverBody &a = start.bodies[face[0].a], &b = start.bodies[face[0].b];
   hits_[touch] = std::ranges::any_of(

@@ -2,9 +2,11 @@
 // What ContactFinder does for pairs of polygons that have hardly moved.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "narrowphase/relative.h"
 #include "sim/contact/contact_key.h"
+#include "sim/contact/fast.h"
 #include "sim/contact/find_contacts.h"
 #include "sim/contact/kept_impulses.h"
 
@@ -55,8 +57,10 @@ PlacedPart ContactFinder::place_part(const StepStart& start, std::uint32_t colli
   const double reach = start.candidates.reach(collider);
   const double centre = colliders_.centre.empty() ? 0.0 : colliders_.centre[collider].norm();
   const double arm = centre + colliders_.radius[collider] + reach;
+  const double pace = turns_far(body.spin, scene_.time.dt) ? std::numeric_limits<double>::infinity()
+                                                           : body.velocity.norm() + std::abs(body.spin) * arm;
   return {at.position.x(),   at.position.y(),      at.cos, at.sin,
-          body.inverse_mass, body.inverse_inertia, reach,  body.velocity.norm() + std::abs(body.spin) * arm};
+          body.inverse_mass, body.inverse_inertia, reach,  pace};
 }
 
 void ContactFinder::ask_held(const StepStart& start, Workers& workers) {

@@ -18,10 +18,10 @@ using narrowphase::DiscFlight;
 
 namespace {
 
-/// Collisions don't end, as between discs that are wedged in, where so many a body, all together, take less
-/// than such a part of the step. However many it are, they are taken if time goes on.
+/// As good as without end are collisions, as of discs that are wedged in, of which so many a body, all
+/// together, take less than such a part of the step.
 constexpr std::size_t kMostCollisions = 100;
-constexpr double kGoesOn = 1e-9;
+constexpr double kGoesOn = 1e-5;
 
 }  // namespace
 

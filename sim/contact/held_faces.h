@@ -21,7 +21,7 @@ struct alignas(64) PlacedPart {
   double x, y, cos, sin;  ///< m; where it stands
   double inverse_mass, inverse_inertia;
   double reach;  ///< m, as Candidates::reach
-  double pace;   ///< m/s, no point of it is faster
+  double pace;   ///< m/s, no point of it is faster; infinite where its faces turn far, as none is held then
 };
 
 /// Eight pairs, a row per quantity. Frames: that of the body whose edge is the reference, that of the other.

@@ -61,8 +61,7 @@ double contact_duration(const Scene& scene, const SoftPair& pair, double mass, d
                      : std::numeric_limits<double>::infinity();
 }
 
-double speed_of_depth(const Scene& scene, const SoftPair& pair, double mass, double depth) {
-  if (scene.contact == ContactModel::spring) return depth * std::sqrt(pair.stiffness / mass);
+double speed_of_depth(const SoftPair& pair, double mass, double depth) {
   return std::sqrt(0.8 * pair.stiffness / mass * depth * depth * std::sqrt(depth));
 }
 

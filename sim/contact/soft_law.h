@@ -178,8 +178,8 @@ void with_law(const Scene& scene, F f) {
 /// How long (s) two that meet at `speed` (m/s) stay in contact, without damping: the shortest that it may be.
 double contact_duration(const Scene& scene, const SoftPair& pair, double mass, double speed);
 
-/// m/s, at which two must meet to get that deep (m) into each other: at which those that begin so part.
-double speed_of_depth(const Scene& scene, const SoftPair& pair, double mass, double depth);
+/// m/s, of Hertz: at which two must meet to get that deep (m) into each other, and those that begin so part.
+double speed_of_depth(const SoftPair& pair, double mass, double depth);
 
 /// How stiff (N/m) the contact is at its deepest then.
 double largest_stiffness(const Scene& scene, const SoftPair& pair, double mass, double speed);

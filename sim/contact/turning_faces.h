@@ -13,20 +13,34 @@
 
 namespace throng {
 
+/// A face and who touches it, as their bodies stand: the arm of whose face it is ends below the other's
+/// point.
+struct FaceStand {
+  Vec normal, arm_a, arm_b;  ///< unit, from a to b; m, from the bodies' centres
+  double separation;         ///< m
+
+  /// Expects a turner.
+  FaceStand(const PointContact& face, const SolverBody& a, const SolverBody& b);
+};
+
+/// Whether the face is touched by now and not left over its end, as the bodies stand.
+bool turns_now(const PointContact& face, const FaceStand& stand, const SolverBody& a, const SolverBody& b);
+
 /// Faces that turn far within a step, from when somebody touches them on. Others are taken for planes that
 /// stand as they did when they were found, felt at the place that the other touched then: who is pushed by a
 /// face that turns would sink into it, by half the square of its turn times where it is touched. These are
 /// found anew in each substep: the plane turns with the face, and is felt below the other's point. Planes go
-/// on beyond their faces, so nobody's plane turns before it is touched.
+/// on beyond their faces, so nobody's plane turns before it is touched, nor on when the other has left it
+/// over the face's end.
+///
+/// Here are those of the blocks; what bounces and hits is placed as it is looked at, see prepare().
 class TurningFaces {
  public:
   void clear() { faces_.clear(); }
 
-  /// One or two points of a face whose `turner` is somebody, as describe_face() made them of b's image,
-  /// `shift` (m) away, at the time `when` (s) of a step that begins with those bodies; `first` of them among
-  /// the points of the blocks.
-  void add(std::size_t first, std::span<const PointContact> points, const Vec& shift, double when,
-           BodyRows<const SolverBody> bodies);
+  /// One or two points of a face that turns, as describe_face() made them; `first` of them among the points
+  /// of the blocks.
+  void add(std::size_t first, std::span<const PointContact> points);
 
   /// Places all in the blocks, for a substep of h (s) that begins as their bodies stand and move now.
   void turn(FaceBlocks& blocks, BodyRows<const SolverBody> bodies, double h, Workers& workers) const;
@@ -34,9 +48,7 @@ class TurningFaces {
  private:
   struct Face {
     std::size_t first, count;
-    std::array<PointContact, 2> points;  // with the normal and what turns of the arms as the step begins
-    Vec shift;                           // m
-    double from;                         // rad, the turn with which it is touched
+    std::array<PointContact, 2> points;  // with what turns of the arms as the step begins
   };
 
   static void turn(const Face& face, FaceBlocks& blocks, BodyRows<const SolverBody> bodies, double h);

@@ -84,6 +84,20 @@ TEST_P(SoftModels, ThatBeginInEachOtherPartWithWhatTheyHold) {
   }
 }
 
+/// Of who is in nobody, however deep others are in each other.
+TEST(Hertz, SubstepsAreOfWhatEachIsIn) {
+  const auto contact = [](double apart) {
+    const Scene scene = scene_from(
+        "contact = { model = \"hertz\", youngs_modulus = 1e6 }\n"
+        "time = { dt = 0.001, until = 1, substeps = 1000 }\n[shapes]\n"
+        "big = { disc = { radius = 5 } }\nsmall = { disc = { radius = 0.01 } }\n"
+        "[[bodies]]\nshape = \"big\"\nat = [0, 0]\n[[bodies]]\nshape = \"big\"\nat = [" +
+        std::to_string(apart) + ", 0]\n[[bodies]]\nshape = \"small\"\nat = [0, 9]\nvelocity = [0, 1]\n");
+    return soft_timing(scene).contact;
+  };
+  EXPECT_EQ(contact(9.9), contact(10.1));
+}
+
 TEST_P(SoftModels, HaveTheSameBitsOnTwoThreadsAndWhereStepsAreResumed) {
   const Scene scene = scene_from(heap(GetParam()));
   Trial one(scene), two(scene, 2);

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include "tests/sim/trial.h"
 
@@ -47,7 +48,8 @@ double slid_to(double start, double spin, double time) {
 
 class ADiscBeforeABlade : public testing::TestWithParam<double> {};
 
-/// When faces stood as the step began it got in by 2, 8, 16 and 48 mm, and fell behind by 0.4 to 2.7 %.
+/// It sags as soft contacts do under 2 w times its speed. When faces stood as the step began it got in by 2,
+/// 8, 16 and 48 mm, and fell behind by 0.4 to 2.7 %.
 TEST_P(ADiscBeforeABlade, SlidesOutAlongItsFace) {
   const double spin = GetParam();
   for (const double side : {1.0, -1.0}) {
@@ -56,8 +58,8 @@ TEST_P(ADiscBeforeABlade, SlidesOutAlongItsFace) {
     for (int step = 0; step < steps; ++step) {
       run.steps(1);
       const Vec where = on_blade(run, side);
-      EXPECT_GT(where.y(), -4e-3 * spin * kStep) << spin << ", step " << step;
-      EXPECT_NEAR(where.x() / slid_to(1.0, spin, (step + 1) * kStep), 1.0, 2e-3 * spin)
+      EXPECT_GT(where.y(), -5e-5 * spin * spin) << spin << ", step " << step;
+      EXPECT_NEAR(where.x() / slid_to(1.0, spin, (step + 1) * kStep), 1.0, 2e-4 * spin)
           << spin << ", step " << step;
     }
   }
@@ -65,7 +67,8 @@ TEST_P(ADiscBeforeABlade, SlidesOutAlongItsFace) {
 
 INSTANTIATE_TEST_SUITE_P(Spins, ADiscBeforeABlade, testing::Values(1.0, 2.0, 3.0, 6.0));
 
-/// A box lies flat on the blade, by two points, whichever of the two comes first.
+/// A box lies flat on the blade, by two points, whichever of the two comes first. It is pressed on by up to
+/// 40 m/s², and sags by that over the square of its contacts' frequency, some 450/s, times a few.
 TEST(TurningFaces, ABoxStaysFlatOnABlade) {
   for (const bool box_first : {false, true}) {
     const std::string box = body("box", {0.5, kOver});
@@ -75,7 +78,7 @@ TEST(TurningFaces, ABoxStaysFlatOnABlade) {
       run.steps(1);
       const double angle = run.state.angle[of_blade];
       const Vec across(-std::sin(angle), std::cos(angle));
-      EXPECT_GT(across.dot(run.state.position[of_box]) - kOver, -2e-4) << "step " << step;
+      EXPECT_GT(across.dot(run.state.position[of_box]) - kOver, -8e-4) << "step " << step;
       EXPECT_NEAR(run.state.angle[of_box], angle, 2e-3) << "step " << step;
     }
   }
@@ -93,6 +96,61 @@ TEST(TurningFaces, PushAnImageAsItself) {
   };
   const Vec whole = run(0.0), over_border = run(9.5);
   EXPECT_LT((over_border - whole).norm(), 1e-9);
+}
+
+/// Nor when it has been left: planes that went on turning threw a disc on by 1.3 m/s.
+TEST(TurningFaces, LetGoWhoSlidesOffTheirEnd) {
+  const auto leaves_at = [](double dt) {
+    Scene scene = scene_from(kHead + blade(6.0) + body("disc", {2.9, kOver}, "velocity = [5, 17.4]\n"));
+    scene.time.dt = dt;
+    Trial run(scene);
+    run.steps(static_cast<int>(std::lround(2.0 * kStep / dt)));
+    return run.state.velocity[1];
+  };
+  EXPECT_LT((leaves_at(kStep) - leaves_at(kStep / 100.0)).norm(), 0.4);
+}
+
+/// A disc at rest in the hollow between two facets of a drum stays there: it began to roll and gained energy.
+TEST(TurningFaces, TakeADiscAlongInADrum) {
+  constexpr int kFacets = 256;
+  constexpr double kHalf = std::numbers::pi / kFacets;
+  std::string rim, hole;
+  for (int i = 0; i < kFacets; ++i) {
+    const Vec at(std::cos(2.0 * i * kHalf), std::sin(2.0 * i * kHalf)), in = at / std::cos(kHalf);
+    char text[80];
+    std::snprintf(text, sizeof text, "[%.15g, %.15g],", 1.2 * at.x(), 1.2 * at.y());
+    rim += text;
+    std::snprintf(text, sizeof text, "[%.15g, %.15g],", in.x(), in.y());
+    hole += text;
+  }
+  const double at = 0.9 / std::cos(kHalf);
+  Trial run("time = { dt = 0.01, until = 3 }\n" + material(0.0, 0.5) +
+            "[shapes]\nball = { disc = { radius = 0.1 } }\ndrum = { polygon = [" + rim + "], holes = [[" +
+            hole + "]] }\n" + body("drum", {0.0, 0.0}, "kind = \"kinematic\"\nspin = 5\n") +
+            body("ball", {at, 0.0}, "velocity = [0, " + std::to_string(5.0 * at) + "]\nspin = 5\n"));
+  for (int step = 0; step < 300; ++step) {
+    run.steps(1);
+    const double angle = run.state.angle[0];
+    ASSERT_LT((run.state.position[1] - at * Vec(std::cos(angle), std::sin(angle))).norm(), 0.01)
+        << "step " << step;
+  }
+}
+
+/// Whether contacts are known from the steps before or looked for anew: a brick that topples on a slab.
+TEST(TurningFaces, GoOnWithTheSameBitsFromAnyStep) {
+  Trial whole(
+      "gravity = [0, -9.81]\nsleep = false\ntime = { dt = 0.016666666666666667, until = 2, substeps = 4 }\n" +
+      material(0.0, 0.9) +
+      "[shapes]\nslab = { polygon = [[-0.6, -0.3], [0.6, -0.3], [0.6, 0.3], [-0.6, 0.3]] }\n"
+      "brick = { polygon = [[-0.1, -0.2], [0.1, -0.2], [0.1, 0.2], [-0.1, 0.2]] }\n" +
+      body("slab", {0.0, -0.3}, "kind = \"kinematic\"\n") +
+      body("brick", {0.0, 0.223606}, "angle = -0.47\n"));
+  for (int step = 0; step < 70; ++step) {
+    Trial resumed(whole.scene);
+    resumed.state = whole.state;
+    whole.steps(1), resumed.steps(1);
+    ASSERT_EQ(hash(resumed.state), hash(whole.state)) << "step " << step;
+  }
 }
 
 /// Nobody's plane turns before it is touched: it would go on beyond the blade's end.
