@@ -174,6 +174,7 @@ bool prepare_turning(PointContact& contact, const SolverBody& a, const SolverBod
   if (!turns_now(contact, stand, a, b)) return false;
   contact.normal = stand.normal, contact.arm_a = stand.arm_a, contact.arm_b = stand.arm_b;
   feel_again(contact, a, b);
+  contact.gap = contact.normal.dot(contact.turner.shift);  // for when it has been left
   contact.separation = stand.separation;
   contact.offset = stand.separation - contact.normal.dot(b.position - a.position) -
                    (rise(contact.arm_b, contact) * b.turn - rise(contact.arm_a, contact) * a.turn);
