@@ -7,15 +7,18 @@
 
 namespace throng {
 
-/// A point at which a body pressed on another or on an obstacle at the end of a step; of engine event_driven
-/// a collision within the step. What native's contacts press in a step is taken for as much in each of its
-/// substeps as in the last; what bounces isn't in it.
+/// A point at which a body pressed on another or on an obstacle in a step; of engine event_driven a collision
+/// within the step. The impulse is all that acted there in the step where `record.fields` has contacts and
+/// bodies are rigid; else that of the last substep, times their number, of those that press at the end alone.
 struct ContactRow {
   std::uint32_t a = 0, b = 0;  ///< ids of the bodies; b is 0 for a wall, a border or a static body
   double impulse = 0.0;        ///< N s, along the normal, in the whole step, or of the collision
   Vec point{0.0, 0.0};         ///< m
+  bool presses = true;         ///< at the end of the step, too; isn't recorded
 
-  friend bool operator==(const ContactRow&, const ContactRow&) = default;
+  friend bool operator==(const ContactRow& one, const ContactRow& other) {
+    return one.a == other.a && one.b == other.b && one.impulse == other.impulse && one.point == other.point;
+  }
 };
 
 }  // namespace throng

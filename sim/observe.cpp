@@ -46,7 +46,7 @@ Observables observe(const Scene& scene, const State& state, std::span<const Cont
   return {kinetic_energy(scene, state),
           potential_energy(scene, state),
           momentum(scene, state),
-          static_cast<double>(contacts.size()),
+          static_cast<double>(std::ranges::count_if(contacts, &ContactRow::presses)),
           overlaps.max,
           overlaps.mean,
           observe_crowd(scene, state),

@@ -45,6 +45,7 @@ struct Plan {
   bool entrances = false;         ///< some agents appear in the course of time
   bool measures = false;          ///< something is counted while they walk
   bool sensors = false;           ///< somebody senses others
+  bool sums_impulses = false;     ///< contacts are recorded, with all that they press in a step
   std::size_t materials = 0;      ///< how many the scene has
   std::vector<Surface> surfaces;  ///< of each two of them: see surface()
   std::vector<Surface> meeting;   ///< of those of them at which bodies may meet

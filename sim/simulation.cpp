@@ -44,7 +44,8 @@ class Native : public Simulation {
     if (plan_.soft)
       work_.soft.list(state_, work_.bodies.in_order(), rows);
     else
-      throng::list_contacts(scene_, work_.contacts, state_, work_.bodies, rows);
+      throng::list_contacts(scene_, work_.contacts, plan_.sums_impulses ? &work_.impulses : nullptr, state_,
+                            work_.bodies, rows);
     if (plan_.sleep) with_sleeping(scene_, state_, rows);
   }
   const Collisions* collisions() const override { return plan_.flights ? &state_.collisions : nullptr; }

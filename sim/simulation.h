@@ -42,7 +42,8 @@ class Simulation {
   /// Points at which bodies pressed on each other or on obstacles in the last step, or have since they sleep.
   virtual std::size_t contacts() const = 0;
 
-  /// Replaces `rows` by them: contacts() of them, or before the first step here those of bodies that sleep.
+  /// Replaces `rows` by them: contacts() of them, or before the first step here those of bodies that sleep;
+  /// and where `record.fields` has contacts by those, too, that pressed in the step and don't at its end.
   virtual void list_contacts(std::vector<ContactRow>& rows) const = 0;
 
   /// Those so far; null where the engine doesn't count them one by one.

@@ -300,7 +300,7 @@ bool Sleepers::let_sleep(State& state, const Colliders& colliders, const Contact
 
 void Sleepers::put_contacts_aside(State& state, const Colliders& colliders, const Contacts& contacts,
                                   BodyRows<const SolverBody> bodies) {
-  list_contacts(scene_, contacts, state, bodies, rows_);
+  list_contacts(scene_, contacts, nullptr, state, bodies, rows_);
   const auto island_of = [&](std::uint64_t key) {
     const auto [a, b] = pair_of(key);
     const std::uint32_t island = state.sleep.island[colliders.body[a]];

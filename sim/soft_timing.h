@@ -33,7 +33,8 @@ double first_speed_of_ways(const Scene& scene);
 /// Of all discs that are dynamic, as if each met its like, or an obstacle where it is alone. `speed` is twice
 /// that of the fastest body and what a fall from the top of the scene to its bottom adds. Impacts of `spring`
 /// last as long at any speed; those of `hertz` are the shorter the faster, and as short where bodies begin as
-/// deep in each other, which they are searched for as by overlap(). O(bodies) else.
+/// deep in each other, which they are searched for as by overlap(); whom they hit as they part isn't counted.
+/// O(bodies) else.
 ///
 /// Stable are w h < 2 and z h < 2, w the highest frequency and z the highest damping rate of a packing in
 /// which each disc has six contacts.

@@ -6,7 +6,9 @@
 // them, which push them), measure, leave, appear. Of both: sense.
 #include "sim/step.h"
 
+#include <algorithm>
 #include <atomic>
+#include <iterator>
 #include <string>
 
 #include "sim/learn_loads.h"
@@ -78,6 +80,12 @@ void land(State& state, Workspace& work) {
   if (!work.flights.land(state, work.workers)) check_all(state, work);
 }
 
+/// What a step of flights presses.
+void list_collisions(Workspace& work) {
+  work.impulses.start(work.contacts);
+  std::ranges::copy(work.flights.strikes(), std::back_inserter(work.impulses.strikes));
+}
+
 [[noreturn]] void fail_at_chain(const State& state) {
   throw SimulationError("step " + std::to_string(state.step + 1) +
                         ": bodies hit one another on and on within it: take a shorter dt");
@@ -140,11 +148,17 @@ void push(const Scene& scene, const Plan& plan, State& state, Workspace& work, b
     clock.lap(work.times.find_contacts);
   }
   if (guarded) work.guard->start_step();
+  if (plan.sums_impulses) work.impulses.start(work.contacts);
   const bool learns = plan.gravity && plan.contacts();
   if (learns) prepare_to_learn(scene, plan, state, work);
   for (int i = 0; i < scene.time.substeps; ++i) {
     const bool backward = (state.step * scene.time.substeps + i) % 2 == 1;
     substep(scene, plan, state, work, {backward, guarded});
+    if (plan.sums_impulses) work.impulses.add(work.contacts);
+  }
+  if (plan.sums_impulses) {
+    work.impulses.add_bounces(work.contacts);
+    if (guarded) std::ranges::copy(work.guard->strikes(), std::back_inserter(work.impulses.strikes));
   }
   if (learns) learn_loads(work);
   clock.lap(work.times.solve);
@@ -192,6 +206,7 @@ void step_bodies(const Scene& scene, const Plan& plan, State& state, Workspace& 
   ++state.step;
   if (flown) {
     state.collisions += work.flights.collisions();
+    if (plan.sums_impulses) list_collisions(work);
     land(state, work);
   } else {
     if (plan.flights) ++state.collisions.pushed;

@@ -13,6 +13,7 @@
 #include "sim/contact/soft_contacts.h"
 #include "sim/contact/solve.h"
 #include "sim/contact/solver_bodies.h"
+#include "sim/contact/step_impulses.h"
 #include "sim/contact/unseen.h"
 #include "sim/crowd/walk.h"
 #include "sim/plan.h"
@@ -48,6 +49,7 @@ struct Workspace {
   ContactFinder finder;
   Contacts contacts;
   BounceQueue bounces;
+  StepImpulses impulses;
   SolverBodies bodies;  ///< a row per body, and one for all obstacles for each group of contacts
   std::vector<std::uint8_t> pressed;  ///< a buffer of what learns
   Unseen unseen;

@@ -114,8 +114,10 @@ Loaded load_embedded(const Recording& recording, const std::string& file) {
   return loaded;
 }
 
-/// What isn't recorded isn't observed: before 1.9 that was no density by Voronoi cells.
+/// What isn't recorded isn't observed: before 1.9 that was no density by Voronoi cells, before 1.11 no more
+/// of contacts than the last substep's.
 void observe_as_then(int minor, Scene& scene) {
+  if (minor < 11) scene.record.contacts = false;
   for (Measure& measure : scene.crowd.measures)
     if (minor < 9) measure.cutoff = 0.0;
 }

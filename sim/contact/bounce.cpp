@@ -18,6 +18,8 @@ constexpr double kSameNormal = 1.0 - 1e-12;  // cosine of the angle between norm
 
 constexpr double kAtItsEnd = 1e-9;  // of the time within which two meet: what rounding may make of its end
 
+constexpr double kNothing = 1e-13;  // of velocities: rounding, which would be struck on and on
+
 constexpr double kLeastTaken = 1e-4;  // of an impulse: less is not taken back
 
 /// The velocity that gravity adds to b against a, along the normal: nothing where both fall.
@@ -62,7 +64,9 @@ double rebound(const Contact& contact, const SolverBody& a, const SolverBody& b,
   const double s = contact.separation;
   if (!(s + rule.within * (speed + fall) < -kAtItsEnd * rule.within * speed)) return 0.0;
   const double parts = bounces ? parting_speed(contact.restitution, speed, s, fall, rule.h) : 0.0;
-  return (parts > 0.0 ? parts : arrival(contact, fall, rule.h)) - speed;
+  const double added = (parts > 0.0 ? parts : arrival(contact, fall, rule.h)) - speed;
+  const double speeds = a.velocity.lpNorm<1>() + b.velocity.lpNorm<1>() + std::abs(a.spin) + std::abs(b.spin);
+  return added > kNothing * speeds ? added : 0.0;
 }
 
 /// What all strikes of an impact add, of which one adds `added` (m/s): what hits without a bounce is first
@@ -80,7 +84,7 @@ void turn(ContactBase& contact, SolverBody& a, SolverBody& b, double impulse) {
 
 /// Notes an impact's impulses, and holds the two spins together, as far as the normal one lets it.
 void note(ContactBase& contact, SolverBody& a, SolverBody& b, double normal, double across) {
-  contact.struck += normal, contact.rubbed += across;
+  contact.struck += normal, contact.struck_in_step += normal, contact.rubbed += across;
   if (!(contact.lever > 0.0)) return;
   const double limit = contact.lever * normal;
   turn(contact, a, b, std::clamp((a.spin - b.spin) / (a.inverse_inertia + b.inverse_inertia), -limit, limit));
@@ -117,7 +121,7 @@ bool take_back(Contact& contact, BodyRows<SolverBody> bodies, const BounceRule& 
   const double parting = arms(contact).normal_velocity(a, b) - arrival(contact, fall, rule.h);
   const double impulse = std::min(normal_mass(contact, a, b) * parting, contact.struck);
   if (!(impulse > kLeastTaken * contact.struck)) return false;
-  contact.struck -= impulse;
+  contact.struck -= impulse, contact.struck_in_step -= impulse;
   const double limit = contact.friction * contact.struck;
   const double rubbed = std::clamp(contact.rubbed, -limit, limit);
   arms(contact).apply(a, b, -impulse, rubbed - contact.rubbed);

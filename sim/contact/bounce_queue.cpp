@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "sim/contact/face_stand.h"
 #include "sim/contact/solve.h"
 #include "sim/periodic.h"
 
@@ -159,6 +160,7 @@ bool BounceQueue::look_at(std::uint32_t i, Contacts& contacts, BodyRows<SolverBo
   }
   const std::span<PointContact> pair = std::span(contacts.point_bounces).subspan(entry.first, entry.count);
   if (is_new) prepare(pair, bodies);
+  turn_faces(pair, bodies, rule.h);
   return bounce(pair, bodies, rule);
 }
 

@@ -45,7 +45,9 @@ struct ContactBase {
   double struck = 0.0;      ///< N s, among bounces: the normal impulses so far, and of friction in
   double rubbed = 0.0;      ///< them, on b,
   double rolled = 0.0;      ///< N m s, and of what holds back rolling, on b
-  bool hits = false;        ///< among bounces: is stopped though it doesn't bounce, see hit_speed()
+  double struck_in_step = 0.0;  ///< N s, `struck` of all substeps so far
+  std::uint32_t row = 0;        ///< among bounces: of the contact among its like
+  bool hits = false;            ///< among bounces: is stopped though it doesn't bounce, see hit_speed()
 };
 
 /// Two discs, each about its body's centre: the arm is radius times normal, and both are exact in each
@@ -58,16 +60,16 @@ struct DiscContact : ContactBase {
 struct Turner {
   enum class Body : std::uint8_t { none, a, b };
   Body body = Body::none;  ///< whose it is
-  double begin = 0.0,
-         end = 0.0;      ///< m, from where to where it goes, along the normal turned left, from its centre
-  Vec normal{0.0, 0.0};  ///< of the contact, as the step begins
-  Vec shift{0.0, 0.0};   ///< m, to b's image
-  double from = 0.0;     ///< rad, the body's turn from which on it is touched
+  double begin = 0.0;      ///< m, where it begins, along the normal turned left, from its centre,
+  double end = 0.0;        ///< and ends, behind that
+  Vec normal{0.0, 0.0};    ///< of the contact, as the step begins
+  Vec shift{0.0, 0.0};     ///< m, to b's image
+  double from = 0.0;       ///< rad, the body's turn from which on it is touched
 };
 
 /// One point of a manifold. The normal is that of the step's beginning, or of when the two meet or pass where
 /// they near each other fast. Arms turn with their bodies, but a disc's radius points along the normal for
-/// ever. All that is otherwise where there is a turner.
+/// ever. Where there is a turner, FaceStand makes normal and arms anew from `first_a` and `first_b`.
 struct PointContact : ContactBase {
   Vec arm_a{0.0, 0.0}, arm_b{0.0, 0.0};      ///< m, from the bodies' centres to the contact, in this substep
   Vec first_a{0.0, 0.0}, first_b{0.0, 0.0};  ///< m, what of them turns, as the step begins

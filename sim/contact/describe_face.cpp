@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/contact/face_stand.h"
 #include "sim/contact/fast.h"
 
 namespace throng {
@@ -60,8 +61,8 @@ SolverBody moved(SolverBody body, const Vec& to) {
 /// What turns of the arms of a contact that was found when its bodies had turned by so much (rad), as they
 /// begin.
 void turn_back(PointContact& contact, double turn_a, double turn_b) {
-  contact.first_a = Turn(-turn_a)(contact.first_a);
-  contact.first_b = Turn(-turn_b)(contact.first_b);
+  contact.first_a = turned(contact.first_a, -turn_a);
+  contact.first_b = turned(contact.first_b, -turn_b);
 }
 
 /// Whether the two touch, or nearly so.
@@ -72,8 +73,15 @@ bool is_met(const Colliders& colliders, const Touch& touch, const Manifold& m) {
                              [&](const ManifoldPoint& point) { return point.separation <= near; });
 }
 
-/// Of whose face the normal is, `when` (s) the two meet, if that one turns far. Of two parallel faces that on
-/// which the manifold was described.
+/// Whether an obstacle has a face there. A side of the domain's box is nothing else.
+bool has_face(const Obstacles& obstacles, std::uint32_t row, const Vec& outward) {
+  if (row < obstacles.side.size()) return true;
+  return std::ranges::any_of(obstacles.part[row - obstacles.side.size()].normals,
+                             [&](const Vec& normal) { return normal.dot(outward) > kOneNormal; });
+}
+
+/// Of whose face the normal is, `when` (s) the two meet, if that one turns far. Of two parallel faces that of
+/// who is no impulse's to move, or else that on which the manifold was described.
 Turner turner_of(const StepStart& start, const Touch& touch, const Manifold& m, double when, double dt) {
   const SolverBody &a = start.bodies[touch.a], &b = start.bodies[touch.b];
   const bool far_a = turns_far(a.spin, dt), far_b = turns_far(b.spin, dt);
@@ -88,15 +96,18 @@ Turner turner_of(const StepStart& start, const Touch& touch, const Manifold& m, 
       if (at.rotate(shape.normals[e]).dot(outward) <= kOneNormal) continue;
       const double tail = along.dot(at.rotate(shape.vertices[e]));
       const double head = along.dot(at.rotate(shape.vertices[(e + 1) % shape.vertices.size()]));
-      return {whose,       std::min(tail, head), std::max(tail, head), Turn(-when * spin)(m.normal),
+      return {whose,       std::min(tail, head), std::max(tail, head), turned(m.normal, -when * spin),
               touch.shift, when * spin};
     }
     return {};
   };
   const Turner of_a = face(Turner::Body::a, touch.pair.a, a.spin, touch.a);
   const Turner of_b = touch.obstacle ? Turner{} : face(Turner::Body::b, touch.pair.b, b.spin, touch.b);
-  const bool is_b = of_b.body != Turner::Body::none &&
-                    (of_a.body == Turner::Body::none || narrowphase::reference_is_b(m.points[0].feature));
+  const bool face_b = touch.obstacle ? has_face(start.obstacles(), touch.pair.b, Vec(-m.normal))
+                                     : of_b.body != Turner::Body::none;
+  const bool yields_a = a.inverse_mass > 0.0, yields_b = b.inverse_mass > 0.0;
+  const bool rather_b = yields_a != yields_b ? yields_a : narrowphase::reference_is_b(m.points[0].feature);
+  const bool is_b = face_b && (of_a.body == Turner::Body::none || rather_b);
   return is_b ? (far_b ? of_b : Turner{}) : (far_a ? of_a : Turner{});
 }
 

@@ -31,7 +31,7 @@ inline constexpr double kRestSpeed = 2.0;
 inline constexpr double kAheadWay = 0.02;
 
 /// rad, in a step.
-inline constexpr double kFaceTurn = 5e-3, kFarTurn = 0.1;
+inline constexpr double kFaceTurn = 5e-4, kFarTurn = 0.1;
 
 /// Whether the faces of who spins so (rad/s) turn far within a step of `dt` (s).
 inline bool turns_far(double spin, double dt) {

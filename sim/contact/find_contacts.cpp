@@ -33,8 +33,10 @@ void ContactFinder::find(const StepStart& start, Contacts& contacts, Workers& wo
   const bool moved = std::exchange(moved_, false);
   discs_.find(candidates, state, bodies, parts_, moved, contacts.disc_key, contacts.discs, workers);
   if (plan_.restitution)
-    for (const std::uint64_t key : contacts.disc_key)
-      contacts.disc_bounces.push_back(discs_.contact_of(colliders_, pair_of(key), bodies));
+    for (std::uint32_t i = 0; i < contacts.disc_key.size(); ++i) {
+      contacts.disc_bounces.push_back(discs_.contact_of(colliders_, pair_of(contacts.disc_key[i]), bodies));
+      contacts.disc_bounces.back().row = i;
+    }
   find_touches(start, moved, contacts, workers);
   if (plan_.rolling) find_rolls(scene_, plan_, candidates, state, bodies, contacts);
   if (!all_bounce_) list_hits(start, contacts);
@@ -158,6 +160,14 @@ void ContactFinder::fill_faces(const StepStart& start, Contacts& contacts, Worke
   list_turning(start, contacts);
 }
 
+void ContactFinder::list_bounces(std::span<const PointContact> face, std::uint32_t row, Contacts& contacts) {
+  for (const PointContact& point : face) {
+    contacts.point_bounces[row] = point;
+    contacts.point_bounces[row].row = row;
+    ++row;
+  }
+}
+
 void ContactFinder::list_turning(const StepStart& start, Contacts& contacts) const {
   std::array<PointContact, 2> points;
   for (auto i = turns_.begin(); (i = std::find(i, turns_.end(), 1)) != turns_.end(); ++i) {
@@ -185,7 +195,7 @@ void ContactFinder::fill_searched(const StepStart& start, std::size_t touch, Kep
   }
   contacts.faces.fill(first_point_[touch], face);
   turns_[touch] = face[0].turner.body != Turner::Body::none;
-  if (plan_.restitution) std::ranges::copy(face, contacts.point_bounces.begin() + first_point_[touch]);
+  if (plan_.restitution) list_bounces(face, first_point_[touch], contacts);
   const SolverBody &a = start.bodies[face[0].a], &b = start.bodies[face[0].b];
   hits_[touch] = std::ranges::any_of(
       face, [&](const PointContact& c) { return arms(c).normal_velocity(a, b) < -hit_speed_; });

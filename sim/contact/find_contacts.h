@@ -93,6 +93,7 @@ class ContactFinder {
   void fill_faces(const StepStart& start, Contacts& contacts, Workers& workers);
   void fill_searched(const StepStart& start, std::size_t touch, KeptImpulses& memory,
                      std::array<PointContact, 2>& points, Contacts& contacts);
+  static void list_bounces(std::span<const PointContact> face, std::uint32_t row, Contacts& contacts);
   void list_turning(const StepStart& start, Contacts& contacts) const;
   std::span<PointContact> face(const StepStart& start, std::size_t touch,
                                std::array<PointContact, 2>& points) const;

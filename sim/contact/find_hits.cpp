@@ -120,6 +120,7 @@ void ContactFinder::list_disc(const StepStart& start, std::size_t contact, Conta
   std::vector<DiscContact>& bounces = contacts.disc_bounces;
   if (plan_.restitution) return void(bounces[contact].hits = true);
   bounces.push_back(discs_.contact_of(colliders_, pair_of(contacts.disc_key[contact]), start.bodies));
+  bounces.back().row = static_cast<std::uint32_t>(contact);
   bounces.back().hits = true, bounces.back().lever = lever(contacts.disc_rolls, contact);
 }
 
@@ -136,6 +137,7 @@ void ContactFinder::list_touch(const StepStart& start, std::size_t touch, KeptIm
   std::array<PointContact, 2> points;
   for (const PointContact& point : face(start, touch, points)) {
     bounces.push_back(point);
+    bounces.back().row = static_cast<std::uint32_t>(row);
     bounces.back().hits = true, bounces.back().lever = lever(contacts.point_rolls, row++);
   }
 }

@@ -18,8 +18,8 @@ using narrowphase::DiscFlight;
 
 namespace {
 
-/// As good as without end are collisions, as of discs that are wedged in, of which so many a body, all
-/// together, take less than such a part of the step.
+/// Collisions count as endless, as of discs that are wedged in, where this many a body take less than this
+/// part of the step.
 constexpr std::size_t kMostCollisions = 100;
 constexpr double kGoesOn = 1e-5;
 
@@ -39,7 +39,7 @@ bool Flights::fly(const Candidates& candidates, const State& state, BodyRows<con
 
 void Flights::begin(const Candidates& candidates, const State& state, BodyRows<const SolverBody> masses) {
   candidates_ = &candidates, state_ = &state, masses_ = masses, pairs_ = candidates.pairs();
-  collisions_ = {}, heap_.clear(), reached_.clear();
+  collisions_ = {}, strikes_.clear(), heap_.clear(), reached_.clear();
   for (const Bent& one : bent_) bent_of_[one.disc] = kStraight;
   bent_.clear();
   const std::vector<std::uint32_t>& body = candidates.colliders().body;
@@ -204,8 +204,16 @@ void Flights::collide(std::uint32_t pair, double now) {
     collisions_.add_pair(touch.radius_a + touch.radius_b, impulse, one.inverse_mass + other.inverse_mass);
   else
     ++collisions_.walls;
+  if (plan_.sums_impulses) list(pair, one.position + radius[a] * n, impulse);
   foresee_of(a, pair, now);
   if (is_pair(pair)) foresee_of(b, pair, now);
+}
+
+void Flights::list(std::uint32_t pair, const Vec& point, double impulse) {
+  const auto [a, b] = discs(pair);
+  const auto id = [&](std::uint32_t disc) { return state_->id[candidates_->colliders().body[disc]]; };
+  strikes_.push_back({id(a), is_pair(pair) ? id(b) : 0, impulse,
+                      plan_.periodic ? wrapped(point, scene_.domain) : point, false});
 }
 
 /// What a disc meets next, which has just collided: not at once the same one again.

@@ -11,6 +11,7 @@
 #include "sim/contact/candidates.h"
 #include "sim/contact/contact.h"
 #include "sim/contact/meetings.h"
+#include "sim/contact_row.h"
 #include "sim/workers.h"
 
 namespace throng {
@@ -34,6 +35,9 @@ class Flights {
   bool land(State& state, Workers& workers);
 
   const Collisions& collisions() const { return collisions_; }  ///< of the last fly()
+
+  /// The same one by one, where contacts are recorded, none of which presses at the end.
+  std::span<const ContactRow> strikes() const { return strikes_; }
 
   /// How far those got that collided; all others fly straight.
   std::span<const Reached> reached() const { return reached_; }
@@ -82,6 +86,7 @@ class Flights {
   void list_pairs_of_discs();
   bool collide_all();
   void collide(std::uint32_t pair, double now);
+  void list(std::uint32_t pair, const Vec& point, double impulse);
   void foresee_of(std::uint32_t disc, std::uint32_t collided, double now);
   void stop(std::uint32_t disc, double now);
   void advance(Bent& bent, double time);
@@ -108,6 +113,7 @@ class Flights {
   std::vector<Bent> bent_;
   std::vector<Reached> reached_;
   Collisions collisions_;
+  std::vector<ContactRow> strikes_;
 };
 
 }  // namespace throng

@@ -9,6 +9,7 @@
 
 #include "narrowphase/motion/first_contact.h"
 #include "sim/contact/corner_impact.h"
+#include "sim/periodic.h"
 
 namespace throng {
 
@@ -34,6 +35,9 @@ constexpr double kHeld = 0.03125;
 /// whose smallest hearts touch may still come nearer.
 constexpr double kLeaves = 0.25, kNearer = 1e-3;
 
+/// Times its width and height, how deep and how far along a side of the domain's box reaches.
+constexpr double kFarBehind = 4.0;
+
 /// How often at most, if others hold up who is pushed.
 constexpr int kMostPushes = 8;
 
@@ -42,12 +46,15 @@ double way(const SolverBody& body, const Vec& position, double reach) {
   return (body.position - position).norm() + std::abs(body.turn) * reach;
 }
 
-/// Restitution along the normal, Coulomb friction across; then the two part at `leaves` (m/s) more.
-void part(const PointArms& at, SolverBody& a, SolverBody& b, const Surface& surface, double leaves) {
+/// Restitution along the normal, Coulomb friction across; then the two part at `leaves` (m/s) more. Returns
+/// the impulse along the normal (N s).
+double part(const PointArms& at, SolverBody& a, SolverBody& b, const Surface& surface, double leaves) {
   const double speed = at.normal_velocity(a, b);
-  if (!(speed < 0.0)) return;
+  if (!(speed < 0.0)) return 0.0;
   const auto [normal, across] = corner_impact(at, surface.friction, a, b, -surface.restitution * speed);
-  at.apply(a, b, normal + leaves * effective_mass(a, b, at.arm_a, at.arm_b, at.normal), across);
+  const double pushed = normal + leaves * effective_mass(a, b, at.arm_a, at.arm_b, at.normal);
+  at.apply(a, b, pushed, across);
+  return pushed;
 }
 
 /// m/s, at which two whose hearts touch come nearer at that point.
@@ -81,6 +88,14 @@ double overlap(const narrowphase::Manifold& touch) {
   return deepest;
 }
 
+/// What is behind a side of the domain's box, as far as anybody gets who isn't stopped there.
+narrowphase::Convex solid(const narrowphase::HalfPlane& side, const Domain& domain) {
+  const double far = kFarBehind * (domain.max - domain.min).sum();
+  const Vec along = far * tangent(side.normal), behind = -far * side.normal;
+  return narrowphase::convex(
+      {side.point - along, side.point + along, side.point + along + behind, side.point - along + behind});
+}
+
 bool yields(const SolverBody& body) {
   return body.inverse_mass > 0.0;
 }
@@ -98,6 +113,8 @@ Guard::Guard(const Scene& scene, const Plan& plan, const Candidates& candidates)
       hearts_(candidates.colliders()),
       reach_(scene.bodies.size(), 0.0) {
   const Colliders& colliders = candidates.colliders();
+  for (const narrowphase::HalfPlane& side : candidates.obstacles().side)
+    sides_.push_back(solid(side, scene.domain));
   if (colliders.centre.empty()) return;  // a disc that turns stays where it is
   for (std::uint32_t row = 0; row < colliders.size(); ++row)
     if (!is_disc(colliders, row)) reach_[colliders.body[row]] = scene.bodies.radius[colliders.body[row]];
@@ -114,15 +131,13 @@ Guard::Meeting Guard::meeting(broadphase::Pair pair, bool obstacle) const {
           obstacle ? candidates_.obstacle_shift(pair.a) : candidates_.shift(pair)};
 }
 
-/// All pairs but for sides of the domain's box, which hold whoever is behind them; and of each body that
-/// yields, its own.
+/// All pairs, and of each body its own.
 void Guard::list_all() {
   if (listed_ == candidates_.finds()) return;
   listed_ = candidates_.finds();
   meetings_.clear();
   for (const broadphase::Pair& pair : candidates_.pairs()) meetings_.push_back(meeting(pair, false));
-  for (const broadphase::Pair& pair : candidates_.obstacle_pairs())
-    if (pair.b >= candidates_.obstacles().side.size()) meetings_.push_back(meeting(pair, true));
+  for (const broadphase::Pair& pair : candidates_.obstacle_pairs()) meetings_.push_back(meeting(pair, true));
   begin_.assign(scene_.bodies.size() + 2, 0);
   for (const Meeting& m : meetings_) ++begin_[m.a + 1], ++begin_[m.b + 1];
   std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
@@ -145,7 +160,8 @@ const narrowphase::Convex& Guard::heart_of_a(const Meeting& m) const {
 /// Obstacles never give way: all of them is heart.
 const narrowphase::Convex& Guard::heart_of_b(const Meeting& m) const {
   thread_local narrowphase::Convex lent;
-  if (m.obstacle) return candidates_.obstacles().part[m.row_b - candidates_.obstacles().side.size()];
+  if (m.obstacle)
+    return m.row_b < sides_.size() ? sides_[m.row_b] : candidates_.obstacles().part[m.row_b - sides_.size()];
   return hearts_.heart(m.row_b, m.depth, lent);
 }
 
@@ -175,7 +191,6 @@ bool Guard::saw_meeting(const State& state, BodyRows<const SolverBody> bodies, W
 bool Guard::any_met(const State& state, BodyRows<const SolverBody> bodies, Workers& workers) const {
   const std::span<const broadphase::Pair> pairs = candidates_.pairs();
   const std::span<const broadphase::Pair> obstacle_pairs = candidates_.obstacle_pairs();
-  const std::size_t sides = candidates_.obstacles().side.size();
   std::atomic<bool> any = false;
   workers.for_ranges(pairs.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end && !any; ++i)
@@ -184,9 +199,7 @@ bool Guard::any_met(const State& state, BodyRows<const SolverBody> bodies, Worke
   });
   workers.for_ranges(obstacle_pairs.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end && !any; ++i)
-      if (is_far_[obstacle_pairs[i].a] && obstacle_pairs[i].b >= sides &&
-          met(meeting(obstacle_pairs[i], true), state, bodies))
-        any = true;
+      if (is_far_[obstacle_pairs[i].a] && met(meeting(obstacle_pairs[i], true), state, bodies)) any = true;
   });
   return any;
 }
@@ -302,6 +315,12 @@ void Guard::advance(const Substep& sub, std::uint32_t body, double time) {
   since_[body] = time;
 }
 
+void Guard::list(const Substep& sub, const Meeting& m, const Vec& point, double impulse) {
+  const std::vector<std::uint32_t>& id = sub.state.id;
+  strikes_.push_back({id[m.a], m.obstacle ? 0 : id[m.b], impulse,
+                      plan_.periodic ? wrapped(point, scene_.domain) : point, false});
+}
+
 /// Two whose hearts meet are struck, and may then get as deep as to the next ones. Who gets to the last ones
 /// stays where it is for the rest of the substep; before a body that is driven, and goes on, it is pushed
 /// out.
@@ -315,7 +334,9 @@ void Guard::collide(const Substep& sub, Meeting& m) {
   const narrowphase::Manifold touch = manifold(m, of_a, of_b);
   if (touch.count > 0) {
     const Vec point = struck_point(touch, of_a, of_b);
-    part({point - of_a.position, point - of_b.position, touch.normal}, a, b, surface(m), leaves);
+    const double impulse =
+        part({point - of_a.position, point - of_b.position, touch.normal}, a, b, surface(m), leaves);
+    if (plan_.sums_impulses && impulse > 0.0) list(sub, m, point, impulse);
   }
   if (!is_last || !driven || ++m.pushes > kMostPushes) ++m.depth;
   if (is_last && !driven) stand(a, m.a), stand(b, m.b);

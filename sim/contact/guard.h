@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "narrowphase/manifold.h"
@@ -10,6 +11,7 @@
 #include "sim/contact/candidates.h"
 #include "sim/contact/contact.h"
 #include "sim/contact/hearts.h"
+#include "sim/contact_row.h"
 #include "sim/plan.h"
 #include "sim/rows.h"
 #include "sim/scene.h"
@@ -33,7 +35,10 @@ class Guard {
   bool saw_meeting(const State& state, BodyRows<const SolverBody> bodies, Workers& workers);
 
   /// To be called before a step is taken under guard, each time that it is.
-  void start_step() { stood_.assign(scene_.bodies.size() + 1, 0); }
+  void start_step() { stood_.assign(scene_.bodies.size() + 1, 0), strikes_.clear(); }
+
+  /// Those of the substeps since then, where contacts are recorded.
+  std::span<const ContactRow> strikes() const { return strikes_; }
 
   /// How many steps saw_meeting() was true of: all of these are taken under guard.
   std::int64_t guarded_steps() const { return guarded_steps_; }
@@ -90,6 +95,7 @@ class Guard {
   void expect(std::uint32_t k);
   narrowphase::Motion motion(const Substep& sub, const Meeting& m, bool of_b, double time) const;
   void collide(const Substep& sub, Meeting& m);
+  void list(const Substep& sub, const Meeting& m, const Vec& point, double impulse);
   void advance(const Substep& sub, std::uint32_t body, double time);
   void stand(SolverBody& body, std::uint32_t row);
   void look_again(const Substep& sub, std::uint32_t body);
@@ -99,6 +105,7 @@ class Guard {
   const Plan& plan_;
   const Candidates& candidates_;
   Hearts hearts_;
+  std::vector<narrowphase::Convex> sides_;  // of the domain's box, as bodies see them
   std::int64_t guarded_steps_ = 0;
   std::vector<double> reach_;         // m, of each body: how far from its centre turning moves points
   std::vector<std::uint8_t> is_far_;  // of each collider, as saw_meeting() looks back
@@ -109,7 +116,8 @@ class Guard {
   std::vector<Event> events_;                   // a heap
   std::vector<double> since_;         // s, of each body, in the substep: when it was where its row has it
   std::vector<std::uint8_t> stands_;  // of each body: stays there for the rest of the substep
-  std::vector<std::uint8_t> stood_;   // likewise, of the step under guard: it has stood before
+  std::vector<ContactRow> strikes_;
+  std::vector<std::uint8_t> stood_;  // likewise, of the step under guard: it has stood before
 };
 
 }  // namespace throng

@@ -7,27 +7,35 @@ namespace throng {
 
 namespace {
 
-Vec arm(const DiscContact& contact) {
-  return contact.radius_a * contact.normal;
+Vec place(const DiscContact& contact, BodyRows<const SolverBody> bodies) {
+  return bodies[contact.a].position + contact.radius_a * contact.normal;
 }
-Vec arm(const PointContact& contact) {
-  return contact.arm_a;
+
+/// On the surface of who yields: a face that is driven may be felt elsewhere.
+Vec place(const PointContact& contact, BodyRows<const SolverBody> bodies) {
+  const bool yields_a = bodies[contact.a].inverse_mass > 0.0;
+  return yields_a ? bodies[contact.a].position + contact.arm_a : bodies[contact.b].position + contact.arm_b;
 }
 
 }  // namespace
 
-void list_contacts(const Scene& scene, const Contacts& contacts, const State& state,
-                   BodyRows<const SolverBody> bodies, std::vector<ContactRow>& rows) {
+void list_contacts(const Scene& scene, const Contacts& contacts, const StepImpulses* impulses,
+                   const State& state, BodyRows<const SolverBody> bodies, std::vector<ContactRow>& rows) {
   rows.clear();
-  const auto add = [&](const auto& contact) {
-    if (!(contact.normal_impulse > 0.0)) return;
-    const Vec point = bodies[contact.a].position + arm(contact);
-    rows.push_back({state.id[contact.a], contact.b < state.id.size() ? state.id[contact.b] : 0,
-                    contact.normal_impulse * scene.time.substeps,
-                    scene.domain.kind == DomainKind::periodic ? wrapped(point, scene.domain) : point});
+  const auto add = [&](const auto& contact, const double* sum) {
+    const double impulse = sum ? *sum : contact.normal_impulse * scene.time.substeps;
+    const bool presses = contact.normal_impulse > 0.0;
+    if (!presses && !(impulse > 0.0)) return;
+    const Vec point = place(contact, bodies);
+    rows.push_back({state.id[contact.a], contact.b < state.id.size() ? state.id[contact.b] : 0, impulse,
+                    scene.domain.kind == DomainKind::periodic ? wrapped(point, scene.domain) : point,
+                    presses});
   };
-  for (std::size_t i = 0; i < contacts.discs.size(); ++i) add(contacts.discs[i]);
-  for (std::size_t i = 0; i < contacts.faces.size(); ++i) add(contacts.faces[i]);
+  for (std::size_t i = 0; i < contacts.discs.size(); ++i)
+    add(contacts.discs[i], impulses ? &impulses->discs[i] : nullptr);
+  for (std::size_t i = 0; i < contacts.faces.size(); ++i)
+    add(contacts.faces[i], impulses ? &impulses->faces[i] : nullptr);
+  if (impulses) rows.insert(rows.end(), impulses->strikes.begin(), impulses->strikes.end());
 }
 
 void with_sleeping(const Scene& scene, const State& state, std::vector<ContactRow>& rows) {

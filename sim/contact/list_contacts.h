@@ -5,6 +5,7 @@
 
 #include "sim/contact/body_rows.h"
 #include "sim/contact/contacts.h"
+#include "sim/contact/step_impulses.h"
 #include "sim/contact_row.h"
 #include "sim/scene.h"
 #include "sim/state.h"
@@ -12,10 +13,11 @@
 namespace throng {
 
 /// Replaces `rows` by the contacts that press, in the solver's order, where the step that has just ended left
-/// them: those whose impulses `Contacts::save` keeps, each substep's taken for the last one's. `bodies`: as
-/// that step left them, the obstacles last. O(contacts); allocates only to grow.
-void list_contacts(const Scene& scene, const Contacts& contacts, const State& state,
-                   BodyRows<const SolverBody> bodies, std::vector<ContactRow>& rows);
+/// them: without `impulses` those that `Contacts::save` keeps, each substep's taken for the last one's; with
+/// them all that pressed or struck in the step, that much. `bodies`: as that step left them, the obstacles
+/// last. O(contacts); allocates only to grow.
+void list_contacts(const Scene& scene, const Contacts& contacts, const StepImpulses* impulses,
+                   const State& state, BodyRows<const SolverBody> bodies, std::vector<ContactRow>& rows);
 
 /// Leaves of those rows the ones of bodies that are awake, and adds the contacts that sleep.
 void with_sleeping(const Scene& scene, const State& state, std::vector<ContactRow>& rows);

@@ -7,7 +7,6 @@
 
 #include "sim/contact/arms.h"
 #include "sim/contact/fast.h"
-#include "sim/contact/turning_faces.h"
 #include "sim/periodic.h"
 
 namespace throng {
@@ -166,28 +165,10 @@ void prepare(std::span<DiscContact> contacts, BodyRows<const SolverBody> bodies,
   }
 }
 
-namespace {
-
-/// False where the contact's plane doesn't turn as the bodies stand.
-bool prepare_turning(PointContact& contact, const SolverBody& a, const SolverBody& b) {
-  const FaceStand stand(contact, a, b);
-  if (!turns_now(contact, stand, a, b)) return false;
-  contact.normal = stand.normal, contact.arm_a = stand.arm_a, contact.arm_b = stand.arm_b;
-  feel_again(contact, a, b);
-  contact.gap = contact.normal.dot(contact.turner.shift);  // for when it has been left
-  contact.separation = stand.separation;
-  contact.offset = stand.separation - contact.normal.dot(b.position - a.position) -
-                   (rise(contact.arm_b, contact) * b.turn - rise(contact.arm_a, contact) * a.turn);
-  contact.struck = contact.rubbed = contact.rolled = 0.0;
-  return true;
-}
-
-}  // namespace
-
 void prepare(std::span<PointContact> contacts, BodyRows<const SolverBody> bodies) {
   for (PointContact& contact : contacts) {
     const SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
-    if (contact.turner.body != Turner::Body::none && prepare_turning(contact, a, b)) continue;
+    if (contact.turner.body != Turner::Body::none) contact.gap = contact.normal.dot(contact.turner.shift);
     contact.arm_a = Turn(a.turn)(contact.first_a) + contact.round_a * contact.normal;
     contact.arm_b = Turn(b.turn)(contact.first_b) - contact.round_b * contact.normal;
     if (std::max(std::abs(a.turn), std::abs(b.turn)) > kFarTurn) feel_again(contact, a, b);

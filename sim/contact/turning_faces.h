@@ -13,19 +13,6 @@
 
 namespace throng {
 
-/// A face and who touches it, as their bodies stand: the arm of whose face it is ends below the other's
-/// point.
-struct FaceStand {
-  Vec normal, arm_a, arm_b;  ///< unit, from a to b; m, from the bodies' centres
-  double separation;         ///< m
-
-  /// Expects a turner.
-  FaceStand(const PointContact& face, const SolverBody& a, const SolverBody& b);
-};
-
-/// Whether the face is touched by now and not left over its end, as the bodies stand.
-bool turns_now(const PointContact& face, const FaceStand& stand, const SolverBody& a, const SolverBody& b);
-
 /// Faces that turn far within a step, from when somebody touches them on. Others are taken for planes that
 /// stand as they did when they were found, felt at the place that the other touched then: who is pushed by a
 /// face that turns would sink into it, by half the square of its turn times where it is touched. These are

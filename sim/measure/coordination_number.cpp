@@ -17,7 +17,9 @@ double coordination_number(const Scene& scene, std::span<const ContactRow> conta
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   double ends = 0.0;
   for (const ContactRow& row : contacts)
-    if (row.b == 0 && is_disc(row.a))
+    if (!row.presses)
+      continue;
+    else if (row.b == 0 && is_disc(row.a))
       ends += 1.0;
     else
       pairs.push_back({row.a, row.b});

@@ -42,7 +42,8 @@
 ///   quantized             (1.2) with record.quantize, instead of the positions of H5MD: position u32[F,N,2] through
 ///                         shuffle and deflate, step, time; attributes every, quantum f64 (m), key_every i64, how;
 ///                         of bodies that come and go, too (1.4): each keeps its row, with 0 while it is away
-///   contacts              (1.2) attribute every; a u32, b u32, impulse f64, point f64[,2], rows as ContactRow has
+///   contacts              (1.2) attribute every; a u32, b u32, impulse f64 (of rigid bodies since 1.11 that of all
+///                         substeps and of what struck in them), point f64[,2], rows as ContactRow has
 ///                         them; those of sample s are offset[s] to offset[s + 1], u64; step, time
 ///   sensors/K             (1.5) the K-th recorded sensor, from 0: attributes name, every, radius f64 (m),
 ///                         fov_degrees f64, sight (none, walls, bodies); who u32, count u32: ids, ascending, of those
@@ -102,8 +103,9 @@ inline constexpr int kMajor = 1;  ///< a reader refuses a newer one
 /// 7 there is what scenarios ask to be observed: to readers of 6 such frames are damaged.
 /// Since 8 the mass of an agent is its model's, where that has one: before, all had 80 kg.
 /// Since 9 the density by Voronoi cells is there, where a measure has it: to readers of 8 such frames are
-/// damaged. Since 10 there is who arrived when.
-inline constexpr int kMinor = 10;
+/// damaged. Since 10 there is who arrived when. Since 11 contacts tell what pressed in the whole step:
+/// before, what pressed at its end, as much in each substep as in the last.
+inline constexpr int kMinor = 11;
 
 inline constexpr std::size_t kMaxChunk = std::size_t{1} << 20;  ///< bytes
 inline constexpr std::size_t kRegionChunk = 256;                ///< bodies, where frames hold few of them

@@ -86,7 +86,7 @@ class Layouts(Program):
         shutil.copy(path, self.path("a.h5"))
         self.assertEqual(self.throng("resume", "a.h5", "--until", "3.5", "--progress", "none")[0], 0)
         with throng_read.open(self.path("a.h5")) as recording, h5py.File(self.path("a.h5")) as file:
-            self.assertEqual(list(file["throng"].attrs["version"]), [1, 10])
+            self.assertEqual(list(file["throng"].attrs["version"]), [1, 11])
             self.assertEqual([area.name for area in recording.areas], ["exit", "hall"])
         self.assertEqual(self.throng("replay", "a.h5", "--verify"), (0, ""))
 

@@ -231,6 +231,39 @@ TEST(Guard, ThinBarsThatSpinDontPassEachOther) {
   EXPECT_GT(steps, 5);
 }
 
+/// Bars that whirl among hooks, both so fast that one drives the other through a side of the box.
+std::string thrown_at_sides(unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  std::string text = "domain = { box = [[-20, -20], [30, 20]] }\n" + thrown_with(0.01, 0.0, 0.5);
+  const auto turned = [&] { return "angle = " + std::to_string(6.0 * unit(random)) + "\n"; };
+  for (int k = 0; k < 10; ++k) {
+    const double y = 3.6 * k - 18.0;
+    text +=
+        thrown("hook", {2.0, y}, {-40.0 - 60.0 * unit(random), 0.0}, 100.0 * unit(random) - 50.0, turned());
+    text += thrown("bar", {5.0, y + 0.6 * unit(random) - 0.3}, {-80.0 - 60.0 * unit(random), 0.0},
+                   100.0 * unit(random) - 50.0, turned());
+  }
+  return text;
+}
+
+TEST(Guard, NobodyIsDrivenThroughASideOfTheDomain) {
+  std::int64_t steps = 0;
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    Trial run(thrown_at_sides(seed));
+    for (int step = 0; step < 70; ++step) {
+      run.steps(1);
+      for (std::size_t i = 0; i < run.state.position.size(); ++i) {
+        const Vec& at = run.state.position[i];
+        ASSERT_GT(std::min({at.x() + 20.0, 30.0 - at.x(), 20.0 - std::abs(at.y())}), 0.0)
+            << "seed " << seed << ", step " << step << ", body " << i + 1;
+      }
+    }
+    steps += guarded(run);
+  }
+  EXPECT_GT(steps, 5);
+}
+
 /// So fast that they are pressed through one another's surfaces.
 std::string poured_into_a_cup(double speed) {
   std::ostringstream pour;

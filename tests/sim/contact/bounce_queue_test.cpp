@@ -6,6 +6,7 @@
 
 #include <random>
 
+#include "sim/contact/face_stand.h"
 #include "sim/contact/solve.h"
 #include "tests/sim/trial.h"
 
@@ -30,8 +31,9 @@ class AllOfThem {
     while (!left.empty()) {
       std::size_t count = 1;
       while (count < left.size() && left[count].a == left[0].a && left[count].b == left[0].b) ++count;
-      any |= look(left[0].a, left[0].b, rule,
-                  [&](const BounceRule& r) { return bounce(left.first(count), bodies_, r); });
+      const std::span<PointContact> pair = left.first(count);
+      turn_faces(pair, bodies_, rule.h);
+      any |= look(pair[0].a, pair[0].b, rule, [&](const BounceRule& r) { return bounce(pair, bodies_, r); });
       left = left.subspan(count);
     }
     return any;

@@ -52,7 +52,7 @@ TEST(SolverBodies, ContactsTellTheirRows) {
   run.steps(3);
   ASSERT_NE(slot(run, 5000), 5000u);
   std::vector<ContactRow> rows;
-  list_contacts(run.scene, run.work.contacts, run.state, run.work.bodies, rows);
+  list_contacts(run.scene, run.work.contacts, nullptr, run.state, run.work.bodies, rows);
   EXPECT_GT(rows.size(), 8000u);
   for (const ContactRow& row : rows) {
     EXPECT_NEAR((row.point - run.state.position[row.a - 1]).norm(), 0.5, 1e-3) << row.a << " and " << row.b;
