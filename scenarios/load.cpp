@@ -47,8 +47,12 @@ void warn_of_idle_sleep(const toml::table& root, const Scene& scene, Report& rep
   const auto warn = [&](const char* why) {
     report.warning(root.get("sleep")->source(), "sleep", std::string("has no meaning: ") + why);
   };
-  if (scene.engine == Engine::event_driven) warn("with engine event_driven nobody falls asleep");
-  if (scene.contact == ContactModel::none) warn("contact.model is \"none\", and there is nothing to rest on");
+  if (scene.engine == Engine::event_driven) return warn("with engine event_driven nobody falls asleep");
+  if (scene.contact == ContactModel::none)
+    return warn("contact.model is \"none\", and there is nothing to rest on");
+  if (scene.engine != Engine::native) return;
+  if (!scene.crowd.groups.empty()) return warn("agents don't sleep");
+  if (is_soft(scene.contact)) warn("soft contacts keep bodies awake");
 }
 
 /// What has no meaning in this scene, whatever it says.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 
 #include "sim/contact/arms.h"
@@ -17,8 +18,6 @@ namespace {
 constexpr double kSameNormal = 1.0 - 1e-12;  // cosine of the angle between normals up to which they are one
 
 constexpr double kAtItsEnd = 1e-9;  // of the time within which two meet: what rounding may make of its end
-
-constexpr double kNothing = 1e-13;  // of velocities: rounding, which would be struck on and on
 
 constexpr double kLeastTaken = 1e-4;  // of an impulse: less is not taken back
 
@@ -64,9 +63,7 @@ double rebound(const Contact& contact, const SolverBody& a, const SolverBody& b,
   const double s = contact.separation;
   if (!(s + rule.within * (speed + fall) < -kAtItsEnd * rule.within * speed)) return 0.0;
   const double parts = bounces ? parting_speed(contact.restitution, speed, s, fall, rule.h) : 0.0;
-  const double added = (parts > 0.0 ? parts : arrival(contact, fall, rule.h)) - speed;
-  const double speeds = a.velocity.lpNorm<1>() + b.velocity.lpNorm<1>() + std::abs(a.spin) + std::abs(b.spin);
-  return added > kNothing * speeds ? added : 0.0;
+  return (parts > 0.0 ? parts : arrival(contact, fall, rule.h)) - speed;
 }
 
 /// What all strikes of an impact add, of which one adds `added` (m/s): what hits without a bounce is first
@@ -88,6 +85,24 @@ void note(ContactBase& contact, SolverBody& a, SolverBody& b, double normal, dou
   if (!(contact.lever > 0.0)) return;
   const double limit = contact.lever * normal;
   turn(contact, a, b, std::clamp((a.spin - b.spin) / (a.inverse_inertia + b.inverse_inertia), -limit, limit));
+}
+
+Vec reach(const DiscContact& contact) {
+  return contact.radius_a * contact.normal;
+}
+Vec reach(const PointContact& contact) {
+  return contact.arm_a;
+}
+
+/// Notes where the two meet, who are about to be struck while they are still apart. Discs don't turn at their
+/// surface.
+template <class Contact>
+void note_place(Contact& contact, const SolverBody& a, const SolverBody& b) {
+  const double nears = -arms(contact).normal_velocity(a, b);
+  const double time = nears > 0.0 ? std::max(contact.separation, 0.0) / nears : 0.0;
+  contact.struck_at = a.position + reach(contact) + time * a.velocity;
+  if constexpr (std::is_same_v<Contact, PointContact>)
+    contact.struck_at += time * a.spin * tangent(Vec(contact.arm_a - contact.round_a * contact.normal));
 }
 
 /// Adds `added` (m/s) to the normal velocity. However short an impact is, what friction and rolling
@@ -137,6 +152,7 @@ bool bounce_one(Contact& contact, BodyRows<SolverBody> bodies, const BounceRule&
   SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
   const double added = rebound(contact, a, b, rule);
   if (!(added > 0.0)) return take_back(contact, bodies, rule);
+  note_place(contact, a, b);
   strike_at(contact, a, b, added);
   return true;
 }
@@ -148,6 +164,7 @@ bool bounce_both(PointContact& i, PointContact& j, BodyRows<SolverBody> bodies, 
   const AtPoints added{rebound(i, a, b, rule), rebound(j, a, b, rule)};
   const auto impact = flat_impact(i, j, a, b, added, {whole(i, a, b, added.i), whole(j, a, b, added.j)});
   if (!impact) return false;
+  note_place(i, a, b), note_place(j, a, b);
   apply(*impact, i, j, a, b);
   note(i, a, b, impact->normal_i, impact->across_i), note(j, a, b, impact->normal_j, impact->across_j);
   return true;

@@ -17,7 +17,7 @@ using narrowphase::Pose;
 namespace {
 
 constexpr double kOneNormal = 1.0 - 1e-12;  // cosine of the angle between two that are one
-constexpr double kTouches = 1e-3;           // of the smaller radius: nobody stands between them
+constexpr double kTouches = 0.02;           // of the smaller radius: nobody stands between them
 
 /// m, the radius of a disc; 0 for a polygon.
 double rounding(const Colliders& colliders, std::uint32_t row) {

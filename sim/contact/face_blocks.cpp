@@ -187,6 +187,7 @@ PointContact FaceBlocks::operator[](std::size_t i) const {
   contact.a = slots_->row(block.a[lane]), contact.b = slots_->row(block.b[lane]);
   contact.normal = {block.normal_x[lane], block.normal_y[lane]};
   contact.arm_a = {p.arm_ax[lane], p.arm_ay[lane]}, contact.arm_b = {p.arm_bx[lane], p.arm_by[lane]};
+  contact.round_a = block.round_a[lane], contact.round_b = block.round_b[lane];
   contact.normal_impulse = p.normal_impulse[lane], contact.tangent_impulse = p.tangent_impulse[lane];
   return contact;
 }

@@ -122,7 +122,8 @@ class FaceBlocks {
     return {p.normal_impulse[at(i)], p.tangent_impulse[at(i)], p.preload[at(i)]};
   }
 
-  /// Its bodies, normal, arms and impulses as the solver left them; what else a contact has is not set.
+  /// Its bodies, normal, arms, radii and impulses as the solver left them; what else a contact has is not
+  /// set.
   PointContact operator[](std::size_t i) const;
 
   /// Brings the impulses of a face, which will be set soon, near to the processor.

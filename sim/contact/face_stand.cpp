@@ -68,8 +68,7 @@ FaceStand::FaceStand(const PointContact& contact, const SolverBody& a, const Sol
 }
 
 bool turns_now(std::span<const PointContact> face, const SolverBody& a, const SolverBody& b) {
-  return std::ranges::any_of(face,
-                             [&](const PointContact& contact) { return is_touched(contact, a, b); });
+  return std::ranges::any_of(face, [&](const PointContact& contact) { return is_touched(contact, a, b); });
 }
 
 FaceStand felt(const PointContact& contact, const SolverBody& a, const SolverBody& b, double h) {

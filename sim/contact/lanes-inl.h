@@ -221,7 +221,8 @@ HWY_INLINE Reals press(Reals& impulse, Reals preload, Reals mass, Reals velocity
   const Reals change = hn::Mul(hn::Mul(mass, wish.mass_scale), hn::Add(velocity, wish.bias));
   const Reals gives_way = hn::Max(hn::Sub(old, preload), hn::Zero(D()));
   const Reals wanted = hn::Sub(hn::Sub(old, change), hn::Mul(wish.impulse_scale, gives_way));
-  impulse = hn::Max(wanted, hn::Zero(D()));
+  const Reals least = hn::Mul(hn::Mul(hn::Set(D(), kNoImpulse), mass), hn::Abs(velocity));
+  impulse = hn::IfThenElseZero(hn::Gt(wanted, least), wanted);
   return hn::Sub(impulse, old);
 }
 

@@ -66,7 +66,7 @@ class SoftSolids {
     double angle;        // rad, as the step begins
   };
 
-  static constexpr double kSame = 1e-9;  // of the radius: places that are one
+  static constexpr double kSame = 1e-6;  // of the radius: places that are one
 
   void find_kinematic(const Candidates& candidates, const State& state, const SoftPlaces& places,
                       std::span<const SolverBody> bodies);

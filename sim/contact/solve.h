@@ -22,6 +22,9 @@ struct Softness {
 /// `hertz`: the spring's frequency; `damping`: its ratio; `h`: the substep (s).
 Softness softness(double hertz, double damping, double h);
 
+/// Of the mass times the normal velocity: a smaller impulse is none.
+inline constexpr double kNoImpulse = 1e-9;
+
 struct SolverSettings {
   double h;           ///< s, the substep
   Softness softness;  ///< of the biased sweep

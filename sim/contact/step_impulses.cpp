@@ -11,15 +11,20 @@ void add_pressing(const Blocks& contacts, std::vector<double>& sums) {
 }
 
 template <class Contact>
-void add_struck(const std::vector<Contact>& bounces, std::vector<double>& sums) {
-  for (const Contact& contact : bounces) sums[contact.row] += contact.struck_in_step;
+void add_struck(const std::vector<Contact>& bounces, std::vector<double>& sums,
+                std::vector<StruckContact>& struck) {
+  for (const Contact& contact : bounces) {
+    if (!(contact.struck_in_step > 0.0)) continue;
+    sums[contact.row] += contact.struck_in_step;
+    struck.push_back({contact.row, contact.struck_at});
+  }
 }
 
 }  // namespace
 
 void StepImpulses::start(const Contacts& contacts) {
   discs.assign(contacts.discs.size(), 0.0), faces.assign(contacts.faces.size(), 0.0);
-  strikes.clear();
+  struck_discs.clear(), struck_faces.clear(), strikes.clear();
 }
 
 void StepImpulses::add(const Contacts& contacts) {
@@ -28,8 +33,8 @@ void StepImpulses::add(const Contacts& contacts) {
 }
 
 void StepImpulses::add_bounces(const Contacts& contacts) {
-  add_struck(contacts.disc_bounces, discs);
-  add_struck(contacts.point_bounces, faces);
+  add_struck(contacts.disc_bounces, discs, struck_discs);
+  add_struck(contacts.point_bounces, faces, struck_faces);
 }
 
 }  // namespace throng

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "sim/contact/contacts.h"
@@ -8,11 +9,18 @@
 
 namespace throng {
 
+/// A contact at which bodies were struck, among its like.
+struct StruckContact {
+  std::uint32_t row;
+  Vec at;  ///< m, where they were last
+};
+
 /// What contacts press in the course of a step, along their normals: in all its substeps, and what strikes
 /// there. Kept where contacts are recorded (Plan::sums_impulses).
 struct StepImpulses {
   std::vector<double> discs, faces;  ///< N s, of each of `Contacts::discs` and `Contacts::faces`
-  std::vector<ContactRow> strikes;   ///< between whom nothing was listed, or not as a contact
+  std::vector<StruckContact> struck_discs, struck_faces;  ///< those of them, ascending
+  std::vector<ContactRow> strikes;  ///< between whom nothing was listed, or not as a contact
 
   /// Before the first substep. O(contacts).
   void start(const Contacts& contacts);

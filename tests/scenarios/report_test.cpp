@@ -131,6 +131,9 @@ TEST(Report, WarnsOfSleepWhereNothingRests) {
             "s.toml:5:9: warning: sleep: has no meaning: with engine event_driven nobody falls asleep\n");
   EXPECT_EQ(faults(load_text(disc + "engine = 'event_driven'\nsleep = false\n")), "");
   EXPECT_EQ(faults(load_text(disc + "sleep = true\n")), "");
+  EXPECT_EQ(faults(load_text(disc + "sleep = true\ncontact = { model = 'spring', stiffness = 1e4 }\n")),
+            "s.toml:4:9: warning: sleep: has no meaning: soft contacts keep bodies awake\n");
+  EXPECT_EQ(faults(load_text(disc + "sleep = true\ngravity = [0, -9.81]\n")), "");
 }
 
 /// It happened: of a single body it gave 0, and nothing was said.

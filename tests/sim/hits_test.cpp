@@ -70,6 +70,31 @@ TEST(Hits, AStackThatFallsLies) {
     }
 }
 
+/// At round numbers bodies arrive just as a substep ends. A version that left alone what was to be struck by
+/// rounding alone stopped them point after point: squares turned by up to 2.4 rad/s, and bells came back with
+/// 4.5 % of their speed.
+TEST(Hits, FlatlyAreStoppedAtOnceWhereverInASubstepTheyAre) {
+  const std::string shapes =
+      "square.polygon = [[-0.2, -0.2], [0.2, -0.2], [0.2, 0.2], [-0.2, 0.2]]\n"
+      "bell.discs = [[0, -0.3, 0.2], [0, 0.3, 0.2]]\n";
+  for (const char* shape : {"square", "bell"})
+    for (const double speed : {1.0, 2.0, 4.0, 5.0, 8.0, 10.0, 20.0})
+      for (const double gap : {0.5, 1.0, 2.0})
+        for (const bool pair : {false, true}) {
+          const std::string there = pair ? one(shape, 0, 0) : "[[walls]]\nsegment = [[0, -9], [0, 9]]\n";
+          Trial run(
+              without_bounces("[0, 0]") + shapes +
+              one(shape, gap + (pair ? 0.4 : 0.2), 0, "velocity = [-" + std::to_string(speed) + ", 0]\n") +
+              there);
+          for (int step = 0; step < 250; ++step) {
+            run.steps(1);
+            ASSERT_LT(std::abs(run.state.spin[0]), 1e-9 * speed)
+                << shape << " at " << speed << " from " << gap;
+            ASSERT_LT(run.state.velocity[0].x(), 1e-9 * speed) << shape << " at " << speed << " from " << gap;
+          }
+        }
+}
+
 TEST(Hits, ABlowThroughARowToAWallThrowsNobodyBack) {
   for (const char* material : {"default", "light"})
     for (const int count : {2, 5}) {

@@ -118,7 +118,9 @@ test("points that press are the run's own, as observed or as recorded", () => {
   record("recorded", scene(`, "contacts"] }`));
   record("rarely", scene(`], also = [{ every = 3, fields = ["contacts"] }] }`), ["--until", "1.01"]);
   assert.ok(contacts > 20);
-  assert.deepEqual([last("observed"), last("recorded")], [[contacts], [contacts]]);
+  assert.deepEqual(last("observed"), [contacts]);
+  const [pressed] = last("recorded");  // in the step, if not at its end
+  assert.ok(pressed >= contacts && pressed < 1.5 * contacts, `${pressed} of ${contacts}`);
   assert.deepEqual(last("rarely"), open(library, "recorded.h5").observed(99), "of the last frame that has them");
   copyFileSync(path("recorded.h5"), path("fewer.h5"));
   alter("fewer.h5", "f['throng/contacts/offset'].resize(50, axis=0)");

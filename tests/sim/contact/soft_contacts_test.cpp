@@ -377,6 +377,11 @@ TEST(SoftSolidsShare, WhatTwoOfThemShareOnce) {
       << "a ridge";
   EXPECT_NEAR(depth_at_rest("[[walls]]\npolyline = [[-5, 0], [5, 0], [5, 5]]\n", 4.5), once, 1e-9)
       << "a corner whose other wall it only touches";
+  EXPECT_NEAR(
+      depth_at_rest("[[walls]]\nsegment = [[-5, 0], [-1e-7, 0]]\n[[walls]]\nsegment = [[1e-7, 0], [5, 0]]\n",
+                    0),
+      once, 1e-9)
+      << "two walls with rounding between them";
 }
 
 TEST(SoftSolids, PressFromAWedgeAsTwoWalls) {

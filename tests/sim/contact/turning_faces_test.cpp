@@ -58,8 +58,8 @@ TEST_P(ADiscBeforeABlade, SlidesOutAlongItsFace) {
     for (int step = 0; step < steps; ++step) {
       run.steps(1);
       const Vec where = on_blade(run, side);
-      EXPECT_GT(where.y(), -2.5e-5 * spin * spin) << spin << ", step " << step;
-      EXPECT_NEAR(where.x() / slid_to(1.0, spin, (step + 1) * kStep), 1.0, 2e-5 * spin)
+      EXPECT_GT(where.y(), -2e-5 - 2.5e-5 * spin * spin) << spin << ", step " << step;
+      EXPECT_NEAR(where.x() / slid_to(1.0, spin, (step + 1) * kStep), 1.0, 3e-5 * spin)
           << spin << ", step " << step;
     }
   }
@@ -95,6 +95,26 @@ TEST(TurningFaces, ABoxThatGoesAlongStaysFlat) {
     EXPECT_NEAR(where.x() / std::cosh(6.0 * (step + 1) * kStep), 1.0, 3e-4) << "step " << step;
     EXPECT_NEAR(run.state.spin[1], 6.0, 0.04) << "step " << step;
   }
+}
+
+/// Five discs as one body in the corner of a frame, the middle one in touch with nothing. By two of its
+/// points it is apart by less than it comes nearer in a step: their planes stood, and its spin was 10.57
+/// rad/s.
+TEST(TurningFaces, TakeACompositeAlongInACorner) {
+  Trial run(std::string(kHead) +
+            "five = { discs = [[-0.1, -0.1, 0.1], [0.1, 0.1, 0.1], [-0.1, 0.1, 0.1], [0.1, -0.1, 0.1], [0, "
+            "0, 0.1]] }\n"
+            "frame = { polygon = [[-1.2, -1.2], [1.2, -1.2], [1.2, 1.2], [-1.2, 1.2]], "
+            "holes = [[[-1, -1], [-1, 1], [1, 1], [1, -1]]] }\n" +
+            body("five", {0.8, 0.8}, "velocity = [-8, 8]\nspin = 10\n") +
+            body("frame", {0.0, 0.0}, "kind = \"kinematic\"\nspin = 10\n"));
+  for (int step = 0; step < 120; ++step) {
+    run.steps(1);
+    if (step > 60) {
+      EXPECT_NEAR(run.state.spin[0], 10.0, 0.01) << step;
+    }
+  }
+  EXPECT_NEAR(run.state.angle[0], run.state.angle[1], 1e-3);
 }
 
 /// What lands flush on a floor turns, but it is the floor's plane that it meets: it was thrown aside.
