@@ -190,7 +190,8 @@ Plan plan_for(const Scene& scene, ContactModel contact) {
   plan.elastic = plan.restitution && some([](const Surface& s) { return s.restitution >= 1.0; });
   plan.flights = plan.elastic && !plan.gravity && !plan.polygons &&
                  !some([](const Surface& s) { return s.restitution < 1.0 || s.rolling > 0.0; });
-  plan.sums_impulses = plan.contacts() && !plan.soft && every(scene.record, RecordField::contacts) > 0;
+  plan.sums_impulses = scene.engine == Engine::native && plan.contacts() && !plan.soft &&
+                       every(scene.record, RecordField::contacts) > 0;
   plan.sleep = scene.engine == Engine::native && awake_because(scene, plan).empty();
   plan.stages = stages(scene, plan);
   return plan;

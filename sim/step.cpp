@@ -6,9 +6,7 @@
 // them, which push them), measure, leave, appear. Of both: sense.
 #include "sim/step.h"
 
-#include <algorithm>
 #include <atomic>
-#include <iterator>
 #include <string>
 
 #include "sim/learn_loads.h"
@@ -80,12 +78,6 @@ void land(State& state, Workspace& work) {
   if (!work.flights.land(state, work.workers)) check_all(state, work);
 }
 
-/// What a step of flights presses.
-void list_collisions(Workspace& work) {
-  work.impulses.start(work.contacts);
-  std::ranges::copy(work.flights.strikes(), std::back_inserter(work.impulses.strikes));
-}
-
 [[noreturn]] void fail_at_chain(const State& state) {
   throw SimulationError("step " + std::to_string(state.step + 1) +
                         ": bodies hit one another on and on within it: take a shorter dt");
@@ -154,11 +146,11 @@ void push(const Scene& scene, const Plan& plan, State& state, Workspace& work, b
   for (int i = 0; i < scene.time.substeps; ++i) {
     const bool backward = (state.step * scene.time.substeps + i) % 2 == 1;
     substep(scene, plan, state, work, {backward, guarded});
-    if (plan.sums_impulses) work.impulses.add(work.contacts);
+    if (plan.sums_impulses) work.impulses.add(work.contacts, work.bodies, work.solver.h);
   }
   if (plan.sums_impulses) {
     work.impulses.add_bounces(work.contacts);
-    if (guarded) std::ranges::copy(work.guard->strikes(), std::back_inserter(work.impulses.strikes));
+    if (guarded) work.impulses.add(work.guard->strikes());
   }
   if (learns) learn_loads(work);
   clock.lap(work.times.solve);
@@ -206,7 +198,7 @@ void step_bodies(const Scene& scene, const Plan& plan, State& state, Workspace& 
   ++state.step;
   if (flown) {
     state.collisions += work.flights.collisions();
-    if (plan.sums_impulses) list_collisions(work);
+    if (plan.sums_impulses) work.impulses.start(work.contacts), work.impulses.add(work.flights.strikes());
     land(state, work);
   } else {
     if (plan.flights) ++state.collisions.pushed;

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "sim/input_error.h"
+#include "sim/plan.h"
 #include "tools/commands.h"
 #include "tools/drive.h"
 #include "tools/recorded_scenario.h"
@@ -22,12 +23,15 @@ struct ResumeOptions {
 };
 
 /// Samples that are there lack what later ones would have.
-void refuse_older_observables(const Kept& kept, const Scene& scene) {
-  if (scene.crowd.size() == 0 || scene.record.observables == 0 || kept.frames == 0) return;
+void refuse_older_samples(const Kept& kept, const Scene& scene) {
+  if (kept.frames == 0) return;
   const auto refuse = [&](const char* lacks) {
     throw InputError(kept.source + " cannot be gone on with: " + lacks);
   };
   const int minor = kept.recording.origin().minor;
+  if (minor < 11 && plan_for(scene).sums_impulses)
+    refuse("contacts told less of what presses before layout 1.11");
+  if (scene.crowd.size() == 0 || scene.record.observables == 0) return;
   if (minor < 5) refuse("observables of a crowd were not recorded before layout 1.5");
   for (const Measure& measure : scene.crowd.measures)
     if (minor < 9 && measure.cutoff > 0.0) refuse("density_voronoi was not recorded before layout 1.9");
@@ -41,7 +45,7 @@ Loaded load_recorded(const Kept& kept, const std::string& until) {
       load_text_or_throw(kept.recording.origin().provenance.resolved, kept.source + ":scenario", overrides);
   if (loaded.scene.name.empty()) loaded.scene.name = kept.recording.geometry().name;
   expect_scenario(kept.recording, loaded.scene, kept.source);
-  refuse_older_observables(kept, loaded.scene);
+  refuse_older_samples(kept, loaded.scene);
   return loaded;
 }
 

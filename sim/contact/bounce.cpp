@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <type_traits>
 #include <utility>
 
 #include "sim/contact/arms.h"
@@ -87,22 +86,13 @@ void note(ContactBase& contact, SolverBody& a, SolverBody& b, double normal, dou
   turn(contact, a, b, std::clamp((a.spin - b.spin) / (a.inverse_inertia + b.inverse_inertia), -limit, limit));
 }
 
-Vec reach(const DiscContact& contact) {
-  return contact.radius_a * contact.normal;
-}
-Vec reach(const PointContact& contact) {
-  return contact.arm_a;
-}
-
-/// Notes where the two meet, who are about to be struck while they are still apart. Discs don't turn at their
-/// surface.
+/// Notes where the two meet, who are about to be struck while they are still apart.
 template <class Contact>
-void note_place(Contact& contact, const SolverBody& a, const SolverBody& b) {
+void note_place(Contact& contact, SolverBody a, SolverBody b) {
   const double nears = -arms(contact).normal_velocity(a, b);
   const double time = nears > 0.0 ? std::max(contact.separation, 0.0) / nears : 0.0;
-  contact.struck_at = a.position + reach(contact) + time * a.velocity;
-  if constexpr (std::is_same_v<Contact, PointContact>)
-    contact.struck_at += time * a.spin * tangent(Vec(contact.arm_a - contact.round_a * contact.normal));
+  a.position += time * a.velocity, b.position += time * b.velocity;
+  contact.struck_at = place(contact, a, b, time);
 }
 
 /// Adds `added` (m/s) to the normal velocity. However short an impact is, what friction and rolling

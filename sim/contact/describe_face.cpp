@@ -122,6 +122,7 @@ std::span<PointContact> describe_face(const StepStart& start, const Touch& touch
   const SolverBody &a = start.bodies[touch.a], &b = start.bodies[touch.b];
   const auto count = static_cast<std::size_t>(m.count);
   const Turner turner = turner_of(start, touch, m, meeting ? meeting->when : 0.0, dt);
+  const bool of_side = touch.obstacle && touch.pair.b < start.obstacles().side.size();
   for (std::size_t p = 0; p < count; ++p) {
     describe(colliders, touch, surface, m.normal, points[p]);
     points[p].is_second = p > 0, points[p].turner = turner;
@@ -130,7 +131,8 @@ std::span<PointContact> describe_face(const StepStart& start, const Touch& touch
             about_b, true);
       turn_back(points[p], meeting->when * a.spin, meeting->when * b.spin);
     } else {
-      place(points[p], m.points[p], a, b, touch.shift, about_a, about_b, turner.body != Turner::Body::none);
+      place(points[p], m.points[p], a, b, touch.shift, about_a, about_b,
+            of_side || turner.body != Turner::Body::none);
     }
   }
   return {points.data(), count};

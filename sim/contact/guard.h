@@ -116,8 +116,8 @@ class Guard {
   std::vector<Event> events_;                   // a heap
   std::vector<double> since_;         // s, of each body, in the substep: when it was where its row has it
   std::vector<std::uint8_t> stands_;  // of each body: stays there for the rest of the substep
-  std::vector<ContactRow> strikes_;
-  std::vector<std::uint8_t> stood_;  // likewise, of the step under guard: it has stood before
+  std::vector<std::uint8_t> stood_;   // likewise, of the step under guard: it has stood before
+  std::vector<ContactRow> strikes_;   // of that step
 };
 
 }  // namespace throng

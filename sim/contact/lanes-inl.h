@@ -214,8 +214,7 @@ class Pusher {
   Reals rate_, bias_rate_, least_, deep_, mass_scale_, impulse_scale_, ajar_;
 };
 
-/// The change of the normal impulse that grants the wish; impulses only push. Of the preload nothing is let
-/// go.
+/// The change of the normal impulse that grants the wish, as press() in solve.cpp.
 HWY_INLINE Reals press(Reals& impulse, Reals preload, Reals mass, Reals velocity, const WideWish& wish) {
   const Reals old = impulse;
   const Reals change = hn::Mul(hn::Mul(mass, wish.mass_scale), hn::Add(velocity, wish.bias));

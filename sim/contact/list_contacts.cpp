@@ -3,56 +3,62 @@
 
 #include <span>
 
+#include "sim/contact/arms.h"
 #include "sim/periodic.h"
 
 namespace throng {
 
 namespace {
 
-Vec place(const DiscContact& contact, BodyRows<const SolverBody> bodies, double) {
-  return bodies[contact.a].position + contact.radius_a * contact.normal;
-}
+/// Makes rows of contacts, and of their impulses.
+class ContactLister {
+ public:
+  ContactLister(const Scene& scene, const State& state, BodyRows<const SolverBody> bodies,
+                std::vector<ContactRow>& rows)
+      : scene_(scene), state_(state), bodies_(bodies), rows_(rows) {}
 
-/// On the surface of who yields: a face that is driven may be felt elsewhere. Arms are as the last substep
-/// (of h, s) began.
-Vec place(const PointContact& contact, BodyRows<const SolverBody> bodies, double h) {
-  const bool of_a = bodies[contact.a].inverse_mass > 0.0;
-  const SolverBody& body = bodies[of_a ? contact.a : contact.b];
-  const Vec round = of_a ? Vec(contact.round_a * contact.normal) : Vec(-contact.round_b * contact.normal);
-  const Vec turning = (of_a ? contact.arm_a : contact.arm_b) - round;
-  return body.position + Turn(h * body.spin)(turning) + round;
-}
+  /// Those that press, as in the last substep in all.
+  template <class Blocks>
+  void add_last(const Blocks& contacts) {
+    const double h = scene_.time.dt / scene_.time.substeps;
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      if (!(contacts.normal_impulse(i) > 0.0)) continue;
+      const auto contact = contacts[i];
+      add(contact, contact.normal_impulse * scene_.time.substeps,
+          place(contact, bodies_[contact.a], bodies_[contact.b], h));
+    }
+  }
+
+  template <class Blocks>
+  void add_sums(const Blocks& contacts, std::span<const StepImpulses::Sum> sums) {
+    for (std::size_t i = 0; i < contacts.size(); ++i)
+      if (sums[i].impulse > 0.0) add(contacts[i], sums[i].impulse, sums[i].at);
+  }
+
+ private:
+  void add(const ContactBase& contact, double impulse, const Vec& point) {
+    const std::uint32_t b = contact.b < state_.id.size() ? state_.id[contact.b] : 0;
+    rows_.push_back({state_.id[contact.a], b, impulse,
+                     scene_.domain.kind == DomainKind::periodic ? wrapped(point, scene_.domain) : point,
+                     contact.normal_impulse > 0.0});
+  }
+
+  const Scene& scene_;
+  const State& state_;
+  BodyRows<const SolverBody> bodies_;
+  std::vector<ContactRow>& rows_;
+};
 
 }  // namespace
 
 void list_contacts(const Scene& scene, const Contacts& contacts, const StepImpulses* impulses,
                    const State& state, BodyRows<const SolverBody> bodies, std::vector<ContactRow>& rows) {
   rows.clear();
-  const double h = scene.time.dt / scene.time.substeps;
-  const auto add = [&](const auto& contact, double impulse, const Vec* struck_at) {
-    const bool presses = contact.normal_impulse > 0.0;
-    if (!presses && !(impulse > 0.0)) return;
-    const Vec point = presses || !struck_at ? place(contact, bodies, h) : *struck_at;
-    rows.push_back({state.id[contact.a], contact.b < state.id.size() ? state.id[contact.b] : 0, impulse,
-                    scene.domain.kind == DomainKind::periodic ? wrapped(point, scene.domain) : point,
-                    presses});
-  };
-  const auto add_last = [&](const auto& all) {
-    for (std::size_t i = 0; i < all.size(); ++i)
-      add(all[i], all.normal_impulse(i) * scene.time.substeps, nullptr);
-  };
-  const auto add_sums = [&](const auto& all, const std::vector<double>& sums,
-                            std::span<const StruckContact> struck) {
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      const bool is_struck = !struck.empty() && struck[0].row == i;
-      add(all[i], sums[i], is_struck ? &struck[0].at : nullptr);
-      if (is_struck) struck = struck.subspan(1);
-    }
-  };
-  if (!impulses) return add_last(contacts.discs), add_last(contacts.faces);
-  add_sums(contacts.discs, impulses->discs, impulses->struck_discs);
-  add_sums(contacts.faces, impulses->faces, impulses->struck_faces);
-  rows.insert(rows.end(), impulses->strikes.begin(), impulses->strikes.end());
+  ContactLister list(scene, state, bodies, rows);
+  if (!impulses) return list.add_last(contacts.discs), list.add_last(contacts.faces);
+  list.add_sums(contacts.discs, impulses->discs());
+  list.add_sums(contacts.faces, impulses->faces());
+  rows.insert(rows.end(), impulses->strikes().begin(), impulses->strikes().end());
 }
 
 void with_sleeping(const Scene& scene, const State& state, std::vector<ContactRow>& rows) {

@@ -12,10 +12,10 @@
 
 namespace throng {
 
-/// Replaces `rows` by the contacts that press, in the solver's order, where the step that has just ended left
-/// them: without `impulses` those that `Contacts::save` keeps, each substep's taken for the last one's; with
-/// them all that pressed or struck in the step, that much. `bodies`: as that step left them, the obstacles
-/// last. O(contacts); allocates only to grow.
+/// Replaces `rows` by the contacts of the step that has just ended, in the solver's order: without `impulses`
+/// those that press at its end, which `Contacts::save` keeps, each substep's taken for the last one's; with
+/// them all that pressed or were struck in it, that much, and then what struck without a contact. `bodies`:
+/// as that step left them, the obstacles last. O(contacts); allocates only to grow.
 void list_contacts(const Scene& scene, const Contacts& contacts, const StepImpulses* impulses,
                    const State& state, BodyRows<const SolverBody> bodies, std::vector<ContactRow>& rows);
 

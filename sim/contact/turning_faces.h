@@ -20,7 +20,7 @@ namespace throng {
 /// on beyond their faces, so nobody's plane turns before it is touched, nor on when the other has left it
 /// over the face's end.
 ///
-/// Here are those of the blocks; what bounces and hits is placed as it is looked at, see prepare().
+/// Here are those of the blocks; what bounces and hits is placed as it is looked at, see turn_faces().
 class TurningFaces {
  public:
   void clear() { faces_.clear(); }
