@@ -72,7 +72,8 @@ void bounce(const Plan& plan, Workspace& work, const Vec& kick, const Vec* perio
 void stop(Workspace& work, const Vec* period) {
   if (work.contacts.hits == 0) return;
   const double h = work.solver.h, hit_speed = work.finder.hit_speed();
-  const BounceRule rule{h, kAtOnce * h, kNever, hit_speed, hit_speed, Vec(0.0, 0.0), period, work.ahead};
+  const BounceRule rule{h,      kAtOnce * h, kNever, hit_speed, hit_speed, Vec(0.0, 0.0),
+                        period, work.ahead,  true};
   work.bounces.go_on();
   bounce(work, rule, 0);
 }

@@ -160,7 +160,7 @@ bool BounceQueue::look_at(std::uint32_t i, Contacts& contacts, BodyRows<SolverBo
   }
   const std::span<PointContact> pair = std::span(contacts.point_bounces).subspan(entry.first, entry.count);
   if (is_new) prepare(pair, bodies);
-  turn_faces(pair, bodies, rule.h);
+  turn_faces(pair, bodies, rule.has_moved ? -rule.h : rule.h);
   return bounce(pair, bodies, rule);
 }
 

@@ -85,14 +85,14 @@ void turn_to(PointContact& contact, const FaceStand& felt, double separation, co
 }
 
 /// Who bounces off a face meets it as it stands; who hits it, as it is felt: else the sweeps would undo that.
-void turn_faces(std::span<PointContact> contacts, BodyRows<const SolverBody> bodies, double h) {
+void turn_faces(std::span<PointContact> contacts, BodyRows<const SolverBody> bodies, double ahead) {
   for (std::span<PointContact> face; !contacts.empty(); contacts = contacts.subspan(face.size())) {
     face = first_face(contacts);
     const SolverBody &a = bodies[face[0].a], &b = bodies[face[0].b];
     if (face[0].turner.body == Turner::Body::none || !turns_now(face, a, b)) continue;
     for (PointContact& contact : face) {
       const FaceStand now(contact, a, b);
-      turn_to(contact, contact.restitution > 0.0 ? now : felt(contact, a, b, h), now.separation, a, b);
+      turn_to(contact, contact.restitution > 0.0 ? now : felt(contact, a, b, ahead), now.separation, a, b);
       contact.separation = now.separation;
     }
   }

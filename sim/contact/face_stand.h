@@ -26,13 +26,13 @@ struct FaceStand {
 /// left it over its end.
 bool turns_now(std::span<const PointContact> face, const SolverBody& a, const SolverBody& b);
 
-/// How it is felt in a substep of h (s) that begins now: as both will stand halfway, and of a face that is
-/// driven so that who goes along with it keeps his speed.
+/// How it is felt in a substep of h (s) that begins now, or of -h that has just ended: as both stand halfway,
+/// and of a face that is driven so that who goes along with it keeps his speed.
 FaceStand felt(const PointContact& contact, const SolverBody& a, const SolverBody& b, double h);
 
-/// Turns the faces of what may bounce or hit in a substep of h (s) as they are met now; to be called after
-/// prepare(), before each look.
-void turn_faces(std::span<PointContact> contacts, BodyRows<const SolverBody> bodies, double h);
+/// Turns the faces of what may bounce or hit as they are met now; to be called after prepare(), before each
+/// look. `ahead` (s): the substep that begins, or, below 0, that in which bodies have just moved.
+void turn_faces(std::span<PointContact> contacts, BodyRows<const SolverBody> bodies, double ahead);
 
 /// Turns the contact's plane there. Its arms are then as they are felt; what turns of them stays.
 void turn_to(PointContact& contact, const FaceStand& felt, double separation, const SolverBody& a,

@@ -180,7 +180,8 @@ HWY_INLINE Reals dot(Reals ax, Reals ay, Reals bx, Reals by) {
 
 /// What a sweep asks of a contact: a normal velocity of at least -bias, more or less softly.
 struct WideWish {
-  Reals bias;  ///< m/s
+  Reals bias;     ///< m/s
+  Reals nothing;  ///< m/s, see SolverSettings
   Reals mass_scale, impulse_scale;
 };
 
@@ -199,6 +200,7 @@ class Pusher {
         deep_(hn::Set(D(), settings.push_out / settings.softness.bias_rate)),
         mass_scale_(hn::Set(D(), settings.softness.mass_scale)),
         impulse_scale_(hn::Set(D(), settings.softness.impulse_scale)),
+        nothing_(hn::Set(D(), settings.nothing())),
         ajar_(hn::Set(D(), settings.ajar)) {}
 
   HWY_INLINE WideWish wish(Reals separation, Reals preload) const {
@@ -206,12 +208,12 @@ class Pusher {
     const Reals limited = hn::Div(deep_, hn::Max(hn::Neg(separation), deep_));
     return {
         hn::IfThenElse(apart, hn::Mul(separation, rate_), hn::Max(hn::Mul(separation, bias_rate_), least_)),
-        hn::IfThenElse(apart, hn::Set(D(), 1.0), mass_scale_),
+        nothing_, hn::IfThenElse(apart, hn::Set(D(), 1.0), mass_scale_),
         hn::IfThenZeroElse(apart, hn::Mul(impulse_scale_, limited))};
   }
 
  private:
-  Reals rate_, bias_rate_, least_, deep_, mass_scale_, impulse_scale_, ajar_;
+  Reals rate_, bias_rate_, least_, deep_, mass_scale_, impulse_scale_, nothing_, ajar_;
 };
 
 /// The change of the normal impulse that grants the wish, as press() in solve.cpp.
@@ -220,7 +222,8 @@ HWY_INLINE Reals press(Reals& impulse, Reals preload, Reals mass, Reals velocity
   const Reals change = hn::Mul(hn::Mul(mass, wish.mass_scale), hn::Add(velocity, wish.bias));
   const Reals gives_way = hn::Max(hn::Sub(old, preload), hn::Zero(D()));
   const Reals wanted = hn::Sub(hn::Sub(old, change), hn::Mul(wish.impulse_scale, gives_way));
-  const Reals least = hn::Mul(hn::Mul(hn::Set(D(), kNoImpulse), mass), hn::Abs(velocity));
+  const Reals least =
+      hn::Mul(mass, hn::Add(hn::Mul(hn::Set(D(), kNoChange), hn::Abs(velocity)), wish.nothing));
   impulse = hn::IfThenElseZero(hn::Gt(wanted, least), wanted);
   return hn::Sub(impulse, old);
 }

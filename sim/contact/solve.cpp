@@ -44,7 +44,8 @@ void feel_again(PointContact& contact, const SolverBody& a, const SolverBody& b)
 
 /// What a sweep asks of a contact: a normal velocity of at least -bias, more or less softly.
 struct Wish {
-  double bias;  ///< m/s
+  double bias;     ///< m/s
+  double nothing;  ///< m/s, see SolverSettings
   double mass_scale = 1.0, impulse_scale = 0.0;
 };
 
@@ -55,7 +56,7 @@ double press(ContactBase& contact, double velocity, const Wish& wish) {
   const double old = contact.normal_impulse;
   const double wanted = old - contact.normal_mass * wish.mass_scale * (velocity + wish.bias) -
                         wish.impulse_scale * std::max(old - contact.preload, 0.0);
-  const double least = kNoImpulse * contact.normal_mass * std::abs(velocity);
+  const double least = contact.normal_mass * (kNoChange * std::abs(velocity) + wish.nothing);
   contact.normal_impulse = wanted > least ? wanted : 0.0;
   return contact.normal_impulse - old;
 }
@@ -90,11 +91,11 @@ bool is_apart(const ContactBase& contact, double separation, const SolverSetting
 /// What push_apart asks at that separation. Where the speed is limited, the impulse that is let go is less by
 /// as much: else nothing would bear more than what the limit alone holds, and be pressed through the other.
 Wish wish_at(const ContactBase& contact, double separation, const SolverSettings& settings) {
-  if (is_apart(contact, separation, settings)) return {separation * (1.0 / settings.h)};
+  if (is_apart(contact, separation, settings)) return {separation * (1.0 / settings.h), settings.nothing()};
   const Softness& soft = settings.softness;
   const double deep = settings.push_out / soft.bias_rate;  // m, from where on
   const double limited = deep / std::max(-separation, deep);
-  return {std::max(separation * soft.bias_rate, -settings.push_out), soft.mass_scale,
+  return {std::max(separation * soft.bias_rate, -settings.push_out), settings.nothing(), soft.mass_scale,
           soft.impulse_scale * limited};
 }
 
@@ -120,7 +121,8 @@ void relax_all(std::span<Contact> contacts, BodyRows<SolverBody> bodies, const S
       return;  // what may yet meet is the next substep's matter, and may bounce
     SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
     const double s = separation(contact, a, b);
-    respond(contact, a, b, Wish{is_apart(contact, s, settings) ? s * rate : 0.0}, settings.friction);
+    respond(contact, a, b, Wish{is_apart(contact, s, settings) ? s * rate : 0.0, settings.nothing()},
+            settings.friction);
   });
 }
 

@@ -22,8 +22,8 @@ struct Softness {
 /// `hertz`: the spring's frequency; `damping`: its ratio; `h`: the substep (s).
 Softness softness(double hertz, double damping, double h);
 
-/// Of the mass times the normal velocity: a smaller impulse is none.
-inline constexpr double kNoImpulse = 1e-9;
+/// Of velocities: what rounding may make of them where two arrive as a substep ends.
+inline constexpr double kNoChange = 1e-9;
 
 struct SolverSettings {
   double h;           ///< s, the substep
@@ -37,6 +37,9 @@ struct SolverSettings {
   /// A sweep begins with the last contact. In turn from either end, as in symmetric successive
   /// over-relaxation: else all that stands straight is turned to one side.
   bool backward = false;
+
+  /// m/s: an impulse that changes a velocity by no more is none, but rounding.
+  double nothing() const { return 1e-12 * push_out; }
 };
 
 /// To begin a substep with, before all else here: normals, arms, offsets and separations at the bodies'

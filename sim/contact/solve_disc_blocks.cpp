@@ -138,22 +138,23 @@ void push_apart(std::span<DiscBlock> blocks, SolverBody* bodies, const SolverSet
 }
 
 void relax(std::span<DiscBlock> blocks, SolverBody* bodies, const SolverSettings& settings, bool periodic) {
-  const Reals rate = hn::Set(D(), 1.0 / settings.h), ajar = hn::Set(D(), settings.ajar);
-  for_each_part(
-      blocks, bodies, settings.backward,
-      [=, friction = settings.friction](DiscBlock& c, std::size_t k) HWY_ATTR {
-        const D d;
-        const Mask pressing = hn::Ne(load(c.normal_impulse + k), hn::Zero(d));
-        if (hn::AllFalse(d, pressing)) return;
-        const Place at_a = place(bodies, c.a + k), at_b = place(bodies, c.b + k);
-        const Reals s = separation(c, k, load(c.normal_x + k), load(c.normal_y + k), hn::Sub(at_b.x, at_a.x),
-                                   hn::Sub(at_b.y, at_a.y), periodic);
-        const Mask apart = is_apart(s, load(c.preload + k), ajar);
-        const WideWish wish{hn::IfThenElseZero(apart, hn::Mul(s, rate)), hn::Set(d, 1.0), hn::Zero(d)};
-        Motion a = motion(bodies, c.a + k), b = motion(bodies, c.b + k);
-        respond(c, k, a, b, wish, pressing, friction);
-        keep(a, bodies, c.a + k), keep(b, bodies, c.b + k);
-      });
+  const Reals rate = hn::Set(D(), 1.0 / settings.h), ajar = hn::Set(D(), settings.ajar),
+              nothing = hn::Set(D(), settings.nothing());
+  for_each_part(blocks, bodies, settings.backward,
+                [=, friction = settings.friction](DiscBlock& c, std::size_t k) HWY_ATTR {
+                  const D d;
+                  const Mask pressing = hn::Ne(load(c.normal_impulse + k), hn::Zero(d));
+                  if (hn::AllFalse(d, pressing)) return;
+                  const Place at_a = place(bodies, c.a + k), at_b = place(bodies, c.b + k);
+                  const Reals s = separation(c, k, load(c.normal_x + k), load(c.normal_y + k),
+                                             hn::Sub(at_b.x, at_a.x), hn::Sub(at_b.y, at_a.y), periodic);
+                  const Mask apart = is_apart(s, load(c.preload + k), ajar);
+                  const WideWish wish{hn::IfThenElseZero(apart, hn::Mul(s, rate)), nothing, hn::Set(d, 1.0),
+                                      hn::Zero(d)};
+                  Motion a = motion(bodies, c.a + k), b = motion(bodies, c.b + k);
+                  respond(c, k, a, b, wish, pressing, friction);
+                  keep(a, bodies, c.a + k), keep(b, bodies, c.b + k);
+                });
 }
 
 void learn(std::span<DiscBlock> blocks, const SolverBody* bodies, const Learning& learning) {

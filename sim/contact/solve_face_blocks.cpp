@@ -185,7 +185,8 @@ void push_apart(FaceSequence blocks, SolverBody* bodies, const SolverSettings& s
 }
 
 void relax(FaceSequence blocks, SolverBody* bodies, const SolverSettings& settings) {
-  const Reals rate = hn::Set(D(), 1.0 / settings.h), ajar = hn::Set(D(), settings.ajar);
+  const Reals rate = hn::Set(D(), 1.0 / settings.h), ajar = hn::Set(D(), settings.ajar),
+              nothing = hn::Set(D(), settings.nothing());
   const bool friction = settings.friction, backward = settings.backward;
   for_each_part(blocks, bodies, settings.backward, [=](FaceBlock& c, std::size_t k) HWY_ATTR {
     const D d;
@@ -198,7 +199,8 @@ void relax(FaceSequence blocks, SolverBody* bodies, const SolverSettings& settin
       const Mask pressing = hn::Ne(load(point.normal_impulse + k), hn::Zero(d));
       const Reals separation = hn::Add(hn::Add(load(point.offset + k), way), bound.risen(point, k, a, b));
       const Mask apart = is_apart(separation, load(point.preload + k), ajar);
-      const WideWish wish{hn::IfThenElseZero(apart, hn::Mul(separation, rate)), hn::Set(d, 1.0), hn::Zero(d)};
+      const WideWish wish{hn::IfThenElseZero(apart, hn::Mul(separation, rate)), nothing, hn::Set(d, 1.0),
+                          hn::Zero(d)};
       changed |= respond(point, k, bound, load(c.friction + k), wish, pressing, friction);
     }
     if (changed) keep(bound, c, k, bodies);
