@@ -86,11 +86,11 @@ void note(ContactBase& contact, SolverBody& a, SolverBody& b, double normal, dou
   turn(contact, a, b, std::clamp((a.spin - b.spin) / (a.inverse_inertia + b.inverse_inertia), -limit, limit));
 }
 
-/// Notes where the two meet, who are about to be struck while they are still apart.
+/// Notes where the two meet, who are about to be struck and may still be apart.
 template <class Contact>
-void note_place(Contact& contact, SolverBody a, SolverBody b) {
-  const double nears = -arms(contact).normal_velocity(a, b);
-  const double time = nears > 0.0 ? std::max(contact.separation, 0.0) / nears : 0.0;
+void note_place(Contact& contact, SolverBody a, SolverBody b, const BounceRule& rule) {
+  const double nears = -arms(contact).normal_velocity(a, b), way = std::max(contact.separation, 0.0);
+  const double time = nears > 0.0 ? std::min(way / nears, rule.within) : 0.0;
   a.position += time * a.velocity, b.position += time * b.velocity;
   contact.struck_at = place(contact, a, b, time);
 }
@@ -142,7 +142,7 @@ bool bounce_one(Contact& contact, BodyRows<SolverBody> bodies, const BounceRule&
   SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
   const double added = rebound(contact, a, b, rule);
   if (!(added > 0.0)) return take_back(contact, bodies, rule);
-  note_place(contact, a, b);
+  note_place(contact, a, b, rule);
   strike_at(contact, a, b, added);
   return true;
 }
@@ -154,7 +154,7 @@ bool bounce_both(PointContact& i, PointContact& j, BodyRows<SolverBody> bodies, 
   const AtPoints added{rebound(i, a, b, rule), rebound(j, a, b, rule)};
   const auto impact = flat_impact(i, j, a, b, added, {whole(i, a, b, added.i), whole(j, a, b, added.j)});
   if (!impact) return false;
-  note_place(i, a, b), note_place(j, a, b);
+  note_place(i, a, b, rule), note_place(j, a, b, rule);
   apply(*impact, i, j, a, b);
   note(i, a, b, impact->normal_i, impact->across_i), note(j, a, b, impact->normal_j, impact->across_j);
   return true;

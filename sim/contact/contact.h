@@ -46,7 +46,7 @@ struct ContactBase {
   double rubbed = 0.0;      ///< them, on b,
   double rolled = 0.0;      ///< N m s, and of what holds back rolling, on b
   double struck_in_step = 0.0;  ///< N s, `struck` of all substeps so far
-  Vec struck_at{0.0, 0.0};      ///< m, where they meet that were struck last
+  Vec struck_at{0.0, 0.0};      ///< m, where the last of that was
   std::uint32_t row = 0;        ///< among bounces: of the contact among its like
   bool hits = false;            ///< among bounces: is stopped though it doesn't bounce, see hit_speed()
 };
