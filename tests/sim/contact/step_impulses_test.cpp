@@ -141,7 +141,8 @@ TEST(StepImpulses, ActWhereBodiesTouch) {
       farthest_from_corners(scene_from(time + head + "spin = 6\n" +
                                        placed("brick", "at = [1, 0.16]\nspin = 6\nvelocity = [-0.96, 6]\n")),
                             0.6, 0.3),
-      2e-3);
+      0.1)
+      << "a substep\'s way";
 }
 
 /// And not where bodies are by the end of the step, who go on as they bounce.
