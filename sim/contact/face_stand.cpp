@@ -22,15 +22,27 @@ SolverBody later(SolverBody body, double time) {
   return body;
 }
 
-/// How they stand now, before a face that is driven, felt a little farther on or back along it: where it will
-/// have moved as far by the end of a substep h (s), along its normal, as the two come nearer by then. So who
-/// goes along with it goes along a chord and keeps his speed, as impulses are along the normal of now.
+/// m, along t, how far b's point gets from a's in that time (s), if both go on as they move, more than at the
+/// velocity of now.
+double slides_ahead(const FaceStand& now, const Vec& t, const SolverBody& a, const SolverBody& b,
+                    double time) {
+  const Vec way = time * (b.velocity - a.velocity) + turned(now.arm_b, time * b.spin) - now.arm_b -
+                  turned(now.arm_a, time * a.spin) + now.arm_a;
+  return t.dot(way - time * PointArms{now.arm_a, now.arm_b, now.normal}.velocity(a, b));
+}
+
+/// How they stand now, before a face that is driven, felt a little farther on or back along it, and higher or
+/// lower: where it will have moved as far by the end of a substep h (s), along its normal and across, as the
+/// two do against each other by then. So who goes along with it goes along a chord and keeps his speed, as
+/// impulses are along the normal of now, and it doesn't rub him.
 FaceStand led(const PointContact& contact, const SolverBody& a, const SolverBody& b, double h) {
   FaceStand stand(contact, a, b);
+  const Vec t = tangent(stand.normal);
   const double speed = PointArms{stand.arm_a, stand.arm_b, stand.normal}.normal_velocity(a, b);
   const double excess =
       FaceStand(contact, later(a, h), later(b, h)).separation - stand.separation - h * speed;
-  const Vec way = excess / (h * (is_of_a(contact) ? a.spin : -b.spin)) * tangent(stand.normal);
+  const double slide = slides_ahead(stand, t, a, b, h);
+  const Vec way = (excess * t - slide * stand.normal) / (h * (is_of_a(contact) ? a.spin : -b.spin));
   (is_of_a(contact) ? stand.arm_a : stand.arm_b) += way;
   return stand;
 }

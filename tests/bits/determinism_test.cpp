@@ -44,7 +44,7 @@ void PrintTo(const Golden& golden, std::ostream* out) {
 constexpr Golden kGallery[] = {
     {"gas", 400, 0xb7deb10a72f11b9f},          {"pile", 60, 0x9140b41cd961e48},
     {"polygons", 40, 0x830aa0e170e0a256},      {"pyramid", 10, 0x9d966bd3b671b17a},
-    {"hopper", 100, 0xf47f9e10d99f30cb},       {"gears", 100, 0xdb154a16d3ebb5da},
+    {"hopper", 100, 0xf47f9e10d99f30cb},       {"gears", 100, 0x868bba35ae957014},
     {"billiard", 1500, 0x91a45388a7a4e721},    {"cradle", 2000, 0x7db3d1ee537b00be},
     {"mixed", 200, 0x50339604d0c083d5},        {"corridor", 1200, 0xdd6a7b723dc082a9},
     {"bottleneck", 1200, 0xe17793fdbf77bb3f},  {"circle_swap", 300, 0x3098722b25df02fc},

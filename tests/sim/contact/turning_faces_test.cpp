@@ -117,6 +117,20 @@ TEST(TurningFaces, TakeACompositeAlongInACorner) {
   EXPECT_NEAR(run.state.angle[0], run.state.angle[1], 1e-3);
 }
 
+/// Its two sides strike it one after the other, and rub it against each other by what that leaves; where
+/// faces rubbed who goes along with them by chords it turned by 0.68 rad.
+TEST(TurningFaces, HardlyTurnADiscThatRubsInACorner) {
+  std::string head = kHead;
+  head.replace(head.find("friction = 0"), 12, "friction = 0.5");
+  Trial run(head +
+            "ball = { disc = { radius = 0.2 } }\nframe = { polygon = [[-1.2, -1.2], [1.2, -1.2], [1.2, 1.2], "
+            "[-1.2, 1.2]], holes = [[[-1, -1], [-1, 1], [1, 1], [1, -1]]] }\n" +
+            body("ball", {0.8, 0.8}, "velocity = [-8, 8]\nspin = 10\n") +
+            body("frame", {0.0, 0.0}, "kind = \"kinematic\"\nspin = 10\n"));
+  run.steps(180);
+  EXPECT_NEAR(run.state.angle[0], run.state.angle[1], 0.4);
+}
+
 /// What lands flush on a floor turns, but it is the floor's plane that it meets: it was thrown aside.
 TEST(TurningFaces, AreNotThoseOfWhoLandsFlushOnAFloor) {
   for (const char* floor :
