@@ -150,7 +150,7 @@ void push(const Scene& scene, const Plan& plan, State& state, Workspace& work, b
   }
   if (plan.sums_impulses) {
     work.impulses.add_bounces(work.contacts);
-    if (guarded) work.impulses.add(work.guard->strikes());
+    if (guarded) work.impulses.set_strikes(work.guard->strikes());
   }
   if (learns) learn_loads(work);
   clock.lap(work.times.solve);
@@ -198,7 +198,10 @@ void step_bodies(const Scene& scene, const Plan& plan, State& state, Workspace& 
   ++state.step;
   if (flown) {
     state.collisions += work.flights.collisions();
-    if (plan.sums_impulses) work.impulses.start(work.contacts), work.impulses.add(work.flights.strikes());
+    if (plan.sums_impulses) {
+      work.impulses.start(work.contacts);
+      work.impulses.set_strikes(work.flights.strikes());
+    }
     land(state, work);
   } else {
     if (plan.flights) ++state.collisions.pushed;

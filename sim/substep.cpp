@@ -61,7 +61,7 @@ void bounce(Workspace& work, BounceRule rule, int bounces) {
 void bounce(const Plan& plan, Workspace& work, const Vec& kick, const Vec* period) {
   if (work.contacts.disc_bounces.empty() && work.contacts.point_bounces.empty()) return;
   const double h = work.solver.h, hit_speed = work.finder.hit_speed();
-  const BounceRule rule{h, h, kRestSpeed * kick.norm(), hit_speed, hit_speed, kick, period, work.ahead};
+  const BounceRule rule{h, h, kRestSpeed * kick.norm(), hit_speed, hit_speed, kick, period, work.ahead, h};
   work.bounces.start(work.bodies, rule);
   bounce(work, rule, bounce_sweeps(plan));
 }
@@ -72,8 +72,7 @@ void bounce(const Plan& plan, Workspace& work, const Vec& kick, const Vec* perio
 void stop(Workspace& work, const Vec* period) {
   if (work.contacts.hits == 0) return;
   const double h = work.solver.h, hit_speed = work.finder.hit_speed();
-  const BounceRule rule{h,      kAtOnce * h, kNever, hit_speed, hit_speed, Vec(0.0, 0.0),
-                        period, work.ahead,  true};
+  const BounceRule rule{h, kAtOnce * h, kNever, hit_speed, hit_speed, Vec(0.0, 0.0), period, work.ahead, -h};
   work.bounces.go_on();
   bounce(work, rule, 0);
 }

@@ -3,8 +3,8 @@
 
 #include "sim/contact/contact.h"
 
-/// How contacts reach their bodies: the velocity of b against a at the contact (m/s), and impulses there
-/// (N s), on b; a feels the opposite.
+/// How contacts reach their bodies: the velocity of b against a at the contact (m/s), impulses there (N s),
+/// on b, of which a feels the opposite, and where it is.
 namespace throng {
 
 /// Of two discs about their bodies' centres: a normal impulse turns nothing, and a tangential one has the
@@ -57,7 +57,7 @@ inline PointArms arms(const PointContact& contact) {
   return {contact.arm_a, contact.arm_b, contact.normal};
 }
 
-/// m, where discs are in touch, or come to be, as they stand.
+/// m, where discs are in touch, or come to be, as they stand: on a's rim.
 inline Vec place(const DiscContact& contact, const SolverBody& a, const SolverBody&, double) {
   return a.position + contact.radius_a * contact.normal;
 }

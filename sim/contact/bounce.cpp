@@ -18,7 +18,7 @@ constexpr double kSameNormal = 1.0 - 1e-12;  // cosine of the angle between norm
 
 constexpr double kAtItsEnd = 1e-9;  // of the time within which two meet: what rounding may make of its end
 
-constexpr double kLeastTaken = 1e-4;  // of an impulse: less is not taken back
+constexpr double kLeastCorrected = 1e-4;  // of an impulse: less is left as it is
 
 /// The velocity that gravity adds to b against a, along the normal: nothing where both fall.
 double relative_kick(const ContactBase& c, const SolverBody& a, const SolverBody& b, const Vec& kick) {
@@ -32,6 +32,13 @@ double normal_mass(const PointContact& contact, const SolverBody& a, const Solve
 }
 double normal_mass(const DiscContact& contact, const SolverBody&, const SolverBody&) {
   return contact.normal_mass;
+}
+
+double tangent_mass(const PointContact& contact, const SolverBody& a, const SolverBody& b) {
+  return effective_mass(a, b, contact.arm_a, contact.arm_b, tangent(contact.normal));
+}
+double tangent_mass(const DiscContact& contact, const SolverBody&, const SolverBody&) {
+  return contact.tangent_mass;
 }
 
 /// The speed with which two part that meet at `speed` (m/s, below 0) while `s` (m) apart, after `fall` (m/s),
@@ -79,11 +86,15 @@ void turn(ContactBase& contact, SolverBody& a, SolverBody& b, double impulse) {
 }
 
 /// Notes an impact's impulses, and holds the two spins together, as far as the normal one lets it.
-void note(ContactBase& contact, SolverBody& a, SolverBody& b, double normal, double across) {
+template <class Contact>
+void note(Contact& contact, SolverBody& a, SolverBody& b, double normal, double across) {
   contact.struck += normal, contact.struck_in_step += normal, contact.rubbed += across;
-  if (!(contact.lever > 0.0)) return;
-  const double limit = contact.lever * normal;
-  turn(contact, a, b, std::clamp((a.spin - b.spin) / (a.inverse_inertia + b.inverse_inertia), -limit, limit));
+  if (contact.lever > 0.0) {
+    const double limit = contact.lever * normal;
+    turn(contact, a, b,
+         std::clamp((a.spin - b.spin) / (a.inverse_inertia + b.inverse_inertia), -limit, limit));
+  }
+  contact.slip = arms(contact).tangent_velocity(a, b);
 }
 
 /// Notes where the two meet, who are about to be struck and may still be apart.
@@ -116,24 +127,33 @@ void strike_at(PointContact& contact, SolverBody& a, SolverBody& b, double added
 }
 
 /// What stops at several surfaces at once is stopped by all of them: one after the other each would take what
-/// another had to, and throw it back. So an impulse that didn't bounce is taken back as far as others, since
-/// then, have made the two part. False where that is hardly any.
+/// another had to, and throw it back. So of an impulse that didn't bounce the normal part is taken back as
+/// far as others, since then, have made the two part, and the slip is rubbed by which they have made it more,
+/// or turned it round. False where that is hardly any.
 template <class Contact>
-bool take_back(Contact& contact, BodyRows<SolverBody> bodies, const BounceRule& rule) {
+bool correct(Contact& contact, BodyRows<SolverBody> bodies, const BounceRule& rule) {
   if (contact.restitution > 0.0 || !(contact.struck > 0.0)) return false;
   SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
+  const auto at = arms(contact);
+  const double least = kLeastCorrected * contact.struck;
   const double fall = relative_kick(contact, a, b, rule.kick);
-  const double parting = arms(contact).normal_velocity(a, b) - arrival(contact, fall, rule.h);
-  const double impulse = std::min(normal_mass(contact, a, b) * parting, contact.struck);
-  if (!(impulse > kLeastTaken * contact.struck)) return false;
-  contact.struck -= impulse, contact.struck_in_step -= impulse;
-  const double limit = contact.friction * contact.struck;
-  const double rubbed = std::clamp(contact.rubbed, -limit, limit);
-  arms(contact).apply(a, b, -impulse, rubbed - contact.rubbed);
+  const double parting = at.normal_velocity(a, b) - arrival(contact, fall, rule.h);
+  double back = std::min(normal_mass(contact, a, b) * parting, contact.struck);
+  if (!(back > least)) back = 0.0;
+  at.apply(a, b, -back, 0.0);
+  const double limit = contact.friction * (contact.struck - back);
+  const double slip = at.tangent_velocity(a, b);
+  const double more = slip - std::clamp(slip, std::min(contact.slip, 0.0), std::max(contact.slip, 0.0));
+  const double rubbed = std::clamp(contact.rubbed - tangent_mass(contact, a, b) * more, -limit, limit);
+  const double across = rubbed - contact.rubbed;
+  if (back == 0.0 && !(std::abs(across) > least)) return false;
+  contact.struck -= back, contact.struck_in_step -= back;
+  at.apply(a, b, 0.0, across);
   contact.rubbed = rubbed;
   const double most = contact.lever * contact.struck;
   if (std::abs(contact.rolled) > most)
     turn(contact, a, b, std::clamp(contact.rolled, -most, most) - contact.rolled);
+  contact.slip = at.tangent_velocity(a, b);
   return true;
 }
 
@@ -141,7 +161,7 @@ template <class Contact>
 bool bounce_one(Contact& contact, BodyRows<SolverBody> bodies, const BounceRule& rule) {
   SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
   const double added = rebound(contact, a, b, rule);
-  if (!(added > 0.0)) return take_back(contact, bodies, rule);
+  if (!(added > 0.0)) return correct(contact, bodies, rule);
   note_place(contact, a, b, rule);
   strike_at(contact, a, b, added);
   return true;
@@ -154,7 +174,8 @@ bool bounce_both(PointContact& i, PointContact& j, BodyRows<SolverBody> bodies, 
   const AtPoints added{rebound(i, a, b, rule), rebound(j, a, b, rule)};
   const auto impact = flat_impact(i, j, a, b, added, {whole(i, a, b, added.i), whole(j, a, b, added.j)});
   if (!impact) return false;
-  note_place(i, a, b, rule), note_place(j, a, b, rule);
+  if (impact->normal_i > 0.0) note_place(i, a, b, rule);
+  if (impact->normal_j > 0.0) note_place(j, a, b, rule);
   apply(*impact, i, j, a, b);
   note(i, a, b, impact->normal_i, impact->across_i), note(j, a, b, impact->normal_j, impact->across_j);
   return true;
@@ -194,7 +215,7 @@ bool bounce(std::span<PointContact> contacts, BodyRows<SolverBody> bodies, const
   bool bounced = false;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     if (!(rebound(contacts[i], bodies[contacts[i].a], bodies[contacts[i].b], rule) > 0.0)) {
-      bounced |= take_back(contacts[i], bodies, rule);
+      bounced |= correct(contacts[i], bodies, rule);
       continue;
     }
     const auto [low, high] = outermost(contacts, i, bodies, rule);

@@ -20,7 +20,7 @@ struct BounceRule {
   Vec kick;             ///< m/s, what gravity adds to a dynamic body's velocity in the substep
   const Vec* period;    ///< and `ahead`, s: as in prepare()
   double ahead;
-  bool has_moved = false;  ///< the substep is over but for what has arrived
+  double turning_h;  ///< s, as in turn_faces(): h, or -h where the substep is over but for what has arrived
 };
 
 /// Lets a contact bounce if the two would meet so soon. What doesn't bounce is left to the sweeps of the

@@ -7,7 +7,6 @@
 #include <limits>
 #include <utility>
 
-#include "sim/contact/face_stand.h"
 #include "sim/contact/solve.h"
 #include "sim/periodic.h"
 
@@ -71,6 +70,7 @@ void BounceQueue::start_step(const Contacts& contacts) {
   list(contacts.disc_bounces);
   discs_ = entries_.size();
   list(contacts.point_bounces);
+  stands_.resize(contacts.point_bounces.size());
   prepared_.assign(entries_.size(), 0);
 }
 
@@ -159,8 +159,10 @@ bool BounceQueue::look_at(std::uint32_t i, Contacts& contacts, BodyRows<SolverBo
     return bounce(one[0], bodies, rule);
   }
   const std::span<PointContact> pair = std::span(contacts.point_bounces).subspan(entry.first, entry.count);
-  if (is_new) prepare(pair, bodies);
-  turn_faces(pair, bodies, rule.has_moved ? -rule.h : rule.h);
+  const std::span<FaceStand> stands = std::span(stands_).subspan(entry.first, entry.count);
+  const SolverBody &a = bodies[entry.a], &b = bodies[entry.b];
+  if (is_new) prepare(pair, bodies), find_stands(pair, a, b, stands);
+  turn_faces(pair, stands, a, b, rule.turning_h);
   return bounce(pair, bodies, rule);
 }
 

@@ -9,6 +9,7 @@
 #include "sim/contact/body_rows.h"
 #include "sim/contact/bounce.h"
 #include "sim/contact/contacts.h"
+#include "sim/contact/face_stand.h"
 
 namespace throng {
 
@@ -62,6 +63,7 @@ class BounceQueue {
   std::vector<Reach> reaches_;             // of the others
   std::vector<std::uint64_t> waiting_;     // a bit an entry
   std::vector<std::uint64_t> prepared_;    // of each entry, in which phase
+  std::vector<FaceStand> stands_;          // of each contact at a point, in that phase
   std::uint64_t phase_ = 0, substep_ = 0;  // counted from start() and go_on(); the substep's first phase
   std::vector<std::uint64_t> struck_in_;   // of each body, the phase
   std::vector<std::uint32_t> struck_;      // bodies, in this substep, each once

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/contact/face_stand.h"
 
-#include <algorithm>
+#include <cstddef>
 
 #include "narrowphase/convex.h"
 #include "sim/contact/arms.h"
@@ -16,46 +16,80 @@ bool is_of_a(const PointContact& contact) {
   return contact.turner.body == Turner::Body::a;
 }
 
-/// It some time (s) later, if it goes on as it moves.
-SolverBody later(SolverBody body, double time) {
-  body.position += time * body.velocity, body.turn += time * body.spin;
-  return body;
+/// To rounding.
+Turn exact_turn(double angle) {
+  const narrowphase::Pose pose = narrowphase::pose(Vec(0.0, 0.0), angle);
+  Turn turn(0.0);
+  turn.cosine = pose.cos, turn.sine = pose.sin;
+  return turn;
 }
 
-/// m, along t, how far b's point gets from a's in that time (s), if both go on as they move, more than at the
-/// velocity of now.
-double slides_ahead(const FaceStand& now, const Vec& t, const SolverBody& a, const SolverBody& b,
-                    double time) {
-  const Vec way = time * (b.velocity - a.velocity) + turned(now.arm_b, time * b.spin) - now.arm_b -
-                  turned(now.arm_a, time * a.spin) + now.arm_a;
-  return t.dot(way - time * PointArms{now.arm_a, now.arm_b, now.normal}.velocity(a, b));
-}
+/// What of a face, and of who touches it, turns with their bodies.
+struct Turning {
+  Vec normal, arm_a, arm_b;
+};
 
-/// How they stand now, before a face that is driven, felt a little farther on or back along it, and higher or
-/// lower: where it will have moved as far by the end of a substep h (s), along its normal and across, as the
-/// two do against each other by then. So who goes along with it goes along a chord and keeps his speed, as
-/// impulses are along the normal of now, and it doesn't rub him.
-FaceStand led(const PointContact& contact, const SolverBody& a, const SolverBody& b, double h) {
-  FaceStand stand(contact, a, b);
-  const Vec t = tangent(stand.normal);
-  const double speed = PointArms{stand.arm_a, stand.arm_b, stand.normal}.normal_velocity(a, b);
-  const double excess =
-      FaceStand(contact, later(a, h), later(b, h)).separation - stand.separation - h * speed;
-  const double slide = slides_ahead(stand, t, a, b, h);
-  const Vec way = (excess * t - slide * stand.normal) / (h * (is_of_a(contact) ? a.spin : -b.spin));
-  (is_of_a(contact) ? stand.arm_a : stand.arm_b) += way;
+/// Once they have turned so far, and are so far from each other.
+FaceStand stand(const PointContact& contact, const Turning& from, const Turn& of_a, const Turn& of_b,
+                const Vec& between) {
+  FaceStand stand;
+  stand.normal = (is_of_a(contact) ? of_a : of_b)(from.normal);
+  stand.arm_a = of_a(from.arm_a) + contact.round_a * stand.normal;
+  stand.arm_b = of_b(from.arm_b) - contact.round_b * stand.normal;
+  stand.separation = stand.normal.dot(between + stand.arm_b - stand.arm_a);
+  if (is_of_a(contact))
+    stand.arm_a = between + stand.arm_b - stand.separation * stand.normal;
+  else
+    stand.arm_b = stand.arm_a + stand.separation * stand.normal - between;
   return stand;
 }
 
-/// The one or two points of the face that is at the front.
-std::span<PointContact> first_face(std::span<PointContact> contacts) {
-  return contacts.first(contacts.size() > 1 && contacts[1].is_second ? 2 : 1);
+/// m, to b's image that touches a.
+Vec between(const PointContact& contact, const SolverBody& a, const SolverBody& b) {
+  return b.position + contact.turner.shift - a.position;
 }
 
-bool is_touched(const PointContact& contact, const SolverBody& a, const SolverBody& b) {
+/// It some time (s) on, if both go on as they move, and turn by that.
+FaceStand later(const PointContact& contact, const FaceStand& now, const SolverBody& a, const SolverBody& b,
+                double time, const Turn& of_a, const Turn& of_b) {
+  const Turning from{now.normal, now.arm_a - contact.round_a * now.normal,
+                     now.arm_b + contact.round_b * now.normal};
+  return stand(contact, from, of_a, of_b, between(contact, a, b) + time * (b.velocity - a.velocity));
+}
+
+/// m, along t, how far b gets from a as that face turns by `angle` (rad) and the other goes along with it by
+/// a chord, more than at the velocity of now. Of the way between centres alone: how the other turns, as a
+/// disc that rolls on the face does, is no matter.
+double slides_ahead(const Vec& between, const Vec& t, double angle) {
+  return t.dot(between + angle * tangent(between) - turned(between, angle));
+}
+
+/// How a face is felt that is driven: a little farther on or back along it, and higher or lower, where it
+/// will have moved as far by the end of a substep h (s), along its normal and across, as the two do against
+/// each other by then. So who goes along with it goes along a chord and keeps his speed, as impulses are
+/// along the normal of now, and it doesn't rub him.
+FaceStand led(const PointContact& contact, const FaceStand& now, const SolverBody& a, const SolverBody& b,
+              double h) {
+  FaceStand felt = now;
+  const Vec t = tangent(now.normal);
+  const double angle = h * (is_of_a(contact) ? a.spin : b.spin);
+  const double speed = PointArms{now.arm_a, now.arm_b, now.normal}.normal_velocity(a, b);
+  const FaceStand then = later(contact, now, a, b, h, exact_turn(h * a.spin), exact_turn(h * b.spin));
+  const double excess = then.separation - now.separation - h * speed;
+  const Vec way = (excess * t - slides_ahead(between(contact, a, b), t, angle) * now.normal) / angle;
+  is_of_a(contact) ? felt.arm_a += way : felt.arm_b -= way;
+  return felt;
+}
+
+/// Of the points at the front, how many are of one face: one or two.
+std::size_t of_one_face(std::span<const PointContact> contacts) {
+  return contacts.size() > 1 && contacts[1].is_second ? 2 : 1;
+}
+
+/// And not left over the face's end.
+bool is_touched(const PointContact& contact, const FaceStand& now, const SolverBody& a, const SolverBody& b) {
   const Turner& turner = contact.turner;
   if ((is_of_a(contact) ? a : b).turn * turner.from < turner.from * turner.from) return false;
-  const FaceStand now(contact, a, b);
   const double along = tangent(now.normal).dot(is_of_a(contact) ? now.arm_a : now.arm_b);
   const double slack = kEnd * (turner.end - turner.begin);
   return along > turner.begin - slack && along < turner.end + slack;
@@ -64,28 +98,31 @@ bool is_touched(const PointContact& contact, const SolverBody& a, const SolverBo
 }  // namespace
 
 Vec turned(const Vec& v, double angle) {
-  return narrowphase::pose(Vec(0.0, 0.0), angle).rotate(v);
+  return exact_turn(angle)(v);
 }
 
-FaceStand::FaceStand(const PointContact& contact, const SolverBody& a, const SolverBody& b)
-    : normal(turned(contact.turner.normal, is_of_a(contact) ? a.turn : b.turn)),
-      arm_a(turned(contact.first_a, a.turn) + contact.round_a * normal),
-      arm_b(turned(contact.first_b, b.turn) - contact.round_b * normal) {
-  const Vec between = b.position + contact.turner.shift - a.position;
-  separation = normal.dot(between + arm_b - arm_a);
-  if (is_of_a(contact))
-    arm_a = between + arm_b - separation * normal;
-  else
-    arm_b = arm_a + separation * normal - between;
+void find_stands(std::span<const PointContact> contacts, const SolverBody& a, const SolverBody& b,
+                 std::span<FaceStand> stands) {
+  const Turn of_a = exact_turn(a.turn), of_b = exact_turn(b.turn);
+  for (std::size_t first = 0, count; first < contacts.size(); first += count) {
+    count = of_one_face(contacts.subspan(first));
+    bool turns = false;
+    for (std::size_t i = first; i < first + count; ++i) {
+      const PointContact& contact = contacts[i];
+      if (contact.turner.body == Turner::Body::none) continue;
+      const Turning from{contact.turner.normal, contact.first_a, contact.first_b};
+      stands[i] = stand(contact, from, of_a, of_b, between(contact, a, b));
+      turns |= is_touched(contact, stands[i], a, b);
+    }
+    for (std::size_t i = first; i < first + count; ++i) stands[i].turns = turns;
+  }
 }
 
-bool turns_now(std::span<const PointContact> face, const SolverBody& a, const SolverBody& b) {
-  return std::ranges::any_of(face, [&](const PointContact& contact) { return is_touched(contact, a, b); });
-}
-
-FaceStand felt(const PointContact& contact, const SolverBody& a, const SolverBody& b, double h) {
-  if ((is_of_a(contact) ? a : b).inverse_inertia == 0.0) return led(contact, a, b, h);
-  return FaceStand(contact, later(a, 0.5 * h), later(b, 0.5 * h));
+FaceStand felt(const PointContact& contact, const FaceStand& now, const SolverBody& a, const SolverBody& b,
+               double h) {
+  if ((is_of_a(contact) ? a : b).inverse_inertia == 0.0) return led(contact, now, a, b, h);
+  const double half = 0.5 * h;
+  return later(contact, now, a, b, half, Turn(half * a.spin), Turn(half * b.spin));
 }
 
 void turn_to(PointContact& contact, const FaceStand& felt, double separation, const SolverBody& a,
@@ -97,16 +134,14 @@ void turn_to(PointContact& contact, const FaceStand& felt, double separation, co
 }
 
 /// Who bounces off a face meets it as it stands; who hits it, as it is felt: else the sweeps would undo that.
-void turn_faces(std::span<PointContact> contacts, BodyRows<const SolverBody> bodies, double ahead) {
-  for (std::span<PointContact> face; !contacts.empty(); contacts = contacts.subspan(face.size())) {
-    face = first_face(contacts);
-    const SolverBody &a = bodies[face[0].a], &b = bodies[face[0].b];
-    if (face[0].turner.body == Turner::Body::none || !turns_now(face, a, b)) continue;
-    for (PointContact& contact : face) {
-      const FaceStand now(contact, a, b);
-      turn_to(contact, contact.restitution > 0.0 ? now : felt(contact, a, b, ahead), now.separation, a, b);
-      contact.separation = now.separation;
-    }
+void turn_faces(std::span<PointContact> contacts, std::span<const FaceStand> stands, const SolverBody& a,
+                const SolverBody& b, double h) {
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    PointContact& contact = contacts[i];
+    const FaceStand& now = stands[i];
+    if (!now.turns) continue;
+    turn_to(contact, contact.restitution > 0.0 ? now : felt(contact, now, a, b, h), now.separation, a, b);
+    contact.separation = now.separation;
   }
 }
 

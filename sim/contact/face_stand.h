@@ -15,24 +15,26 @@ Vec turned(const Vec& v, double angle);
 
 /// A face and who touches it: the arm of whose face it is ends below the other's point.
 struct FaceStand {
-  Vec normal, arm_a, arm_b;  ///< unit, from a to b; m, from the bodies' centres
-  double separation;         ///< m
-
-  /// As the bodies stand. Expects a turner.
-  FaceStand(const PointContact& contact, const SolverBody& a, const SolverBody& b);
+  Vec normal{0.0, 0.0}, arm_a{0.0, 0.0}, arm_b{0.0, 0.0};  ///< unit, from a to b; m, from the bodies' centres
+  double separation = 0.0;                                 ///< m
+  bool turns = false;  ///< the face with its body: one of its points is touched by now, and hasn't been left
 };
 
-/// Whether the face of those one or two points turns with its body: one of them touches it by now, and hasn't
-/// left it over its end.
-bool turns_now(std::span<const PointContact> face, const SolverBody& a, const SolverBody& b);
+/// How faces stand while their bodies stand as they do: of each contact of two bodies at points, one after
+/// the other. What has no turner is left as it is, and doesn't turn.
+void find_stands(std::span<const PointContact> contacts, const SolverBody& a, const SolverBody& b,
+                 std::span<FaceStand> stands);
 
-/// How it is felt in a substep of h (s) that begins now, or of -h that has just ended: as both stand halfway,
-/// and of a face that is driven so that who goes along with it keeps his speed.
-FaceStand felt(const PointContact& contact, const SolverBody& a, const SolverBody& b, double h);
+/// How a face is felt that stands so in a substep of h (s) that begins now, or of -h that has just ended, as
+/// if they had come as they move now: as both stand halfway, and of a face that is driven so that who goes
+/// along with it keeps his speed.
+FaceStand felt(const PointContact& contact, const FaceStand& now, const SolverBody& a, const SolverBody& b,
+               double h);
 
-/// Turns the faces of what may bounce or hit as they are met now; to be called after prepare(), before each
-/// look. `ahead` (s): the substep that begins, or, below 0, that in which bodies have just moved.
-void turn_faces(std::span<PointContact> contacts, BodyRows<const SolverBody> bodies, double ahead);
+/// Turns the faces of two bodies that bounce or hit as they are met now; to be called before each look, as
+/// strikes change how they move. `h`: as in felt().
+void turn_faces(std::span<PointContact> contacts, std::span<const FaceStand> stands, const SolverBody& a,
+                const SolverBody& b, double h);
 
 /// Turns the contact's plane there. Its arms are then as they are felt; what turns of them stays.
 void turn_to(PointContact& contact, const FaceStand& felt, double separation, const SolverBody& a,

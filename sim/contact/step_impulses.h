@@ -17,7 +17,7 @@ class StepImpulses {
   /// Of a contact.
   struct Sum {
     double impulse = 0.0;  ///< N s
-    Vec at{0.0, 0.0};      ///< m, where it pressed or was struck last
+    Vec at{0.0, 0.0};      ///< m, where it presses by the end, or else where it was struck last, or pressed
   };
 
   /// Before the first substep, or where there is none. O(contacts).
@@ -27,7 +27,7 @@ class StepImpulses {
   /// What struck in all substeps. O(bounces).
   void add_bounces(const Contacts& contacts);
   /// Between whom nothing was listed, or not as a contact.
-  void add(std::span<const ContactRow> strikes) { strikes_.assign(strikes.begin(), strikes.end()); }
+  void set_strikes(std::span<const ContactRow> strikes) { strikes_.assign(strikes.begin(), strikes.end()); }
 
   std::span<const Sum> discs() const { return discs_; }  ///< of each of `Contacts::discs`
   std::span<const Sum> faces() const { return faces_; }  ///< of each of `Contacts::faces`

@@ -21,15 +21,17 @@ void TurningFaces::turn(FaceBlocks& blocks, BodyRows<const SolverBody> bodies, d
 
 void TurningFaces::turn(const Face& face, FaceBlocks& blocks, BodyRows<const SolverBody> bodies, double h) {
   const SolverBody &a = bodies[face.points[0].a], &b = bodies[face.points[0].b];
+  std::array<FaceStand, 2> stands;
+  find_stands(std::span(face.points).first(face.count), a, b, stands);
+  if (!stands[0].turns) return;
   std::array<PointContact, 2> points = face.points;
-  const std::span<PointContact> now = std::span(points).first(face.count);
-  if (!turns_now(now, a, b)) return;
-  for (PointContact& contact : now) {
-    turn_to(contact, felt(contact, a, b, h), FaceStand(contact, a, b).separation, a, b);
+  for (std::size_t i = 0; i < face.count; ++i) {
+    PointContact& contact = points[i];
+    turn_to(contact, felt(contact, stands[i], a, b, h), stands[i].separation, a, b);
     contact.first_a = Turn(-a.turn)(contact.arm_a - contact.round_a * contact.normal);
     contact.first_b = Turn(-b.turn)(contact.arm_b + contact.round_b * contact.normal);
   }
-  blocks.place(face.first, now);
+  blocks.place(face.first, std::span(points).first(face.count));
 }
 
 }  // namespace throng

@@ -90,6 +90,19 @@ class Layouts(Program):
             self.assertEqual([area.name for area in recording.areas], ["exit", "hall"])
         self.assertEqual(self.throng("replay", "a.h5", "--verify"), (0, ""))
 
+    def test_contacts_before_1_11_are_not_gone_on_with(self):
+        scenario = self.path("fall.toml")
+        with open(scenario, "w", encoding="utf8") as file:
+            file.write("throng = 1\ngravity = [0, -9.81]\ntime = { dt = 0.01, until = 0.1 }\nshapes.ball = { disc = { radius = 0.1 } }\n"
+                       "bodies = [{ shape = \"ball\", at = [0, 0.1] }]\nwalls = [{ segment = [[-1, 0], [1, 0]] }]\n"
+                       "record = { every = 1, fields = [\"position\", \"contacts\"] }\n")
+        self.assertEqual(self.throng("run", scenario, "-o", "fall.h5", "--progress", "none")[0], 0)
+        with h5py.File(self.path("fall.h5"), "r+") as file:
+            file["throng"].attrs.modify("version", np.array([1, 10], np.int32))
+        code, said = self.throng("resume", "fall.h5", "--until", "0.2", "--progress", "none")
+        self.assertEqual(code, 2)
+        self.assertIn("cannot be gone on with: contacts told less of what presses before layout 1.11", said)
+
 
 if __name__ == "__main__":
     unittest.main()

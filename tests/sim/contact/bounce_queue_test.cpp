@@ -32,7 +32,10 @@ class AllOfThem {
       std::size_t count = 1;
       while (count < left.size() && left[count].a == left[0].a && left[count].b == left[0].b) ++count;
       const std::span<PointContact> pair = left.first(count);
-      turn_faces(pair, bodies_, rule.h);
+      const SolverBody &a = bodies_[pair[0].a], &b = bodies_[pair[0].b];
+      std::vector<FaceStand> stands(pair.size());
+      find_stands(pair, a, b, stands);
+      turn_faces(pair, stands, a, b, rule.h);
       any |= look(pair[0].a, pair[0].b, rule, [&](const BounceRule& r) { return bounce(pair, bodies_, r); });
       left = left.subspan(count);
     }
@@ -86,7 +89,7 @@ TEST(BounceQueue, StrikesWhomSweepsOverAllStrike) {
       Contacts contacts = run.work.contacts, same = contacts;
       const double h = run.work.solver.h;
       const Vec kick = h * run.scene.gravity;
-      const BounceRule rule{h, h, 2.0 * kick.norm(), 0.1, 0.005, kick, nullptr, 0.0};
+      const BounceRule rule{h, h, 2.0 * kick.norm(), 0.1, 0.005, kick, nullptr, 0.0, h};
       AllOfThem all(contacts, bodies);
       BounceQueue queue;
       queue.start_step(same);
