@@ -18,7 +18,8 @@ constexpr double kSameNormal = 1.0 - 1e-12;  // cosine of the angle between norm
 
 constexpr double kAtItsEnd = 1e-9;  // of the time within which two meet: what rounding may make of its end
 
-constexpr double kLeastCorrected = 1e-4;  // of an impulse: less is left as it is
+constexpr double kLeastCorrected = 1e-4;  // of an impulse: less is left as it is, and across so much
+constexpr double kLeastRubbed = 0.1;      // of what it may be
 
 /// The velocity that gravity adds to b against a, along the normal: nothing where both fall.
 double relative_kick(const ContactBase& c, const SolverBody& a, const SolverBody& b, const Vec& kick) {
@@ -135,18 +136,17 @@ bool correct(Contact& contact, BodyRows<SolverBody> bodies, const BounceRule& ru
   if (contact.restitution > 0.0 || !(contact.struck > 0.0)) return false;
   SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
   const auto at = arms(contact);
-  const double least = kLeastCorrected * contact.struck;
   const double fall = relative_kick(contact, a, b, rule.kick);
   const double parting = at.normal_velocity(a, b) - arrival(contact, fall, rule.h);
   double back = std::min(normal_mass(contact, a, b) * parting, contact.struck);
-  if (!(back > least)) back = 0.0;
+  if (!(back > kLeastCorrected * contact.struck)) back = 0.0;
   at.apply(a, b, -back, 0.0);
   const double limit = contact.friction * (contact.struck - back);
   const double slip = at.tangent_velocity(a, b);
   const double more = slip - std::clamp(slip, std::min(contact.slip, 0.0), std::max(contact.slip, 0.0));
   const double rubbed = std::clamp(contact.rubbed - tangent_mass(contact, a, b) * more, -limit, limit);
   const double across = rubbed - contact.rubbed;
-  if (back == 0.0 && !(std::abs(across) > least)) return false;
+  if (back == 0.0 && !(std::abs(across) > kLeastRubbed * limit)) return false;
   contact.struck -= back, contact.struck_in_step -= back;
   at.apply(a, b, 0.0, across);
   contact.rubbed = rubbed;
