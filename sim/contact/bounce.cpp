@@ -18,8 +18,8 @@ constexpr double kSameNormal = 1.0 - 1e-12;  // cosine of the angle between norm
 
 constexpr double kAtItsEnd = 1e-9;  // of the time within which two meet: what rounding may make of its end
 
-constexpr double kLeastCorrected = 1e-4;  // of an impulse: less is left as it is, and across so much
-constexpr double kLeastRubbed = 0.1;      // of what it may be
+constexpr double kLeastTakenBack = 1e-4;  // of an impulse: less is left
+constexpr double kLeastRubbed = 0.1;      // of what Coulomb's law lets friction be: less is left
 
 /// The velocity that gravity adds to b against a, along the normal: nothing where both fall.
 double relative_kick(const ContactBase& c, const SolverBody& a, const SolverBody& b, const Vec& kick) {
@@ -130,7 +130,7 @@ void strike_at(PointContact& contact, SolverBody& a, SolverBody& b, double added
 /// What stops at several surfaces at once is stopped by all of them: one after the other each would take what
 /// another had to, and throw it back. So of an impulse that didn't bounce the normal part is taken back as
 /// far as others, since then, have made the two part, and the slip is rubbed by which they have made it more,
-/// or turned it round. False where that is hardly any.
+/// or turned it round. False where both are so little that they are left.
 template <class Contact>
 bool correct(Contact& contact, BodyRows<SolverBody> bodies, const BounceRule& rule) {
   if (contact.restitution > 0.0 || !(contact.struck > 0.0)) return false;
@@ -138,12 +138,13 @@ bool correct(Contact& contact, BodyRows<SolverBody> bodies, const BounceRule& ru
   const auto at = arms(contact);
   const double fall = relative_kick(contact, a, b, rule.kick);
   const double parting = at.normal_velocity(a, b) - arrival(contact, fall, rule.h);
-  double back = std::min(normal_mass(contact, a, b) * parting, contact.struck);
-  if (!(back > kLeastCorrected * contact.struck)) back = 0.0;
-  at.apply(a, b, -back, 0.0);
-  const double limit = contact.friction * (contact.struck - back);
+  double back = parting > 0.0 ? std::min(normal_mass(contact, a, b) * parting, contact.struck) : 0.0;
+  if (!(back > kLeastTakenBack * contact.struck)) back = 0.0;
+  if (back > 0.0) at.apply(a, b, -back, 0.0);
   const double slip = at.tangent_velocity(a, b);
   const double more = slip - std::clamp(slip, std::min(contact.slip, 0.0), std::max(contact.slip, 0.0));
+  if (back == 0.0 && more == 0.0) return false;
+  const double limit = contact.friction * (contact.struck - back);
   const double rubbed = std::clamp(contact.rubbed - tangent_mass(contact, a, b) * more, -limit, limit);
   const double across = rubbed - contact.rubbed;
   if (back == 0.0 && !(std::abs(across) > kLeastRubbed * limit)) return false;
@@ -178,6 +179,7 @@ bool bounce_both(PointContact& i, PointContact& j, BodyRows<SolverBody> bodies, 
   if (impact->normal_j > 0.0) note_place(j, a, b, rule);
   apply(*impact, i, j, a, b);
   note(i, a, b, impact->normal_i, impact->across_i), note(j, a, b, impact->normal_j, impact->across_j);
+  i.slip = arms(i).tangent_velocity(a, b);  // what holds back rolling at j may have turned them
   return true;
 }
 

@@ -27,8 +27,9 @@ struct BounceRule {
 /// contacts, but for what hits: it is stopped at the other's surface, whatever other surfaces of the scene
 /// do. The impulses for that are those of all its contacts at once, as call follows call: projected
 /// Gauss-Seidel, of which none pulls in sum. To be called after prepare(), for what bounces before gravity
-/// acts: then the flight after a bounce with e = 1 mirrors the one before, and energy stays. Returns whether
-/// the two were struck. O(1).
+/// acts: then the flight after a bounce with e = 1 mirrors the one before, and energy stays. Friction
+/// is asked again, too, where others have made the two slip. Returns whether the two were struck, or what
+/// struck them was corrected. O(1).
 bool bounce(DiscContact& contact, BodyRows<SolverBody> bodies, const BounceRule& rule);
 
 /// The same of all contacts of two bodies, one after the other, but as one impact where they have one normal.

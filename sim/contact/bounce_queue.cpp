@@ -53,8 +53,8 @@ void BounceQueue::list(std::span<const PointContact> contacts) {
     Reach reach{.normal = pair[0].normal};
     bool hits = false;
     for (const PointContact& contact : pair) {
-      if (contact.normal != pair[0].normal || contact.turner.body != Turner::Body::none)
-        reach.normal = Vec(0.0, 0.0);
+      entry.turns |= contact.turner.body != Turner::Body::none;
+      if (contact.normal != pair[0].normal || entry.turns) reach.normal = Vec(0.0, 0.0);
       entry.touch = std::max(entry.touch, contact.round_a + contact.round_b - contact.gap -
                                               contact.normal.dot(contact.first_b - contact.first_a));
       reach.of_a = std::max(reach.of_a, contact.first_a.norm() + contact.round_a);
@@ -159,10 +159,13 @@ bool BounceQueue::look_at(std::uint32_t i, Contacts& contacts, BodyRows<SolverBo
     return bounce(one[0], bodies, rule);
   }
   const std::span<PointContact> pair = std::span(contacts.point_bounces).subspan(entry.first, entry.count);
-  const std::span<FaceStand> stands = std::span(stands_).subspan(entry.first, entry.count);
-  const SolverBody &a = bodies[entry.a], &b = bodies[entry.b];
-  if (is_new) prepare(pair, bodies), find_stands(pair, a, b, stands);
-  turn_faces(pair, stands, a, b, rule.turning_h);
+  if (is_new) prepare(pair, bodies);
+  if (entry.turns) {
+    const std::span<FaceStand> stands = std::span(stands_).subspan(entry.first, entry.count);
+    const SolverBody &a = bodies[entry.a], &b = bodies[entry.b];
+    if (is_new) find_stands(pair, a, b, stands);
+    turn_faces(pair, stands, a, b, rule.turning_h);
+  }
   return bounce(pair, bodies, rule);
 }
 

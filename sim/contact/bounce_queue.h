@@ -39,6 +39,7 @@ class BounceQueue {
     std::uint32_t first, count;  // contacts
     double touch;  // m, from centre to centre where they touch: of discs in all, of points along the normal
     bool bounces = false;
+    bool turns = false;  // a face of theirs turns far within the step
   };
 
   /// Of points.
@@ -63,7 +64,7 @@ class BounceQueue {
   std::vector<Reach> reaches_;             // of the others
   std::vector<std::uint64_t> waiting_;     // a bit an entry
   std::vector<std::uint64_t> prepared_;    // of each entry, in which phase
-  std::vector<FaceStand> stands_;          // of each contact at a point, in that phase
+  std::vector<FaceStand> stands_;          // of each contact at a point, in that phase, where faces turn
   std::uint64_t phase_ = 0, substep_ = 0;  // counted from start() and go_on(); the substep's first phase
   std::vector<std::uint64_t> struck_in_;   // of each body, the phase
   std::vector<std::uint32_t> struck_;      // bodies, in this substep, each once

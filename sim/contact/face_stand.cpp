@@ -16,7 +16,7 @@ bool is_of_a(const PointContact& contact) {
   return contact.turner.body == Turner::Body::a;
 }
 
-/// To rounding.
+/// What Turn is but for the cube, to rounding.
 Turn exact_turn(double angle) {
   const narrowphase::Pose pose = narrowphase::pose(Vec(0.0, 0.0), angle);
   Turn turn(0.0);
@@ -57,8 +57,8 @@ FaceStand later(const PointContact& contact, const FaceStand& now, const SolverB
   return stand(contact, from, of_a, of_b, between(contact, a, b) + time * (b.velocity - a.velocity));
 }
 
-/// m, along t, how far b gets from a as that face turns by `angle` (rad) and the other goes along with it by
-/// a chord, more than at the velocity of now. Of the way between centres alone: how the other turns, as a
+/// m, along t, how far b gets from a as a driven face turns by `angle` (rad) and the other goes along with it
+/// by a chord, more than at the velocity of now. Of the way between centres alone: how the other turns, as a
 /// disc that rolls on the face does, is no matter.
 double slides_ahead(const Vec& between, const Vec& t, double angle) {
   return t.dot(between + angle * tangent(between) - turned(between, angle));
@@ -95,6 +95,21 @@ bool is_touched(const PointContact& contact, const FaceStand& now, const SolverB
   return along > turner.begin - slack && along < turner.end + slack;
 }
 
+/// Of the points of one face, which have one turner, or none.
+void find_stands_of_face(std::span<const PointContact> face, const SolverBody& a, const SolverBody& b,
+                         std::span<FaceStand> stands) {
+  bool turns = false;
+  if (face[0].turner.body != Turner::Body::none) {
+    const Turn of_a = exact_turn(a.turn), of_b = exact_turn(b.turn);
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const Turning from{face[i].turner.normal, face[i].first_a, face[i].first_b};
+      stands[i] = stand(face[i], from, of_a, of_b, between(face[i], a, b));
+      turns |= is_touched(face[i], stands[i], a, b);
+    }
+  }
+  for (FaceStand& stand : stands) stand.turns = turns;
+}
+
 }  // namespace
 
 Vec turned(const Vec& v, double angle) {
@@ -103,18 +118,9 @@ Vec turned(const Vec& v, double angle) {
 
 void find_stands(std::span<const PointContact> contacts, const SolverBody& a, const SolverBody& b,
                  std::span<FaceStand> stands) {
-  const Turn of_a = exact_turn(a.turn), of_b = exact_turn(b.turn);
   for (std::size_t first = 0, count; first < contacts.size(); first += count) {
     count = of_one_face(contacts.subspan(first));
-    bool turns = false;
-    for (std::size_t i = first; i < first + count; ++i) {
-      const PointContact& contact = contacts[i];
-      if (contact.turner.body == Turner::Body::none) continue;
-      const Turning from{contact.turner.normal, contact.first_a, contact.first_b};
-      stands[i] = stand(contact, from, of_a, of_b, between(contact, a, b));
-      turns |= is_touched(contact, stands[i], a, b);
-    }
-    for (std::size_t i = first; i < first + count; ++i) stands[i].turns = turns;
+    find_stands_of_face(contacts.subspan(first, count), a, b, stands.subspan(first, count));
   }
 }
 

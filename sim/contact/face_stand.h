@@ -21,7 +21,7 @@ struct FaceStand {
 };
 
 /// How faces stand while their bodies stand as they do: of each contact of two bodies at points, one after
-/// the other. What has no turner is left as it is, and doesn't turn.
+/// the other. What has no turner doesn't turn.
 void find_stands(std::span<const PointContact> contacts, const SolverBody& a, const SolverBody& b,
                  std::span<FaceStand> stands);
 

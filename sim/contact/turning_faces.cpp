@@ -22,7 +22,7 @@ void TurningFaces::turn(FaceBlocks& blocks, BodyRows<const SolverBody> bodies, d
 void TurningFaces::turn(const Face& face, FaceBlocks& blocks, BodyRows<const SolverBody> bodies, double h) {
   const SolverBody &a = bodies[face.points[0].a], &b = bodies[face.points[0].b];
   std::array<FaceStand, 2> stands;
-  find_stands(std::span(face.points).first(face.count), a, b, stands);
+  find_stands(std::span(face.points).first(face.count), a, b, std::span(stands).first(face.count));
   if (!stands[0].turns) return;
   std::array<PointContact, 2> points = face.points;
   for (std::size_t i = 0; i < face.count; ++i) {

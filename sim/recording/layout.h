@@ -103,9 +103,9 @@ inline constexpr int kMajor = 1;  ///< a reader refuses a newer one
 /// 7 there is what scenarios ask to be observed: to readers of 6 such frames are damaged.
 /// Since 8 the mass of an agent is its model's, where that has one: before, all had 80 kg.
 /// Since 9 the density by Voronoi cells is there, where a measure has it: to readers of 8 such frames are
-/// damaged. Since 10 there is who arrived when. Since 11 contacts of rigid bodies
-/// (engine native) tell what pressed in the whole step: before, what pressed at its end, as much in each
-/// substep as in the last.
+/// damaged. Since 10 there is who arrived when. Since 11 contacts of rigid bodies (engine
+/// native) tell what pressed in the whole step: before, what pressed at its end, as much in each substep as
+/// in the last.
 inline constexpr int kMinor = 11;
 
 inline constexpr std::size_t kMaxChunk = std::size_t{1} << 20;  ///< bytes
