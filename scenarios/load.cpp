@@ -118,6 +118,7 @@ void read_scene(const toml::table& root, Scene& scene, Report& report) {
   warn_of_idle_surfaces(root, scene, report);
   warn_of_idle_sleep(root, scene, report);
   settle_auto_time(root, scene, report);
+  check_ways_in_period(entries, scene, report);
   settle_contacts(root, scene, report);
   if (report.errors() == 0) check_engine(root, scene, report);
   if (report.errors() == 0) check_observe(root, scene, report);

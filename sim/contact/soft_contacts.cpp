@@ -172,7 +172,8 @@ void SoftContacts::check(const State& state) const {
   std::snprintf(depth, sizeof depth, "%.3g", worst.depth);
   throw SimulationError("step " + std::to_string(state.step + 1) + ": " + name(state, worst.a) + " and " +
                         name(state, worst.b) + " are pressed " + depth +
-                        " m into each other, more than half a radius: take stiffer contacts");
+                        " m into each other, more than half a radius: take stiffer contacts" +
+                        (state.step == 0 ? ", or place them apart if they begin so" : ""));
 }
 
 void SoftContacts::save(State& state) const {

@@ -74,6 +74,13 @@ TEST_F(BenchAccuracy, NamesTheEnginesWhereItIsAskedForNone) {
   EXPECT_THAT(result.err, ::testing::HasSubstr("--engine nope: is none; engines are native, "));
 }
 
+TEST_F(BenchAccuracy, SaysWhichBenchmarksThereAreAsAllCommandsSayIt) {
+  const Result result = throng("bench nope");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err,
+              ::testing::MatchesRegex("throng bench: NAME: nope not in .*; see throng bench --help\n"));
+}
+
 TEST_F(BenchAccuracy, FindsNoErrorWhereCollisionsAreSolvedInClosedForm) {
   auto rows = rows_of(
       "--quick --engine native --engine event_driven --only flight --only throw --only impact "

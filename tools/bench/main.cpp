@@ -201,8 +201,11 @@ int main(int argc, char** argv) {
     if (!target.empty()) hwy::SetSupportedTargetsForTest(targets().at(target));
     JsonRows rows(json);
     run(name, benchmarks.at(name), options, json != "-", rows);
+  } catch (const CLI::Success& answer) {  // --help
+    return app.exit(answer);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+    std::fprintf(stderr, "throng bench: %s; see throng bench --help\n", error.what());
+    return 2;
   } catch (const throng::InputError& error) {
     std::fprintf(stderr, "throng bench: %s\n", error.what());
     return 2;

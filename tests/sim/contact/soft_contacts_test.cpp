@@ -502,6 +502,14 @@ TEST(SoftContacts, SayWhereSpringsAreTooWeakToTellInFromOut) {
   }
   Trial wall(spring(10.0) + steps_of(1e-3, 10) + surface(0.5, 0.0) + kDisc + kFloor + ball(0, 0.6, 0, -9));
   EXPECT_THROW(wall.steps(1000), SimulationError);
+  Trial inside(spring(1e5) + steps_of(1e-3, 10) + surface(0.5, 0.0) + kDisc + ball(0, 0, 0, 0) +
+               ball(0.6, 0, 0, 0));
+  try {
+    inside.steps(1);
+    ADD_FAILURE() << "began";
+  } catch (const SimulationError& error) {
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("place them apart if they begin so"));
+  }
 }
 
 /// A triangular lattice, all discs pressed together by walls, that trembles.
