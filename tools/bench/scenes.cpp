@@ -30,12 +30,17 @@ Scene begun_at(Scene scene, const State& state) {
   return scene;
 }
 
-Scene settled(Scene scene, double seconds) {
+void settle(Simulation& simulation, const Scene& scene, double seconds) {
+  if (!(seconds > 0.0)) return;
   std::fprintf(stderr, "settling %s for %g s of its time\n", scene.name.c_str(), seconds);
+  while (static_cast<double>(simulation.state().step) * scene.time.dt < seconds) simulation.step();
+}
+
+Scene settled(Scene scene, double seconds) {
   const Engine engine = scene.engine;
   scene.engine = Engine::native;
   const auto simulation = throng::simulation(scene);
-  while (static_cast<double>(simulation->state().step) * scene.time.dt < seconds) simulation->step();
+  settle(*simulation, scene, seconds);
   Scene result = begun_at(scene, simulation->state());
   result.engine = engine;
   return result;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/scene.h"
+#include "sim/simulation.h"
 #include "sim/state.h"
 
 namespace throng::bench {
@@ -15,6 +16,9 @@ Scene gallery_scene(const std::string& folder, const std::string& name,
 
 /// The same scene, begun where the state is.
 Scene begun_at(Scene scene, const State& state);
+
+/// Steps a simulation of the scene until `seconds` of its time have passed, and says so.
+void settle(Simulation& simulation, const Scene& scene, double seconds);
 
 /// The same scene, begun where the native engine has brought it after `seconds`.
 Scene settled(Scene scene, double seconds);

@@ -6,7 +6,8 @@
 #include <iostream>
 #include <memory>
 #include <optional>
-#include <string_view>
+#include <string>
+#include <utility>
 
 #include "sim/observe.h"
 #include "sim/simulation.h"
@@ -41,7 +42,7 @@ struct StepCase {
   const char* name;
   const char* scene;
   std::vector<std::string> overrides;
-  double settle_s;  ///< native runs so long before anything is timed
+  double settle_s;  ///< native runs so long before anything is timed, and peers begin where it is then
   int calm;         ///< steps that each engine then runs untimed, to find its own rest
   int steps;        ///< in a block
   bool peers, minimal, sleep = false;
@@ -55,11 +56,11 @@ const std::vector<StepCase>& step_cases() {
       {"gas n=10000", "gas", wider_gas("10000", "161.8"), 0.0, 20, 10, true, false},
       {"gas n=100000", "gas", wider_gas("100000", "511.66"), 0.0, 5, 2, true, false},
       {"pile n=10000 falling", "pile", {}, 0.5, 0, 4, true, true},
-      {"pile n=10000 settled", "pile", {}, 15.0, 1000, 4, true, true, false, 3},
-      {"pile n=100000 settled", "pile", wider_pile(), 15.0, 1000, 2, false, true},
-      {"pile n=10000 asleep", "pile", {}, 15.0, 600, 4, false, false, true},
-      {"polygons n=10000 settled", "polygons", {}, 15.0, 1000, 2, true, false, false, 3},
-      {"pyramid base=100", "pyramid", {}, 1.0, 150, 4, true, false, false, 2},
+      {"pile n=10000 settled", "pile", {}, 15.0, 1000, 40, true, true, false, 2},
+      {"pile n=100000 settled", "pile", wider_pile(), 15.0, 1000, 10, false, true},
+      {"pile n=10000 asleep", "pile", {}, 15.0, 600, 40, false, false, true},
+      {"polygons n=10000 settled", "polygons", {}, 15.0, 1000, 20, true, false, false, 4},
+      {"pyramid base=100", "pyramid", {}, 1.0, 150, 40, true, false, false, 2},
       {"hopper", "hopper", {}, 1.0, 0, 20, true, false},
       {"gears", "gears", {}, 2.0, 0, 20, true, false},
       {"billiard", "billiard", {}, 0.0, 0, 100, true, false},
@@ -83,8 +84,7 @@ Scene scene_of(const StepCase& one, const Options& options) {
   Scene scene = gallery_scene(options.scenarios, one.scene, overrides);
   scene.sleep = false;
   if (scene.domain.kind == DomainKind::periodic) wall_in(scene);
-  const double settle = options.quick ? 0.05 * one.settle_s : one.settle_s;
-  return settle > 0.0 ? settled(scene, settle) : scene;
+  return scene;
 }
 
 /// Bodies outside of the domain's box.
@@ -132,7 +132,7 @@ class Errors {
 
 /// One engine's way through a case.
 struct Racer {
-  const char* engine;
+  std::string engine;
   std::function<void()> step;
   std::function<State()> state;
   Errors errors;
@@ -146,7 +146,7 @@ void take_steps(Racer& racer, int steps) {
   try {
     for (int i = 0; i < steps; ++i) racer.step();
   } catch (const SimulationError& error) {
-    if (std::string_view(racer.engine).starts_with("native")) throw;
+    if (racer.engine.starts_with("native")) throw;
     racer.gave_up = error.what();
   }
 }
@@ -172,30 +172,37 @@ std::vector<Row> race_all(const StepCase& one, const Options& options, std::vect
   return rows;
 }
 
+Racer racer_of(const std::string& engine, std::shared_ptr<Simulation> simulation, const Scene& scene,
+               int calm) {
+  const Errors errors(scene, simulation->state());
+  return {engine,
+          [simulation] { simulation->step(); },
+          [simulation] { return simulation->state(); },
+          errors,
+          calm,
+          {}};
+}
+
 std::vector<Row> run(const StepCase& one, const Options& options) {
-  const Scene scene = scene_of(one, options);
-  Scene sleeping_scene = scene, box2d_scene = scene, coarse_scene = scene;
-  box2d_scene.engine = Engine::box2d, box2d_scene.time.substeps = kBox2dSubsteps;
-  sleeping_scene.sleep = one.sleep;
-  coarse_scene.time.substeps = one.substeps;
+  const Scene start = scene_of(one, options);
+  Scene sleeping_scene = start, coarse_scene = start;
+  sleeping_scene.sleep = one.sleep, coarse_scene.time.substeps = one.substeps;
+  const double settle_s = options.quick ? 0.05 * one.settle_s : one.settle_s;
   const int calm = options.quick ? one.calm / 50 : one.calm;
   std::vector<Racer> racers;
-  const auto add = [&](const char* engine, Simulation* simulation, int untimed) {
-    if (simulation)
-      racers.push_back({engine,
-                        [simulation] { simulation->step(); },
-                        [simulation] { return simulation->state(); },
-                        Errors(scene, simulation->state()),
-                        untimed,
-                        {}});
+  // Each with its substeps from the start on: contacts know what they bear.
+  const auto add_native = [&](const std::string& engine, const Scene& scene) {
+    const std::shared_ptr<Simulation> native = simulation(scene);
+    settle(*native, scene, settle_s);
+    racers.push_back(racer_of(engine, native, scene, kLearns * calm));
   };
-  const auto native = simulation(scene);
-  add("native", native.get(), kLearns * calm);
-  const auto sleeping = one.sleep ? simulation(sleeping_scene) : nullptr;
-  add("native, sleeps", sleeping.get(), kLearns * calm);
-  const std::string coarse_name = "native, " + std::to_string(one.substeps);
-  const auto coarse = one.substeps > 0 ? simulation(coarse_scene) : nullptr;
-  add(coarse_name.c_str(), coarse.get(), kLearns * calm);
+  add_native("native", start);
+  if (one.sleep) add_native("native, sleeps", sleeping_scene);
+  if (one.substeps > 0) add_native("native, " + std::to_string(one.substeps), coarse_scene);
+
+  const Scene scene = begun_at(start, racers[0].state());
+  Scene box2d_scene = scene;
+  box2d_scene.engine = Engine::box2d, box2d_scene.time.substeps = kBox2dSubsteps;
   std::optional<MinimalDiscs> minimal;
   if (one.minimal) {
     minimal.emplace(scene);
@@ -206,10 +213,9 @@ std::vector<Row> run(const StepCase& one, const Options& options) {
                       calm,
                       {}});
   }
-  const auto box2d = one.peers ? simulation(box2d_scene) : nullptr;
-  add("box2d", box2d.get(), calm);
-  const auto chipmunk = one.peers ? chipmunk_simulation(scene) : nullptr;
-  add("chipmunk", chipmunk.get(), calm);
+  if (one.peers) racers.push_back(racer_of("box2d", simulation(box2d_scene), box2d_scene, calm));
+  if (auto chipmunk = one.peers ? chipmunk_simulation(scene) : nullptr)
+    racers.push_back(racer_of("chipmunk", std::move(chipmunk), scene, calm));
   return race_all(one, options, racers);
 }
 
