@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "scenarios/body_distance.h"
 #include "sim/periodic.h"
@@ -134,19 +133,6 @@ void check_period(const Entry& entry, const Scene& scene, Report& report) {
                    " m wide and high, and it is " + to_text(period) + " m");
 }
 
-/// How far somebody may get in a step before he reaches farther than a quarter of the period (m), by himself
-/// and with the skin that the broadphase gives him, a tenth of his radius.
-struct Room {
-  double alone, with_skin;
-};
-
-Room room(const Scene& scene, std::uint32_t row) {
-  const bool disc = scene.shapes[scene.bodies.shape[row]].kind == ShapeKind::disc;
-  const double radius = scene.bodies.radius[row];
-  const double quarter = 0.25 * (scene.domain.max - scene.domain.min).minCoeff();
-  return {disc ? quarter - radius : quarter, quarter - 1.1 * radius};
-}
-
 }  // namespace
 
 Vec wrapped(const Domain& domain, const Vec& p) {
@@ -168,23 +154,6 @@ void place_bodies(std::span<const Entry> entries, std::span<const ShapeDraw> dra
   for (Vec& position : scene.bodies.position) position = wrapped(scene.domain, position);
   warn_of_overlaps(entries, scene, report);
   place_at_random(entries, scene, report);
-}
-
-void check_ways_in_period(std::span<const Entry> entries, const Scene& scene, Report& report) {
-  if (scene.domain.kind != DomainKind::periodic || scene.engine != Engine::native) return;
-  for (const Entry& entry : entries) {
-    bool fast = false;
-    double longest = std::numeric_limits<double>::infinity();
-    for (std::uint32_t row = entry.first; row < entry.first + entry.count; ++row) {
-      const double speed = scene.bodies.velocity[row].norm();
-      fast |= speed * scene.time.dt > room(scene, row).alone;
-      longest = std::min(longest, room(scene, row).with_skin / speed);
-    }
-    if (fast)
-      report.error(*entry.node, path(entry, "velocity"),
-                   "reaches farther in a step than a quarter of domain.periodic; time.dt must be at most " +
-                       three_digits(0.99 * longest) + " s");
-  }
 }
 
 }  // namespace throng::scenarios

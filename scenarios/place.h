@@ -24,10 +24,6 @@ void place_at_random(std::span<const Entry> entries, Scene& scene, Report& repor
 /// Touching is fine, and so is whatever cannot move. O(n).
 void warn_of_overlaps(std::span<const Entry> entries, const Scene& scene, Report& report);
 
-/// Refuses who begins so fast that he would reach farther in a step than native can look in a periodic
-/// domain: a quarter of the period, his radius in it. To be called once the time step is known. O(n).
-void check_ways_in_period(std::span<const Entry> entries, const Scene& scene, Report& report);
-
 /// The position moved by whole periods into a periodic domain; any other as it is.
 Vec wrapped(const Domain& domain, const Vec& position);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <string>
 
@@ -34,12 +35,6 @@ std::vector<broadphase::Extent> extents(const Obstacles& obstacles) {
                                                          : broadphase::Extent::of(bounds(part)));
   }
   return result;
-}
-
-[[noreturn]] void fail_at_period(const State& state, std::uint32_t body) {
-  throw SimulationError(
-      "step " + std::to_string(state.step + 1) + ": body " + std::to_string(state.id[body]) +
-      " reaches farther in a step than a quarter of the period: take a shorter dt or a wider domain");
 }
 
 /// Where bodies were hit so hard, or contacts of a forged checkpoint push so hard, that no double holds it.
@@ -155,7 +150,36 @@ bool Candidates::reaches_too_far(std::uint32_t i) const {
 void Candidates::check_reach(const State& state, std::uint32_t i) const {
   if (!reaches_too_far(i)) return;
   if (!std::isfinite(reach_[i])) fail_at_infinity(state, colliders_.body[i]);
-  fail_at_period(state, colliders_.body[i]);
+  fail_at_period(state, i);
+}
+
+/// What a shorter step takes of its way is at least in proportion, but for the skin.
+void Candidates::fail_at_period(const State& state, std::uint32_t i) const {
+  const double quarter = 0.25 * period_.size.minCoeff(), radius = colliders_.radius[i];
+  const double longest = 0.99 * dt_ * (quarter - (1.0 + kSkin) * radius) / (reach_[i] - radius);
+  char text[250];
+  std::snprintf(
+      text, sizeof text,
+      "step %lld: body %lld reaches %.3g m within its %.3g s, farther than a quarter of the period, "
+      "%.3g m: take ",
+      static_cast<long long>(state.step + 1), static_cast<long long>(state.id[colliders_.body[i]]), reach_[i],
+      dt_, quarter);
+  char dt[50] = "";
+  if (longest > 0.0) std::snprintf(dt, sizeof dt, "time.dt at most %.3g s, or ", longest);
+  throw SimulationError(std::string(text) + dt + "a wider domain");
+}
+
+std::string period_refusal(const Scene& scene) {
+  const Plan plan = plan_for(scene);
+  if (!plan.periodic || !plan.contacts()) return "";
+  Workers alone(1);
+  Candidates candidates(scene, plan, alone);
+  try {
+    candidates.place(initial_state(scene), scene.time.dt, Rows::all(candidates.colliders().size()));
+  } catch (const SimulationError& error) {
+    return error.what();
+  }
+  return "";
 }
 
 /// False where it reaches too far.

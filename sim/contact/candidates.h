@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "broadphase/box_index.h"
@@ -129,6 +130,7 @@ class Candidates {
   bool place_one(const State& state, std::uint32_t collider);
   bool reaches_too_far(std::uint32_t collider) const;
   void check_reach(const State& state, std::uint32_t collider) const;
+  [[noreturn]] void fail_at_period(const State& state, std::uint32_t collider) const;
   void wrap_centre(std::uint32_t collider);
   void find_pairs_of(Rows colliders);
   void compare_all(const broadphase::Period* period);
@@ -178,5 +180,9 @@ class Candidates {
   std::vector<double> some_reaches_;
   std::vector<std::uint8_t> some_movable_;
 };
+
+/// Why engine native can't take bodies through the first step, who reach farther in it than a quarter of a
+/// periodic domain; empty where it can. O(n).
+std::string period_refusal(const Scene& scene);
 
 }  // namespace throng

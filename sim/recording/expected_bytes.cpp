@@ -91,8 +91,9 @@ class Estimate {
     const double count = samples(every(scene_.record, RecordField::contacts));
     if (count == 0.0) return 0.0;
     const double rows = count * bodies_ * guess_.contacts;
-    return rows_bytes(count + 1.0, 8.0) + 2.0 * rows_bytes(rows, 4.0, kContactChunk) +
-           rows_bytes(rows, 8.0, kContactChunk) + rows_bytes(rows, 16.0, kContactChunk);
+    const std::size_t chunk = contact_chunk(scene_.bodies.size());
+    return rows_bytes(count + 1.0, 8.0) + 2.0 * rows_bytes(rows, 4.0, chunk) + rows_bytes(rows, 8.0, chunk) +
+           rows_bytes(rows, 16.0, chunk);
   }
 
   /// Where all are spread evenly.

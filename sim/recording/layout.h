@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -111,8 +113,13 @@ inline constexpr int kMinor = 11;
 inline constexpr std::size_t kMaxChunk = std::size_t{1} << 20;  ///< bytes
 inline constexpr std::size_t kRegionChunk = 256;                ///< bodies, where frames hold few of them
 inline constexpr std::size_t kRowChunk = 512;                   ///< rows: one page of 8-byte numbers
-inline constexpr std::size_t kContactChunk = 16384;             ///< rows of contacts and of what was sensed
-inline constexpr std::int64_t kRarest = 1'000'000'000;          ///< steps from one sample to the next
+inline constexpr std::size_t kContactChunk = 16384;     ///< rows of contacts and of what was sensed, at most
+inline constexpr std::int64_t kRarest = 1'000'000'000;  ///< steps from one sample to the next
+
+/// Rows of contacts, of a scene of so many bodies: few of a few, so that their file stays small.
+constexpr std::size_t contact_chunk(std::size_t bodies) {
+  return std::clamp(std::bit_ceil(32 * bodies), kRowChunk, kContactChunk);
+}
 
 /// What may be recorded of a body, in the order in which frame_hash covers it.
 inline constexpr auto kBodyFields = std::span(kRecordFields).first<4>();

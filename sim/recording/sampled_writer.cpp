@@ -38,12 +38,12 @@ void RateRows::append(std::int64_t step, double time) {
   time_.add(time);
 }
 
-ContactWriter::ContactWriter(hid_t group)
+ContactWriter::ContactWriter(hid_t group, std::size_t bodies)
     : offset_(RowLog::create<std::uint64_t>(group, "offset")),
-      a_(RowLog::create<std::uint32_t>(group, "a", 1, kContactChunk)),
-      b_(RowLog::create<std::uint32_t>(group, "b", 1, kContactChunk)),
-      impulse_(RowLog::create<double>(group, "impulse", 1, kContactChunk)),
-      point_(RowLog::create<double>(group, "point", 2, kContactChunk)) {
+      a_(RowLog::create<std::uint32_t>(group, "a", 1, contact_chunk(bodies))),
+      b_(RowLog::create<std::uint32_t>(group, "b", 1, contact_chunk(bodies))),
+      impulse_(RowLog::create<double>(group, "impulse", 1, contact_chunk(bodies))),
+      point_(RowLog::create<double>(group, "point", 2, contact_chunk(bodies))) {
   offset_.add(rows_);
 }
 

@@ -37,7 +37,7 @@ class RateRows {
 class ContactWriter {
  public:
   ContactWriter() = default;
-  explicit ContactWriter(hid_t group);
+  ContactWriter(hid_t group, std::size_t bodies);
 
   /// Adds a sample. Returns the bytes that it took.
   std::size_t append(std::span<const ContactRow> rows, FrameHash& hash);

@@ -149,7 +149,7 @@ void TrajectoryWriter::create_sampled(const Scene& scene) {
   if (const int rate = every(record_, RecordField::contacts)) {
     const h5::Handle group = h5::create_group(file_, "throng/contacts");
     h5::write_attribute(group, "every", std::int64_t{rate});
-    contacts_ = ContactWriter(group);
+    contacts_ = ContactWriter(group, scene.bodies.size());
     link_times(group, rate);
   }
   create_sensed(scene.sensors);

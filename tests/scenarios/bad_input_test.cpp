@@ -308,10 +308,11 @@ const FaultyScenario kFaultyScenarios[] = {
     {"domain.periodic = [[0, 0], [1, 1]]\nshapes.b.disc.radius = 0.4\n[[bodies]]\nshape = 'b'\nat = [0, 0]",
      "bodies[0].shape: a body 0.8 m across needs domain.periodic to be at least 2 m wide and high, and it is "
      "1 m"},
-    {"domain.periodic = [[0, 0], [9, 9]]\n" BALL "at = [5, 5]\nvelocity = [0, 200]",
-     "bodies[0].velocity: reaches farther in a step than a quarter of domain.periodic; time.dt must be at "
-     "most "
-     "0.00569 s"},
+    {"domain.periodic = [[0, 0], [9, 9]]\n" BALL
+     "count = 2\nplace.lattice = { origin = [2, 2], spacing = [4, 4], "
+     "size = [2, 1] }\nvelocity = [0, 200]",
+     "domain.periodic: step 1: body 1 reaches 3.1 m within its 0.01 s, farther than a quarter of the period, "
+     "2.25 m: take time.dt at most 0.00542 s, or a wider domain"},
     {"domain.periodic = [[0, 0], [9, 9]]\n" BALL "place.random = { within = [[0, 0], [9, 9]], gap = 8 }",
      "bodies[0].shape: a body 2 m across with its gap of 8 m needs domain.periodic to be at least 10 m wide"},
     // lengths whose squares vanish: they gave normals of nan

@@ -411,4 +411,44 @@ TEST(Load, WarnsOfFallsSoFastThatSoftContactsMayNotSeeThem) {
       << "nothing to meet";
 }
 
+/// Of the advice in a refusal to begin in a periodic domain, s; 0 where nothing is refused.
+double advised(const std::string& fault) {
+  const std::string before = "take time.dt at most ";
+  const std::size_t at = fault.find(before);
+  return at == std::string::npos ? 0.0 : std::stod(fault.substr(at + before.size()));
+}
+
+TEST(Load, RefusesTooFastAStartInAPeriodicDomainAndSaysWhatWouldDo) {
+  const std::string periodic = "throng = 1\ndomain.periodic = [[0, 0], [9, 9]]\ntime.dt = 0.2\n";
+  const std::string triangle = "shapes.b.polygon = [[1, 0], [-0.5, 0.866], [-0.5, -0.866]]\n";
+  const std::string composite = "shapes.b.discs = [[0, 0, 0.2], [1.4, 0, 0.2], [0.7, 0, 0.1]]\n";
+  const std::string disc = "shapes.b.disc.radius = 1\n";
+  const auto two = [](const std::string& more) {
+    return "bodies = [{ shape = 'b', at = [2, 2], " + more + " }, { shape = 'b', at = [6, 6] }]\n";
+  };
+  for (const std::string& text :
+       {disc + two("velocity = [10, 0]"), "gravity = [0, -9.81]\n" + disc + two("velocity = [0, -10]"),
+        triangle + two("velocity = [10, 0]"), triangle + two("velocity = [10, 0], spin = 30"),
+        composite + two("spin = 300")}) {
+    const std::string fault = faults(load_text(periodic + text));
+    const double dt = advised(fault);
+    EXPECT_THAT(fault, ::testing::HasSubstr("domain.periodic: step 1: body 1 reaches ")) << text;
+    EXPECT_GT(dt, 0.0) << text;
+    EXPECT_EQ(faults(load_text(periodic + text, {"time.dt = " + std::to_string(dt)})), "") << text;
+  }
+}
+
+TEST(Load, LetsGoFastInAPeriodicDomainWhoMeetsNobody) {
+  const std::string periodic = "throng = 1\ndomain.periodic = [[0, 0], [9, 9]]\nshapes.b.disc.radius = 1\n";
+  const std::string fast = "{ shape = 'b', at = [2, 2], velocity = [1000, 0] }";
+  const std::string still = "{ shape = 'b', at = [6, 6] }";
+  EXPECT_EQ(faults(load_text(periodic + "bodies = [" + fast + "]\n")), "");
+  EXPECT_EQ(faults(load_text(periodic + "contact.model = 'none'\nbodies = [" + fast + ", " + still + "]\n")),
+            "");
+  EXPECT_EQ(
+      faults(load_text(periodic + "shapes.c.disc.radius = 3\nbodies = [{ shape = 'c', at = [5, 5], kind = "
+                                  "'static' }, { shape = 'b', at = [0.5, 0.5], velocity = [1, 0] }]\n")),
+      "");
+}
+
 }  // namespace throng

@@ -441,6 +441,17 @@ TEST(Selected, WhatIsSensedAndMeasuredIsExpectedToTakeRoom) {
   EXPECT_LT(recording::least_bytes(scene), 0.1 * takes);
 }
 
+TEST(Selected, ContactsOfFewTakeLittleRoom) {
+  const Folder folder;
+  const Scene scene = scene_from(
+      "time = { dt = 0.01, until = 4 }\nsleep = false\nrecord = { every = 1, fields = [\"contacts\"] }\n"
+      "gravity = [0, -9.81]\nshapes = { ball = { disc = { radius = 0.5 } } }\n"
+      "[[bodies]]\nshape = \"ball\"\nat = [0, 0.5]\n[[walls]]\nsegment = [[-5, 0], [5, 0]]\n");
+  record_simulation(folder / "a.h5", scene);
+  EXPECT_LT(std::filesystem::file_size(folder / "a.h5"), 80'000u);
+  EXPECT_LT(recording::expected_bytes(scene), 150'000.0) << "three a step";
+}
+
 TEST(Selected, WhoArrivesIsExpectedToTakeRoom) {
   const auto expected = [](int agents) {
     return recording::expected_bytes(scene_from(
