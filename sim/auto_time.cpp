@@ -89,11 +89,11 @@ AutoTime falling(const Scene& scene, double longest, double speed, const char* l
 
 AutoTime falling(const Scene& scene, double longest) {
   return falling(scene, longest, 0.5 * scene.gravity.norm() * scene.time.until,
-                 "free fall is late by g h t / 2, and ");
+                 "free fall is ahead by g h t / 2, and ");
 }
 
-/// A fall is late by g h t / 2, and so are all that follow; a bounce is by what is left of its substep, and
-/// the way to go then is longer by what it turns round: as measured, 3 g h t / 2 and (1 + e) v h.
+/// A fall is ahead by g h t / 2, and so are all that follow; a bounce is off by what is left of its substep,
+/// and the way to go then is longer by what it turns round: as measured, 3 g h t / 2 and (1 + e) v h.
 AutoTime alone(const Scene& scene, double impact) {
   if (impact == 0.0 && scene.gravity == Vec(0.0, 0.0)) return exact(scene, "nothing pulls, nothing is met");
   const double longest = std::min(0.1, time_of_a_radius(scene));

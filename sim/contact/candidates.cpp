@@ -160,7 +160,7 @@ void Candidates::fail_at_period(const State& state, std::uint32_t i) const {
   char text[250];
   std::snprintf(
       text, sizeof text,
-      "step %lld: body %lld reaches %.3g m within its %.3g s, farther than a quarter of the period, "
+      "step %lld: body %lld may reach %.3g m within its %.3g s, farther than a quarter of the period, "
       "%.3g m: take ",
       static_cast<long long>(state.step + 1), static_cast<long long>(state.id[colliders_.body[i]]), reach_[i],
       dt_, quarter);
@@ -170,8 +170,9 @@ void Candidates::fail_at_period(const State& state, std::uint32_t i) const {
 }
 
 std::string period_refusal(const Scene& scene) {
+  if (scene.domain.kind != DomainKind::periodic) return "";
   const Plan plan = plan_for(scene);
-  if (!plan.periodic || !plan.contacts()) return "";
+  if (!plan.contacts()) return "";
   Workers alone(1);
   Candidates candidates(scene, plan, alone);
   try {
