@@ -182,7 +182,7 @@ class Candidates {
 };
 
 /// Why engine native can't take bodies through the first step, who reach farther in it than a quarter of a
-/// periodic domain; empty where it can. O(n).
+/// periodic domain; empty where it can. O(n log n).
 std::string period_refusal(const Scene& scene);
 
 }  // namespace throng

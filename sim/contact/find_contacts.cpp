@@ -122,7 +122,7 @@ void ContactFinder::take_out_stumbles(const StepStart& start, Workers& workers) 
 
 void ContactFinder::search_one(const StepStart& start, std::size_t touch, KeptImpulses& memory) {
   const Touch& one = touches_[touch];
-  manifolds_[touch] = manifold_in_step(start, one, scene_.time.dt, memory.find(one.key()));
+  manifolds_[touch] = touch_manifold(start.candidates, one, touch_poses(start, one), memory.find(one.key()));
   points_[touch] = static_cast<std::uint8_t>(manifolds_[touch].count);
   ahead_.ask(start, touches_, touch, manifolds_[touch]);
   const bool may_stumble = stumbles_.ask(start, touches_, touch, manifolds_[touch]);

@@ -1,25 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "sim/contact/touch.h"
 
-#include <span>
-
 #include "narrowphase/half_plane.h"
-#include "sim/contact/fast.h"
 
 namespace throng {
 
 using narrowphase::Convex;
 using narrowphase::Manifold;
-using narrowphase::ManifoldPoint;
 using narrowphase::PlacedConvex;
 using narrowphase::Pose;
 using narrowphase::Reference;
 using narrowphase::Rim;
 
 namespace {
-
-constexpr double kLittleWay =
-    0.25;  // of the radius, to the step's middle: so little that nobody is beyond a wall
 
 /// The face that described the contact of a and b in the last step.
 Reference reference(const ContactImpulse* kept, const Convex& a, const Convex& b) {
@@ -44,17 +37,6 @@ Manifold on_outline_of_b(Manifold m, const PlacedConvex& a, const PlacedConvex& 
 const Rim& rim(const Colliders& colliders, std::uint32_t row) {
   static const Rim alone;
   return colliders.rim.empty() ? alone : colliders.rims[colliders.rim[row]];
-}
-
-/// m, of a disc along a wall that has corners, if that is little; else nothing.
-Vec way_to_middle(const StepStart& start, const Touch& touch, double dt) {
-  const std::size_t sides = start.obstacles().side.size();
-  const Vec way = 0.5 * dt * start.bodies[touch.a].velocity;
-  const bool along_corners = touch.obstacle && touch.pair.b >= sides &&
-                             is_disc(start.colliders(), touch.pair.a) &&
-                             !start.obstacles().rim[touch.pair.b - sides].empty();
-  const bool is_little = way.norm() < kLittleWay * start.colliders().radius[touch.pair.a];
-  return along_corners && is_little ? way : Vec(0.0, 0.0);
 }
 
 }  // namespace
@@ -96,20 +78,6 @@ Manifold touch_manifold(const Candidates& candidates, const Touch& touch, const 
   const Convex& part = obstacles.part[row_b - sides];
   return on_outline_of_b(narrowphase::manifold(a, pose_a, part, pose_b, reach, reference(kept, a, part)),
                          {a, pose_a}, {part, pose_b}, obstacles.rim[row_b - sides], reach);
-}
-
-Manifold manifold_in_step(const StepStart& start, const Touch& touch, double dt, const ContactImpulse* kept) {
-  TouchPoses poses = touch_poses(start, touch);
-  const Manifold at_first = touch_manifold(start.candidates, touch, poses, kept);
-  const Vec way = way_to_middle(start, touch, dt);
-  if (way == Vec(0.0, 0.0)) return at_first;
-  poses.a.position += way;
-  Manifold m = touch_manifold(start.candidates, touch, poses, kept);
-  const double most = 0.5 * kAheadWay * start.colliders().radius[touch.pair.a];
-  if (at_first.normal.dot(way) > most || m.normal.dot(way) > most) return at_first;
-  for (ManifoldPoint& point : std::span(m.points).first(static_cast<std::size_t>(m.count)))
-    point.point -= way, point.separation += m.normal.dot(way);
-  return m;
 }
 
 }  // namespace throng

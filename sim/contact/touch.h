@@ -55,10 +55,4 @@ TouchPoses touch_poses(const StepStart& start, const Touch& touch);
 narrowphase::Manifold touch_manifold(const Candidates& candidates, const Touch& touch,
                                      const TouchPoses& poses, const ContactImpulse* kept);
 
-/// The same of where they stand as the step of `dt` (s) begins; but of a disc that slides along a wall that
-/// has corners, by less than half a radius, where it touches in the step's middle: by the normal of its
-/// beginning a hollow that bends would give it energy. Distances are those of the beginning.
-narrowphase::Manifold manifold_in_step(const StepStart& start, const Touch& touch, double dt,
-                                       const ContactImpulse* kept);
-
 }  // namespace throng

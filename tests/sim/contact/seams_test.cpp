@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "tests/sim/trial.h"
 
@@ -54,29 +53,6 @@ double kick(Trial& trial, const Tilted& tilted, double speed_error = 1e-8) {
   EXPECT_NEAR(trial.state.velocity[0].dot(tilted(1, 0)), 10.0, speed_error);
   EXPECT_GT(trial.state.position[0].dot(tilted(1, 0)), 80.0);
   return most;
-}
-
-/// A frictionless disc that swings in a bowl, of so many pieces, 2 m in radius.
-std::string bowl(int pieces, double dt) {
-  const auto place = [](double r, double angle) { return pair({r * std::sin(angle), -r * std::cos(angle)}); };
-  std::string line;
-  for (int i = 0; i <= pieces; ++i) line += place(2.0, std::numbers::pi * (i / double(pieces) - 0.5)) + ", ";
-  return "gravity = [0, -9.81]\ntime = { dt = " + std::to_string(dt) +
-         ", until = 10 }\nsleep = false\n[materials.default]\nfriction = 0\n[shapes]\nball = { disc = { "
-         "radius = "
-         "0.1 } }\n[[bodies]]\nshape = \"ball\"\nat = " +
-         place(1.9, 0.1) + "\n[[walls]]\npolyline = [" + line + "]\n";
-}
-
-TEST(Seams, OfABowlGiveNoEnergy) {
-  for (const double dt : {0.002, 0.01, 1.0 / 60.0})
-    for (const int pieces : {180, 720, 1440}) {
-      Trial trial(bowl(pieces, dt));
-      const double lowest = -1.9 * 9.81 * mass(trial.scene, 0), before = trial.energy() - lowest;
-      trial.steps(static_cast<int>(10.0 / dt));
-      EXPECT_LT(trial.energy() - lowest, 1.001 * before) << pieces << " " << dt;
-      EXPECT_GT(trial.energy() - lowest, 0.7 * before) << pieces << " " << dt;
-    }
 }
 
 TEST(Seams, OfAPolylineKickNobody) {
