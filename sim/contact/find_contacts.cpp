@@ -10,6 +10,7 @@
 #include "sim/contact/describe_face.h"
 #include "sim/contact/fast.h"
 #include "sim/contact/find_rolls.h"
+#include "sim/contact/midway.h"
 
 namespace throng {
 
@@ -111,6 +112,7 @@ void ContactFinder::search(const StepStart& start, Workers& workers) {
   ahead_.look(start, touches_, manifolds_, workers);
   for (const std::uint32_t i : ahead_.approaches())
     points_[i] = static_cast<std::uint8_t>(manifolds_[i].count);
+  Midway({scene_.time.dt, start, touches_, ahead_, stumbles_}).look(manifolds_, points_, workers);
 }
 
 void ContactFinder::take_out_stumbles(const StepStart& start, Workers& workers) {

@@ -142,7 +142,8 @@ std::span<const std::uint32_t> Stumbles::find(const StepStart& start, std::span<
   std::size_t count = 0;
   for (std::size_t i = 0; i < found_.size(); ++i)
     if (are_[i]) found_[count++] = found_[i];
-  return std::span(found_).first(count);
+  found_.resize(count);
+  return found_;
 }
 
 /// Lists the touches of each body.

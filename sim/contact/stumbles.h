@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -40,6 +41,9 @@ class Stumbles {
   std::span<const std::uint32_t> find(const StepStart& start, std::span<const Touch> touches,
                                       std::span<const narrowphase::Manifold> manifolds, const HeldFaces& held,
                                       Workers& workers);
+
+  /// Whether find() found that one. O(log found).
+  bool has(std::size_t touch) const { return std::ranges::binary_search(found_, touch); }
 
  private:
   /// What all share in a step.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "tests/sim/trial.h"
 
@@ -144,6 +145,50 @@ TEST(Seams, OfFlushTilesKickNoDiscThatRolls) {
         }
       }
       EXPECT_NEAR(trial.state.velocity[0].x(), 1.0, 1e-6) << gap << " m";
+    }
+}
+
+/// A frictionless disc that swings in a bowl, of so many pieces, 2 m in radius.
+std::string bowl(int pieces, double dt, double swing) {
+  const auto place = [](double r, double angle) { return pair({r * std::sin(angle), -r * std::cos(angle)}); };
+  std::ostringstream text;
+  text.precision(17);
+  text << "gravity = [0, -9.81]\ntime = { dt = " << dt << ", until = 10 }\nsleep = false\n"
+       << material(0.0, 0.0)
+       << "[shapes]\nball = { disc = { radius = 0.1 } }\n[[bodies]]\nshape = \"ball\"\nat = "
+       << place(1.9, swing) << "\n[[walls]]\npolyline = [";
+  for (int i = 0; i <= pieces; ++i)
+    text << place(2.0, std::numbers::pi * (i / double(pieces) - 0.5)) << (i < pieces ? ", " : "]\n");
+  return text.str();
+}
+
+/// It gained 20 % in ten seconds at a step of 0.01 s.
+TEST(Seams, OfABowlGiveNoEnergy) {
+  for (const double swing : {0.1, 0.5})
+    for (const double dt : {0.002, 0.01, 1.0 / 60.0})
+      for (const int pieces : {180, 500, 720, 1440}) {
+        Trial trial(bowl(pieces, dt, swing));
+        const double lowest = -1.9 * kG * mass(trial.scene, 0), before = trial.energy() - lowest;
+        trial.steps(static_cast<int>(10.0 / dt));
+        EXPECT_LT(trial.energy() - lowest, 1.001 * before) << pieces << " " << dt << " " << swing;
+        EXPECT_GT(trial.energy() - lowest, 0.7 * before) << pieces << " " << dt << " " << swing;
+      }
+}
+
+/// In the step's middle the disc is past the joint, where nothing shows that it is one.
+TEST(Seams, OfAWallFlushWithABodyKickNobodyWhoGetsOverThemInHalfAStep) {
+  for (const double speed : {5.0, 20.0})
+    for (int from = 1; from < 8; ++from) {
+      std::ostringstream text;
+      text
+          << "gravity = [0, -3]\ntime = { dt = 0.01, until = 1 }\n"
+          << material(0.0, 0.0) << kDisc << "box = { polygon = [[0, -1], [5, -1], [5, 0], [0, 0]] }\n"
+          << ball(0.003 - 0.02 * from, 0.499, speed, -0.9)
+          << "[[bodies]]\nshape = \"box\"\nat = [2.5, -0.5]\nkind = \"static\"\n"
+          << "[[walls]]\npolyline = [[-50, 0], [-1, 0], [0.5, 0]]\n[[walls]]\npolyline = [[0, 0], [0, -1]]\n";
+      Trial trial(text.str());
+      trial.steps(3);
+      EXPECT_NEAR(trial.state.velocity[0].x(), speed, 1e-9 * speed) << from;
     }
 }
 
