@@ -6,6 +6,7 @@
 
 #include "sim/event_driven/hard_discs.h"
 #include "sim/input_error.h"
+#include "sim/meeting_materials.h"
 #include "sim/sensing/sensing.h"
 #include "sim/stage_clock.h"
 

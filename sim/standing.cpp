@@ -52,7 +52,7 @@ bool is_steady(const Vec& first, const Vec& second, const Vec& third) {
 
 }  // namespace
 
-Load load_of(const Scene& scene) {
+double mean_load(const Scene& scene) {
   double all = 0.0, lightest = std::numeric_limits<double>::infinity(), widest = 0.0;
   for_dynamic(scene, [&](std::size_t row) {
     all += mass(scene, row);
@@ -60,8 +60,7 @@ Load load_of(const Scene& scene) {
     widest = std::max(widest, 2.0 * scene.bodies.radius[row]);
   });
   const double total = all / lightest;
-  const double mean = std::clamp(total * widest / width(scene), 1.0, total);
-  return {std::min(2.0 * mean, total), mean};
+  return std::clamp(total * widest / width(scene), 1.0, total);
 }
 
 bool touch_at_rest(const Scene& scene) {

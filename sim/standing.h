@@ -6,15 +6,10 @@
 /// What can be told of a scene's rest before it runs.
 namespace throng {
 
-/// How many times the weight of the lightest body others may bear.
-struct Load {
-  double most;  ///< at the lowest contact: twice the mean of the floor, but not more than there is
-  double mean;  ///< over all of the floor under the bodies
-};
-
-/// Of dynamic bodies whose weight is spread over their width, or that of the box. Expects some, and gravity.
-/// O(bodies).
-Load load_of(const Scene& scene);
+/// How many times the weight of the lightest body others bear, by the mean over all of the floor under the
+/// bodies: their weight is spread over their width, or that of the box. Expects some dynamic bodies, and
+/// gravity. O(bodies).
+double mean_load(const Scene& scene);
 
 /// Whether all dynamic bodies are at rest, and touch others or obstacles in as many places as there are
 /// bodies, neither apart nor overlapping by more than a few billionths of the smallest radius: as those that

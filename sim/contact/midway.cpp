@@ -13,7 +13,7 @@ using narrowphase::ManifoldPoint;
 
 namespace {
 
-constexpr double kLittleWay = 0.25;             // of the radius, to the step's middle
+constexpr double kLittleWay = 0.25;               // of the radius, to the step's middle
 constexpr double kOne = 1.0 - 0.5 * 2e-2 * 2e-2;  // cosine, of normals that are as good as one
 
 bool is_of_whole(const StepStart& start, const Touch& touch) {

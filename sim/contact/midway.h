@@ -14,12 +14,12 @@
 namespace throng {
 
 /// Discs that slide along a wall that bends, in pieces that hardly turn. Their contacts are found where they
-/// are in the step's middle: normals of its beginning lag behind by half a step, which in a hollow of radius R
-/// gives g dt / (2 R) of the energy a second.
+/// are in the step's middle: normals of its beginning lag behind by half a step, which in a hollow of radius
+/// R gives g dt / (2 R) of the energy a second.
 ///
-/// All walls that such a disc touches, at either time, are one to 0.01 rad; none is a stumble or neared fast;
+/// All walls that such a disc touches, at either time, are one to 0.02 rad; none is a stumble or neared fast;
 /// and it gets no farther than a quarter of its radius to the middle. Who is thrown back within the step is
-/// held no less than by 0.01 rad of the way.
+/// held no less than by 0.02 of its way.
 class Midway {
  public:
   /// A step of `dt` (s), and what its touches' contacts are as it begins.

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -170,6 +171,38 @@ TEST(AutoTime, LetsATallColumnStand) {
   EXPECT_NEAR(run.state.position[24].x(), run.scene.bodies.position[24].x(), 0.01);
 }
 
+/// Towers of boxes, so wide and 1 m high, this far apart.
+std::string towers(double width, int layers, int count, double apart) {
+  std::ostringstream out;
+  out << kFalls << "shapes.box.polygon = [[0, 0], [" << width << ", 0], [" << width
+      << ", 1], [0, 1]]\n[[walls]]\nsegment = [[-99, 0], [99, 0]]\n"
+      << "[[bodies]]\nshape = \"box\"\nplace.lattice = { origin = [0, 0.5], spacing = [" << apart
+      << ", 1], size = [" << count << ", " << layers << "] }\n";
+  return out.str();
+}
+
+/// They swayed by up to six times as much on the way to rest.
+TEST(AutoTime, LetsTowersSwayByNoMore) {
+  struct Case {
+    double width, apart;
+    int layers, count;
+  };
+  for (const auto& [width, apart, layers, count] :
+       {Case{0.5, 1, 20, 1}, Case{1, 10, 20, 2}, Case{2, 20, 20, 4}, Case{0.25, 1, 20, 1},
+        Case{4, 1, 40, 1}}) {
+    const double error = 1e-3;
+    Trial run(wanted(error, 1.5) + towers(width, layers, count, apart));
+    double most = 0.0;
+    for (std::int64_t i = 0; i < run.scene.time.steps(); ++i) {
+      run.steps(1);
+      for (std::size_t row = 0; row < run.scene.bodies.size(); ++row)
+        most = std::max(most, (run.state.position[row] - run.scene.bodies.position[row]).norm());
+    }
+    EXPECT_LT(most, error * run.scene.bodies.radius[0]) << width << " m wide, " << layers << " layers";
+    EXPECT_GT(most, 0.02 * error * run.scene.bodies.radius[0]) << width << " m wide, " << layers << " layers";
+  }
+}
+
 TEST(AutoTime, LetsAPileOverlapByNoMore) {
   for (const double error : {0.1, 0.01, 0.001}) {
     Trial run(
@@ -294,6 +327,8 @@ TEST(AutoTime, RefusesWhatIsSensitive) {
   EXPECT_THAT(said(kFalls + kinked + square("at = [0, 0.5]\n")), HasSubstr("end of a wall"));
   EXPECT_THAT(said(kFalls + kinked + boxes), HasSubstr("end of a wall")) << "the same of two";
   EXPECT_EQ(said(kFalls + floor + boxes), "");
+  EXPECT_EQ(said(towers(0.25, 5, 1, 1)), "");
+  EXPECT_THAT(said(towers(0.24, 5, 1, 1)), HasSubstr("four times as high as wide"));
 }
 
 // It happened: a disc that spins left the domain, and two met behind its border, whom nobody had looked for.
