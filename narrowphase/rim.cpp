@@ -244,6 +244,16 @@ std::vector<Rim> rims(std::span<const Convex> parts) {
   return result;
 }
 
+bool bends_gently(const Convex& part, const Rim& rim) {
+  for (std::size_t e = 0; e < rim.size(); ++e) {
+    const RimEdge& edge = rim[e];
+    if (edge.inner) continue;
+    if (edge.at_head != Turn::flat && goes_straight_on(part.normals[e], edge.after)) return true;
+    if (edge.at_tail != Turn::flat && goes_straight_on(part.normals[e], edge.before)) return true;
+  }
+  return false;
+}
+
 Manifold on_outline(const Manifold& m, const PlacedConvex& part, const Rim& rim, const PlacedConvex& body,
                     double reach, bool part_is_b) {
   if (m.count == 0) return m;

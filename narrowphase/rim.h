@@ -30,6 +30,10 @@ using Rim = std::vector<RimEdge>;
 /// side. Turns below a millionth are flat. O(n log n), n = edges.
 std::vector<Rim> rims(std::span<const Convex> parts);
 
+/// Whether at an end of the part its outline goes on with a turn, but of no more than 0.01 rad: too little
+/// for the part beyond to hold a body alone (on_outline()). O(edges).
+bool bends_gently(const Convex& part, const Rim& rim);
+
 /// One of the two shapes of a manifold, and where it stands.
 struct PlacedConvex {
   const Convex& shape;

@@ -136,6 +136,9 @@ Obstacles obstacles(const Scene& scene, double reach) {
     if (scene.bodies.kind[row] == BodyKind::fixed) add_static_body(result, scene, row);
   if (scene.domain.kind == DomainKind::periodic) add_images(result, scene.domain, reach);
   result.rim = narrowphase::rims(result.part);
+  for (std::size_t i = 0; i < result.part.size(); ++i)
+    result.bends.push_back(narrowphase::bends_gently(result.part[i], result.rim[i]));
+  if (std::ranges::count(result.bends, 1) == 0) result.bends.clear();
   return result;
 }
 

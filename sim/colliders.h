@@ -49,6 +49,7 @@ struct Obstacles {
   std::vector<narrowphase::HalfPlane> side;  ///< four of a box, else none
   std::vector<narrowphase::Convex> part;
   std::vector<narrowphase::Rim> rim;    ///< of every part
+  std::vector<std::uint8_t> bends;      ///< whether every part hardly bends (rim.h); empty where none does
   std::vector<std::uint32_t> material;  ///< of every row, sides and parts
 
   std::size_t size() const { return side.size() + part.size(); }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include "broadphase/box_index.h"
 #include "narrowphase/weld.h"
@@ -93,13 +94,14 @@ class Chains {
  public:
   Chains(const Pieces& pieces, double slack)
       : ends_(pieces.ends), number_(narrowphase::weld(ends_)), material_(pieces.material), slack_(slack) {
-    meeting_.resize(ends_.size());
+    meeting_.resize(ends_.size()), done_.resize(material_.size());
+    leave_out_what_stands_twice();
     for (std::uint32_t end = 0; end < ends_.size(); ++end) {
+      if (done_[end / 2]) continue;
       Meeting& here = meeting_[number_[end]];
       if (here.count < 2) here.end[here.count] = end;
       ++here.count;
     }
-    done_.resize(material_.size());
   }
 
   std::vector<StraightRun> runs() {
@@ -115,6 +117,14 @@ class Chains {
     std::array<std::uint32_t, 2> end{};
   };
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
+  void leave_out_what_stands_twice() {
+    std::set<std::array<std::uint32_t, 3>> there;
+    for (std::uint32_t piece = 0; piece < material_.size(); ++piece) {
+      const auto [from, to] = std::minmax(number_[2 * piece], number_[2 * piece + 1]);
+      done_[piece] = !there.insert({from, to, material_[piece]}).second;
+    }
+  }
 
   /// The end of the only other piece that goes on from there, of the same material; or none.
   std::uint32_t onward(std::uint32_t end) const {

@@ -36,7 +36,7 @@ Workspace::Workspace(const Scene& scene, const Plan& plan, int threads)
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     if (scene.bodies.kind[i] != BodyKind::dynamic) continue;
     bodies[i].inverse_mass = 1.0 / mass(scene, i);
-    bodies[i].inverse_inertia = 1.0 / inertia(scene, i);
+    if (plan.rotation) bodies[i].inverse_inertia = 1.0 / inertia(scene, i);
   }
   const double h = plan.substep;
   const Softness spring = softness(kContactHertz / h, kContactDamping, h);

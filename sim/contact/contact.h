@@ -23,7 +23,7 @@ struct alignas(64) SolverBody {
   double inverse_mass;     ///< 1/kg, 0 for all but dynamic bodies
   Vec position;            ///< m
   double turn;             ///< rad, since the step began
-  double inverse_inertia;  ///< 1/(kg m²), as the inverse mass
+  double inverse_inertia;  ///< 1/(kg m²), as the inverse mass; 0 where nothing turns
 };
 static_assert(sizeof(SolverBody) == 64);
 
@@ -70,9 +70,10 @@ struct Turner {
   double from = 0.0;       ///< rad, the body's turn from which on it is touched
 };
 
-/// One point of a manifold. The normal is that of the step's beginning, or of when the two meet or pass where
-/// they near each other fast. Arms turn with their bodies, but a disc's radius points along the normal for
-/// ever. Where there is a turner, FaceStand makes normal and arms anew from `first_a` and `first_b`.
+/// One point of a manifold. The normal is that of the step's beginning, of its middle (midway.h), or of when
+/// the two meet or pass where they near each other fast. Arms turn with their bodies, but a disc's radius
+/// points along the normal for ever. Where there is a turner, FaceStand makes normal and arms anew from
+/// `first_a` and `first_b`.
 struct PointContact : ContactBase {
   Vec arm_a{0.0, 0.0}, arm_b{0.0, 0.0};      ///< m, from the bodies' centres to the contact, in this substep
   Vec first_a{0.0, 0.0}, first_b{0.0, 0.0};  ///< m, what of them turns, as the step begins

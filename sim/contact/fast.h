@@ -10,6 +10,8 @@
 ///  * what comes nearer at hit_speed() hits: it is stopped before the sweeps, see find_hits.cpp;
 ///  * what meets more slowly than kRestSpeed rests, though its surface bounces;
 ///  * two that get past each other by more than kAheadWay in a step press as they will meet: see LookAhead;
+///  * discs that get no farther than half their radius in a step press along walls that bend by its middle:
+///    see touch_midway();
 ///  * polygons that are slower than both, hit_speed() and kAheadWay in a step, may be held: see HeldFaces,
 ///    which looks at those alone whose faces will last for some steps;
 ///  * what touches a face that turns by more than kFaceTurn goes with it: see TurningFaces;

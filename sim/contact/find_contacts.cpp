@@ -112,7 +112,7 @@ void ContactFinder::search(const StepStart& start, Workers& workers) {
   ahead_.look(start, touches_, manifolds_, workers);
   for (const std::uint32_t i : ahead_.approaches())
     points_[i] = static_cast<std::uint8_t>(manifolds_[i].count);
-  Midway({scene_.time.dt, start, touches_, ahead_, stumbles_}).look(manifolds_, points_, workers);
+  touch_midway({scene_.time.dt, start, touches_, ahead_, stumbles_}, manifolds_, points_, workers);
 }
 
 void ContactFinder::take_out_stumbles(const StepStart& start, Workers& workers) {

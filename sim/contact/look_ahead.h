@@ -56,7 +56,7 @@ class LookAhead {
   /// The touches that look() looked at, ascending.
   std::span<const std::uint32_t> approaches() const { return approaches_; }
 
-  /// Where the touch's contact was found; null where that is as the step begins.
+  /// Where the touch's contact was found; null where that wasn't ahead.
   const Meeting* meeting(std::size_t touch) const;
 
  private:

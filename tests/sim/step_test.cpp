@@ -274,5 +274,27 @@ TEST(Step, AWheelOfDiscsRollsAtTheHeightOfItsRim) {
   EXPECT_LT(deepest, 0.03);
 }
 
+/// It happened: discs that can't turn gathered spin by rounding, which their state doesn't have.
+TEST(Step, FollowsFromTheStateAlone) {
+  const std::string one = ball(1, 10.222, 0, 0) + "[[walls]]\nsegment = [[0, 10], [20, 4]]\n";
+  const std::string rain =
+      "[[bodies]]\nshape = \"ball\"\ncount = 30\nplace.random.within = [[-4, 6], [4, 14]]\n"
+      "[[walls]]\npolyline = [[-9, 6], [0, 0], [9, 6.5]]\n";
+  for (const double friction : {0.0, 0.5})
+    for (const std::string& bodies : {one, rain}) {
+      Trial trial("gravity = [0, -9.81]\ntime = { dt = 0.01, until = 2 }\n" + material(0.0, friction) +
+                  kDisc + bodies);
+      for (int from = 0; from < 3; ++from) {
+        trial.steps(40 + from);
+        State other = trial.state;
+        Workspace anew(trial.scene, trial.plan, 1);
+        for (int i = 0; i < 25; ++i) {
+          trial.steps(1), step(trial.scene, trial.plan, other, anew);
+          ASSERT_EQ(hash(other), hash(trial.state)) << "in step " << other.step << " of\n" << bodies;
+        }
+      }
+    }
+}
+
 }  // namespace
 }  // namespace throng

@@ -45,10 +45,13 @@ TEST(StraightRuns, KeepAnArcOfTinyTurns) {
   EXPECT_EQ(straight_runs(walls).size(), 1000u);
 }
 
-TEST(StraightRuns, KeepAWallThatComesBackTheSameWay) {
-  const std::vector<Wall> walls = {wall({{0, 0}, {3, 0}, {1, 0}})};
-  EXPECT_EQ(straight_runs(walls).size(), 3u)
-      << "the end at (1, 0) stands on the first piece, which is cut there";
+TEST(StraightRuns, LeaveOutWhatStandsTwice) {
+  const std::vector<Wall> back = {wall({{0, 0}, {3, 0}, {1, 0}})};
+  EXPECT_EQ(ends(straight_runs(back)), (Ends{{{0, 0}, {3, 0}}}));
+  const std::vector<Wall> overlapping = {wall({{0, 0}, {3, 0}}), wall({{4, 0}, {2, 0}})};
+  EXPECT_EQ(ends(straight_runs(overlapping)), (Ends{{{0, 0}, {4, 0}}}));
+  const std::vector<Wall> of_two = {wall({{0, 0}, {3, 0}}), wall({{0, 0}, {3, 0}}, false, 1)};
+  EXPECT_EQ(straight_runs(of_two).size(), 2u) << "of different materials";
 }
 
 TEST(StraightRuns, GoOnFromWallToWallOfOneMaterial) {
