@@ -41,16 +41,16 @@ bool operator==(const Observables& a, const Observables& b) {
          a.mean_overlap == b.mean_overlap && a.crowd == b.crowd && same(a.asked, b.asked);
 }
 
-Observables observe(const Scene& scene, const State& state, std::span<const ContactRow> contacts) {
-  const Overlap overlaps = overlap(scene, state);
-  return {kinetic_energy(scene, state),
-          potential_energy(scene, state),
-          momentum(scene, state),
+Observables Observer::observe(const State& state, std::span<const ContactRow> contacts) {
+  const Overlap overlap = overlaps_.of(state);
+  return {kinetic_energy(scene_, state),
+          potential_energy(scene_, state),
+          momentum(scene_, state),
           static_cast<double>(std::ranges::count_if(contacts, &ContactRow::presses)),
-          overlaps.max,
-          overlaps.mean,
-          observe_crowd(scene, state),
-          measure_bodies(scene, state, contacts)};
+          overlap.max,
+          overlap.mean,
+          observe_crowd(scene_, state),
+          measure_bodies(scene_, state, contacts)};
 }
 
 double kinetic_energy(const Scene& scene, const State& state) {

@@ -34,9 +34,19 @@ struct Observables {
   friend bool operator==(const Observables& a, const Observables& b);  ///< NaN is NaN
 };
 
-/// Of all bodies, whose contacts are given; of a state's crowd what was measured and who arrived count.
-/// Dominated by `overlap`, which looks for its pairs anew: about what ten steps take.
-Observables observe(const Scene& scene, const State& state, std::span<const ContactRow> contacts);
+/// Measures states of one scene, which must outlive it.
+class Observer {
+ public:
+  explicit Observer(const Scene& scene) : scene_(scene), overlaps_(scene) {}
+
+  /// Of all bodies, whose contacts are given; of a state's crowd what was measured and who arrived count.
+  /// Dominated by overlaps, whose pairs are looked for anew: about what ten steps take.
+  Observables observe(const State& state, std::span<const ContactRow> contacts);
+
+ private:
+  const Scene& scene_;
+  Overlaps overlaps_;
+};
 
 double kinetic_energy(const Scene& scene, const State& state);    ///< J, of dynamic bodies
 double potential_energy(const Scene& scene, const State& state);  ///< J, -m g . x, of dynamic bodies

@@ -80,12 +80,21 @@ Overlap crowd_overlap(const Scene& scene, const State& state) {
   return result;
 }
 
+}  // namespace
+
+/// `plan_` also where bodies ignore each other.
+Overlaps::Overlaps(const Scene& scene) : scene_(scene), plan_(plan_for(scene, ContactModel::impulse)) {
+  if (!plan_.crowd && plan_.contacts()) candidates_ = std::make_unique<Candidates>(scene, plan_, alone_);
+}
+
+Overlaps::~Overlaps() = default;
+
 /// Calls f(depth, a, b) for each two parts that are in each other, by rows of their bodies; b is a itself for
 /// what doesn't move.
 template <class F>
-void for_each_overlap(const Scene& scene, const State& state, const Plan& plan, F f) {
-  Workers alone(1);
-  Candidates candidates(scene, plan, alone);
+void Overlaps::for_each(const State& state, F f) {
+  if (!candidates_) return;
+  Candidates& candidates = *candidates_;
   candidates.find(state, 0.0);
   const Colliders& colliders = candidates.colliders();
   const ColliderParts parts(state, colliders);
@@ -104,15 +113,11 @@ void for_each_overlap(const Scene& scene, const State& state, const Plan& plan, 
   }
 }
 
-}  // namespace
-
-Overlap overlap(const Scene& scene, const State& state) {
-  const Plan plan = plan_for(scene, ContactModel::impulse);  // also where bodies ignore each other
+Overlap Overlaps::of(const State& state) {
+  if (plan_.crowd) return crowd_overlap(scene_, state);
   Overlap result;
-  if (plan.crowd) return crowd_overlap(scene, state);
-  if (!plan.contacts()) return result;
   double sum = 0.0;
-  for_each_overlap(scene, state, plan, [&](double depth, std::uint32_t, std::uint32_t) {
+  for_each(state, [&](double depth, std::uint32_t, std::uint32_t) {
     ++result.pairs;
     sum += depth;
     result.max = std::max(result.max, depth);
@@ -121,14 +126,16 @@ Overlap overlap(const Scene& scene, const State& state) {
   return result;
 }
 
-std::vector<double> deepest_overlaps(const Scene& scene, const State& state) {
-  std::vector<double> deepest(scene.bodies.size(), 0.0);
-  const Plan plan = plan_for(scene, ContactModel::impulse);
-  if (!plan.contacts()) return deepest;
-  for_each_overlap(scene, state, plan, [&](double depth, std::uint32_t a, std::uint32_t b) {
+std::vector<double> Overlaps::deepest(const State& state) {
+  std::vector<double> deepest(scene_.bodies.size(), 0.0);
+  for_each(state, [&](double depth, std::uint32_t a, std::uint32_t b) {
     deepest[a] = std::max(deepest[a], depth), deepest[b] = std::max(deepest[b], depth);
   });
   return deepest;
+}
+
+Overlap overlap(const Scene& scene, const State& state) {
+  return Overlaps(scene).of(state);
 }
 
 }  // namespace throng

@@ -97,7 +97,7 @@ SoftTiming soft_timing(const Scene& scene) {
   SoftTiming timing{first_speed(scene) + top_speed(scene), infinite, restitution, infinite};
   const bool hertz = scene.contact == ContactModel::hertz;
   const std::vector<double> deep =
-      hertz ? deepest_overlaps(scene, placed_bodies(scene)) : std::vector<double>();
+      hertz ? Overlaps(scene).deepest(placed_bodies(scene)) : std::vector<double>();
   for (std::size_t row = 0; row < scene.bodies.size(); ++row) {
     if (scene.bodies.kind[row] != BodyKind::dynamic) continue;
     const double reduced = part * mass(scene, row);

@@ -155,22 +155,22 @@ std::string first_other_sensor(const Frame& frame, const Scene& scene, const Sim
 }
 
 /// What the run has now; of a crowd only where that was recorded, as it wasn't before 1.5.
-Observables observed_as(const Observables& recorded, const Scene& scene, const Simulation& run,
+Observables observed_as(const Observables& recorded, Observer& observer, const Simulation& run,
                         std::span<const ContactRow> contacts) {
-  Observables now = observe(scene, run.state(), contacts);
+  Observables now = observer.observe(run.state(), contacts);
   if (!recorded.crowd) now.crowd.reset();
   return now;
 }
 
 /// What beside the bodies' own fields differs: "" where nothing does.
-std::string other_difference(const Comparison& comparison, const Frame& frame, const Scene& scene,
-                             const Simulation& run) {
+std::string other_difference(const Comparison& comparison, Observer& observer, const Frame& frame,
+                             const Scene& scene, const Simulation& run) {
   if (const std::string sensor = first_other_sensor(frame, scene, run); !sensor.empty())
     return "those whom " + printable(sensor) + " senses";
   if (!frame.contacts && !frame.observables) return "";
   std::vector<ContactRow> contacts;
   run.list_contacts(contacts);
-  if (frame.observables && *frame.observables != observed_as(*frame.observables, scene, run, contacts))
+  if (frame.observables && *frame.observables != observed_as(*frame.observables, observer, run, contacts))
     return "the observables";
   return comparison.same_contacts(frame, contacts) ? "" : "the contacts";
 }
@@ -193,6 +193,7 @@ int verify(const Recording& recording, const std::string& file, int threads) {
   recording.expect_tables(loaded.scene);
   const bool hashes = compares_hashes(recording.origin());
   const Comparison comparison(loaded.scene);
+  Observer observer(loaded.scene);
   const auto run = simulation(loaded.scene, threads);
   Frame frame;
   for (std::size_t i = 0; i < recording.frames(); ++i) {
@@ -203,7 +204,8 @@ int verify(const Recording& recording, const std::string& file, int threads) {
       report(frame, run->state(), difference);
       return 1;
     }
-    if (const std::string what = other_difference(comparison, frame, loaded.scene, *run); !what.empty()) {
+    if (const std::string what = other_difference(comparison, observer, frame, loaded.scene, *run);
+        !what.empty()) {
       std::printf("diverged: at step %" PRId64 " (t = %.9g s): %s were recorded otherwise than they run to\n",
                   frame.step, frame.time, what.c_str());
       return 1;

@@ -71,7 +71,7 @@ struct Recorder::Impl {
   void write_all(const Scene& scene, const Provenance& provenance, Kept kept, std::promise<void>& ready);
   std::unique_ptr<TrajectoryWriter> make_writer(const Scene& scene, const Provenance& provenance, Kept kept);
   void write_entries(TrajectoryWriter& writer);
-  std::optional<Observables> observables(const QueueEntry& entry) const;
+  std::optional<Observables> observables(const QueueEntry& entry);
   void write_checkpoint(TrajectoryWriter& writer, const State& state);
   void commit(TrajectoryWriter& writer);
   void commit_when_due(TrajectoryWriter& writer);
@@ -81,8 +81,9 @@ struct Recorder::Impl {
 
   using Clock = std::chrono::steady_clock;
   OutputFile output;
-  std::string scenario;           ///< resolved
-  std::optional<Scene> observed;  ///< what observables are measured on, where any are
+  std::string scenario;              ///< resolved
+  std::optional<Scene> observed;     ///< what observables are measured on, where any are
+  std::optional<Observer> observer;  ///< of it; the writing thread's
   Clock::time_point last_commit = Clock::now(), last_sync = Clock::now();
   FrameQueue queue;
   /// As it is at the end; set before the queue closes: the file deserves its final name.
@@ -195,9 +196,10 @@ void Recorder::Impl::write_entries(TrajectoryWriter& writer) {
   }
 }
 
-std::optional<Observables> Recorder::Impl::observables(const QueueEntry& entry) const {
+std::optional<Observables> Recorder::Impl::observables(const QueueEntry& entry) {
   if (!observed || !is_due(observed->record.observables, entry.state.step)) return std::nullopt;
-  return observe(*observed, entry.state, entry.contacts);
+  if (!observer) observer.emplace(*observed);
+  return observer->observe(entry.state, entry.contacts);
 }
 
 /// First the frames reach the disk, then what says that they are there.

@@ -519,7 +519,8 @@ TEST(Selected, ObservablesAreThoseOfTheState) {
     const Frame frame = recording.frame(i);
     ASSERT_EQ(frame.observables.has_value(), frame.step % 2 == 0) << frame.step;
     if (!frame.observables) continue;
-    EXPECT_EQ(*frame.observables, observe(scene, state_at(scene, frame.step), contacts_at(frame.step)));
+    EXPECT_EQ(*frame.observables,
+              Observer(scene).observe(state_at(scene, frame.step), contacts_at(frame.step)));
   }
   EXPECT_GT(recording.frame(1).observables.value().kinetic_energy, 0.0);
 }
