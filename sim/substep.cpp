@@ -2,6 +2,7 @@
 #include "sim/substep.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <span>
 
@@ -24,6 +25,8 @@ constexpr double kFollows = 0.05;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 constexpr double kAtOnce = 0.01;  // of a substep: who meets so soon has arrived
+
+constexpr double kElsewhere = 0.5;  // radii, or rad, in a substep
 
 int bounce_sweeps(const Plan& plan) {
   return plan.elastic ? kElasticSweeps : plan.restitution ? kBounceSweeps : 0;
@@ -101,6 +104,28 @@ void relax(Workspace& work, std::size_t group, bool periodic) {
   if (backward) relax(work.contacts.discs.blocks(group), work.bodies, work.solver, periodic);
 }
 
+/// Whether the two get elsewhere against each other in a substep: other contacts are theirs then.
+bool get_elsewhere(const Scene& scene, const Workspace& work, std::uint32_t a, std::uint32_t b) {
+  const SolverBody &one = work.bodies[a], &other = work.bodies[b];
+  const auto radius = [&](std::uint32_t row) {
+    return row < scene.bodies.size() ? scene.bodies.radius[row] : std::numeric_limits<double>::infinity();
+  };
+  const double way = work.solver.h * (one.velocity - other.velocity).norm();
+  const double turn = work.solver.h * std::max(std::abs(one.spin), std::abs(other.spin));
+  return way > kElsewhere * std::min(radius(a), radius(b)) || turn > kElsewhere;
+}
+
+/// What contacts did in the substep before would push at random who has got elsewhere since, and give energy.
+void forget_elsewhere(const Scene& scene, Workspace& work) {
+  const double substeps = scene.time.substeps, least_radius = work.finder.least_way() / kAheadWay;
+  const bool any = work.candidates.chain() > 0.5 * kElsewhere * substeps * least_radius ||
+                   work.candidates.farthest_turn() > 0.5 * kElsewhere * substeps;
+  FaceBlocks& faces = work.contacts.faces;
+  for (std::size_t i = 0; any && i < faces.size(); ++i)
+    if (const BlockContact at = faces.contact(i); get_elsewhere(scene, work, at.a, at.b))
+      *at.normal_impulse = *at.tangent_impulse = *at.preload = 0.0;
+}
+
 /// Parts side by side; what joins them begins before and is pushed apart after.
 void start_and_push_apart(Workspace& work, const Vec* period) {
   const std::size_t parts = work.finder.parts().count();
@@ -133,7 +158,7 @@ void substep(const Scene& scene, const Plan& plan, const State& state, Workspace
   bounce(plan, work, plan.gravity ? kick : Vec(0.0, 0.0), period);
   if (plan.gravity) by_parts(work, [&](Rows rows) { fall(work.bodies, rows, kick); });
   work.solver.backward = way.backward;
-  if (plan.contacts()) start_and_push_apart(work, period);
+  if (plan.contacts()) forget_elsewhere(scene, work), start_and_push_apart(work, period);
   const bool at_once = plan.contacts() && !way.guarded && work.contacts.hits == 0;
   if (way.guarded)
     work.guard->move(state, work.bodies, work.sleepers.bodies(), work.solver.h);

@@ -114,16 +114,17 @@ void Candidates::place(const State& state, double dt, Rows colliders) {
   centre_.resize(colliders_.size()), margin_.resize(colliders_.size()), reach_.resize(colliders_.size());
   if (!colliders_.swing.empty()) turning_.resize(colliders_.size());
   if (plan_.periodic && !colliders_.centre.empty()) wrap_.resize(colliders_.size(), Vec(0.0, 0.0));
-  double fastest = 0.0, turns = 0.0;
+  double fastest = 0.0, turns = 0.0, spin = 0.0;
   colliders.for_each([&](std::uint32_t row) {
     const std::uint32_t body = colliders_.body[row];
     fastest = std::max(fastest, state.velocity[body].squaredNorm());
-    if (!colliders_.swing.empty())
-      turns = std::max(turns, std::abs(state.spin[body]) * scene_.bodies.radius[body]);
+    if (colliders_.swing.empty()) return;
+    spin = std::max(spin, std::abs(state.spin[body]));
+    turns = std::max(turns, std::abs(state.spin[body]) * scene_.bodies.radius[body]);
   });
   dt_ = dt;
   fall_ = plan_.gravity ? scene_.gravity.norm() * dt * dt : 0.0;
-  chain_ = std::sqrt(fastest) * dt;
+  chain_ = std::sqrt(fastest) * dt, farthest_turn_ = spin * dt;
   farthest_way_ = widened_.empty() ? chain_ + fall_ + turns * dt : kUnbounded;
   place_more(state, colliders);
 }

@@ -107,6 +107,9 @@ class Candidates {
   /// How far the fastest of them gets within the step by its velocity (m).
   double chain() const { return chain_; }
 
+  /// rad, how far the one that spins fastest turns in a step; 0 where only discs are.
+  double farthest_turn() const { return farthest_turn_; }
+
   /// How far the fastest body's velocity, gravity and the widest turn take any point within the step (m);
   /// infinite where bodies got farther.
   double farthest_way() const { return farthest_way_; }
@@ -162,6 +165,7 @@ class Candidates {
   Rows rows_;                            ///< of the colliders that the pairs are of
   double dt_ = 0.0, fall_ = 0.0;         ///< s; m, what gravity gives in it
   double chain_ = 0.0;                   ///< m, what the fastest body moves in it
+  double farthest_turn_ = 0.0;           ///< rad, likewise
   double farthest_way_ = 0.0;            ///< m
   std::vector<Vec> found_at_;            ///< m, of each body
   std::vector<narrowphase::Pose> pose_;  ///< of each body; empty where all are discs

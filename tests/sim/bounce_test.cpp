@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
+#include <sstream>
 
 #include "tests/sim/trial.h"
 
@@ -261,6 +263,31 @@ TEST(Bounce, ABlowRunsThroughARowOfDiscsWithinAStep) {
     }
     EXPECT_NEAR(run.energy() / before, 1.0, 1e-9);
   }
+}
+
+/// What contacts had done before was done again to who had got elsewhere since: the energy of some grew by
+/// thirty times.
+TEST(Bounce, NobodyGainsEnergyAmongManyPiecesThatBendTowardsHim) {
+  std::ostringstream wall;
+  for (int i = 0; i < 600; ++i) {
+    const double t = 2.0 * std::numbers::pi * i / 600, r = 2.0 + 0.6 * std::cos(5.0 * t);
+    wall << (i > 0 ? ", " : "[[walls]]\npolygon = [") << "[" << r * std::cos(t) << ", " << r * std::sin(t)
+         << "]";
+  }
+  for (const double speed : {20.0, 60.0, 200.0})
+    for (int seed = 0; seed < 4; ++seed) {
+      std::ostringstream text;
+      text << "time = { dt = 0.016666666666666666, until = 1 }\n"
+           << material(1, 0) << "[shapes]\nball = { polygon = [[0, 0], [0.2, 0], [0.1, 0.18]] }\n"
+           << ball(-0.15, 0.23, speed * std::cos(4.1 + seed), speed * std::sin(4.1 + seed), -3.7)
+           << wall.str() << "]\n";
+      Trial run(text.str());
+      const double before = run.energy();
+      for (int i = 0; i < 60; ++i) {
+        run.steps(1);
+        ASSERT_LT(run.energy(), 1.001 * before) << "at " << speed << " m/s, step " << i + 1;
+      }
+    }
 }
 
 }  // namespace
