@@ -28,7 +28,7 @@ constexpr double kSoftness = 1.28;    // a contact sags by F h² / (kSoftness m)
 constexpr double kLateBounces = 1.5;  // of g h t, how late who bounces is
 constexpr double kLeans = 2.0;        // times the mean load, as who lies between others presses aside, too
 constexpr double kJams = 6.0;         // widths of a body, in a box narrower than which it jams
-constexpr double kThinnest = 4.001;   // height over width of those in towers whose sway is known
+constexpr double kThinnest = 4.001;   // height over width of bodies whose towers' sway is known
 constexpr double kStands = 3.0;       // sqrt(L / g) / n², the substep up to which towers stand
 constexpr double kLongestStep = 1.0 / 60.0;  // s, of steps in which contacts are found once
 constexpr int kSubsteps = 16;                // as cheap as fewer, longer steps of as many substeps are dear
@@ -120,30 +120,46 @@ AutoTime impacts(const Scene& scene) {
   return result;
 }
 
-/// How many times as far a tower sways while it comes to rest as its contacts sag, at most; as measured for 5
-/// to 60 boxes, a quarter to eight times as wide as high.
+/// How many times as far a column sways while it comes to rest as its contacts sag, at most; as measured for
+/// towers of 5 to 60 boxes, a quarter to eight times as wide as high, and for 2 to 16 of 5 to 20 side by
+/// side.
 double sway(const Column& column) {
-  if (!column.is_tower) return 1.0;
-  const double high = std::clamp(column.layers / 9.0, 1.0, 2.0);
+  const double high = std::clamp(column.layers / 9.0, 1.0, 2.0), thin = column.thinnest;
   const double slender = std::clamp(column.slenderness / 30.0, 1.0, 2.2);
-  return high * high * slender * slender;
+  const double abreast = column.is_tower ? 1.0 : std::max(3.0 * thin * std::sqrt(std::sqrt(thin)), 1.0);
+  return high * high * slender * slender * abreast;
 }
 
-/// Towers of n squares of side L, 2 to 40 of them, stand until h is 3.7 sqrt(L / g) / n², and fall from a
-/// little more on. Where something r times as heavy stands on ten of them, they fall from less than sqrt(r)
-/// times shorter substeps on.
+/// s, the longest substep in which the column sways by no more than is allowed (m).
+double sways_by(const Column& column, double allowed, double g) {
+  return std::sqrt(allowed / (sway(column) * column.load * g));
+}
+
+/// s, the longest substep in which the column is sure to stand. Towers of n squares of side L, 2 to 40 of
+/// them, stand until h is 3.7 sqrt(L / g) / n², and fall from a little more on; those of thinner boxes as
+/// much sooner as they are slenderer. Where something r times as heavy stands on ten of them, they fall from
+/// less than sqrt(r) times shorter substeps on.
+double stands_by(const Column& column, double radius, double g) {
+  const double heavier = column.load / column.layers,
+               thin = std::min(column.layers / column.slenderness, 1.0);
+  return kStands * std::sqrt(std::numbers::sqrt2 * radius * thin / g / heavier) /
+         (column.layers * column.layers);
+}
+
 AutoTime standing(const Scene& scene) {
-  const Column column = heaviest_column(scene);
-  if (column.is_tower && column.slenderness > kThinnest * column.layers)
-    return refused("what stands on one another is more than four times as high as wide, and sways");
-  const double g = scene.gravity.norm(), layers = column.layers, heavier = column.load / layers;
-  const double radius = smallest_dynamic_radius(scene), allowed = scene.time.error * radius;
-  const double sways = std::sqrt(allowed / (sway(column) * column.load * g));
-  const double falls = kStands * std::sqrt(std::numbers::sqrt2 * radius / g / heavier) / (layers * layers);
+  const double g = scene.gravity.norm(), radius = smallest_dynamic_radius(scene);
+  const double allowed = scene.time.error * radius;
+  double sways = kInfinite, falls = kInfinite, load = 0.0;
+  for (const Column& column : columns(scene)) {
+    if (column.thinnest > kThinnest)
+      return refused("what stands on one another is more than four times as high as wide, and sways");
+    sways = std::min(sways, sways_by(column, allowed, g));
+    falls = std::min(falls, stands_by(column, radius, g)), load = std::max(load, column.load);
+  }
   const double substep = std::min(sways, falls);
   AutoTime result = steps(scene, kLongestStep, substep);
   result.promise = "how far those that stand get from where they do, of a radius";
-  result.why = text("the lowest bear up to %.3g of the lightest", column.load);
+  result.why = text("the lowest bear up to %.3g of the lightest", load);
   result.why +=
       sways < falls
           ? text(", and may move by %.3g m: h <= %.3g s", allowed, substep)

@@ -46,13 +46,19 @@ inline const narrowphase::Convex& shape(const Colliders& colliders, std::uint32_
 /// What never moves. Rows: first the sides of the domain's box, then walls and static bodies as convex parts
 /// in the world's frame. In a periodic domain each part stands in all its images that the domain can touch.
 struct Obstacles {
-  std::vector<narrowphase::HalfPlane> side;  ///< four of a box, else none
-  std::vector<narrowphase::Convex> part;
-  std::vector<narrowphase::Rim> rim;    ///< of every part
-  std::vector<std::uint8_t> bends;      ///< whether every part hardly bends (rim.h); empty where none does
-  std::vector<std::uint32_t> material;  ///< of every row, sides and parts
+  std::vector<narrowphase::HalfPlane> side;  ///< four of a box, else none: the first rows
+  std::vector<narrowphase::Convex> part;     ///< the rows behind them
+  std::vector<narrowphase::Rim> rim;         ///< of every part
+  std::vector<std::uint8_t> bends;      ///< whether every part bends gently (rim.h); empty where none does
+  std::vector<std::uint32_t> material;  ///< of every row
 
   std::size_t size() const { return side.size() + part.size(); }
+  bool is_side(std::uint32_t row) const { return row < side.size(); }
+  const narrowphase::Convex& part_at(std::uint32_t row) const { return part[row - side.size()]; }
+  const narrowphase::Rim& rim_at(std::uint32_t row) const { return rim[row - side.size()]; }
+  bool bends_at(std::uint32_t row) const {
+    return !bends.empty() && !is_side(row) && bends[row - side.size()];
+  }
 };
 
 /// The box round a part, in its own frame (m).

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "narrowphase/convex.h"
@@ -36,16 +37,24 @@ Span span_of(const Scene& scene, std::size_t row, const Vec& direction) {
 }
 
 struct Pile {
-  Span across, along;  // gravity
-  double weight;       // of the lightest
-  double widest;       // m, of its bodies
+  Span across, along;       // gravity
+  double weight;            // of the lightest
+  double widest, thinnest;  // m, of its bodies; height over width, likewise
+  double area;              // m², of the boxes round them
   std::size_t bodies = 1;
 
   void add(const Pile& other) {
     across.join(other.across), along.join(other.along);
-    weight += other.weight, widest = std::max(widest, other.widest), bodies += other.bodies;
+    weight += other.weight, area += other.area, bodies += other.bodies;
+    widest = std::max(widest, other.widest), thinnest = std::max(thinnest, other.thinnest);
   }
-  double load() const { return std::min(2.0 * std::max(weight * widest / across.size(), 1.0), weight); }
+
+  Column column() const {
+    const double load = std::min(2.0 * std::max(weight * widest / across.size(), 1.0), weight);
+    const double high = along.size(), mean_width = std::min(area / high, across.size());
+    return {load, std::min(load, static_cast<double>(bodies)), high / mean_width, bodies > 1 ? thinnest : 0.0,
+            across.size() < 1.5 * widest};
+  }
 };
 
 /// Each dynamic body as one.
@@ -55,32 +64,27 @@ std::vector<Pile> bodies_as_piles(const Scene& scene) {
   for_dynamic(scene, [&](std::size_t row) { lightest = std::min(lightest, mass(scene, row)); });
   std::vector<Pile> each;
   for_dynamic(scene, [&](std::size_t row) {
-    const Span width = span_of(scene, row, across);
-    each.push_back({width, span_of(scene, row, along), mass(scene, row) / lightest, width.size()});
+    const Span width = span_of(scene, row, across), height = span_of(scene, row, along);
+    each.push_back({width, height, mass(scene, row) / lightest, width.size(), height.size() / width.size(),
+                    width.size() * height.size()});
   });
   return each;
 }
 
-/// None is over another.
-std::vector<Pile> piles(const Scene& scene) {
-  std::vector<Pile> each = bodies_as_piles(scene), all;
-  std::ranges::sort(each, {}, [](const Pile& one) { return one.across.low; });
-  for (const Pile& one : each)
-    if (all.empty() || one.across.low > all.back().across.high)
-      all.push_back(one);
-    else
-      all.back().add(one);
-  return all;
-}
-
 }  // namespace
 
-Column heaviest_column(const Scene& scene) {
-  const std::vector<Pile> all = piles(scene);
-  const Pile& pile = *std::ranges::max_element(all, {}, &Pile::load);
-  const double load = pile.load();
-  return {load, std::min(load, static_cast<double>(pile.bodies)), pile.along.size() / pile.across.size(),
-          load == pile.weight};
+std::vector<Column> columns(const Scene& scene) {
+  std::vector<Pile> piles = bodies_as_piles(scene);
+  std::ranges::sort(piles, {}, [](const Pile& one) { return one.across.low; });
+  std::size_t count = 1;
+  for (const Pile& one : std::span(piles).subspan(1))
+    if (one.across.low > piles[count - 1].across.high)
+      piles[count++] = one;
+    else
+      piles[count - 1].add(one);
+  std::vector<Column> result;
+  for (const Pile& pile : std::span(piles).first(count)) result.push_back(pile.column());
+  return result;
 }
 
 }  // namespace throng

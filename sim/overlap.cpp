@@ -39,9 +39,8 @@ class ColliderParts {
 
 double obstacle_distance(const Convex& shape, const Pose& pose, const Obstacles& obstacles, std::uint32_t row,
                          const Vec& shift) {
-  const std::size_t sides = obstacles.side.size();
-  if (row < sides) return narrowphase::clearance(shape, pose, obstacles.side[row]);
-  return narrowphase::separation(shape, pose, obstacles.part[row - sides], Pose{shift}).distance;
+  if (obstacles.is_side(row)) return narrowphase::clearance(shape, pose, obstacles.side[row]);
+  return narrowphase::separation(shape, pose, obstacles.part_at(row), Pose{shift}).distance;
 }
 
 /// Of agents with each other, with what stops them and with bodies that move.

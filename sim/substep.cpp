@@ -110,12 +110,18 @@ bool get_elsewhere(const Scene& scene, const Workspace& work, std::uint32_t a, s
   const auto radius = [&](std::uint32_t row) {
     return row < scene.bodies.size() ? scene.bodies.radius[row] : std::numeric_limits<double>::infinity();
   };
+  const auto spin = [&](std::uint32_t row) {  // of a disc it takes nobody elsewhere
+    const bool turns =
+        row < scene.bodies.size() && scene.shapes[scene.bodies.shape[row]].kind != ShapeKind::disc;
+    return turns ? std::abs(work.bodies[row].spin) : 0.0;
+  };
   const double way = work.solver.h * (one.velocity - other.velocity).norm();
-  const double turn = work.solver.h * std::max(std::abs(one.spin), std::abs(other.spin));
+  const double turn = work.solver.h * std::max(spin(a), spin(b));
   return way > kElsewhere * std::min(radius(a), radius(b)) || turn > kElsewhere;
 }
 
-/// What contacts did in the substep before would push at random who has got elsewhere since, and give energy.
+/// What contacts did in the substep before would push at random who has got elsewhere since, and give energy
+/// to who bounces there: others are soon stopped.
 void forget_elsewhere(const Scene& scene, Workspace& work) {
   const double substeps = scene.time.substeps, least_radius = work.finder.least_way() / kAheadWay;
   const bool any = work.candidates.chain() > 0.5 * kElsewhere * substeps * least_radius ||
@@ -158,7 +164,8 @@ void substep(const Scene& scene, const Plan& plan, const State& state, Workspace
   bounce(plan, work, plan.gravity ? kick : Vec(0.0, 0.0), period);
   if (plan.gravity) by_parts(work, [&](Rows rows) { fall(work.bodies, rows, kick); });
   work.solver.backward = way.backward;
-  if (plan.contacts()) forget_elsewhere(scene, work), start_and_push_apart(work, period);
+  if (plan.restitution) forget_elsewhere(scene, work);
+  if (plan.contacts()) start_and_push_apart(work, period);
   const bool at_once = plan.contacts() && !way.guarded && work.contacts.hits == 0;
   if (way.guarded)
     work.guard->move(state, work.bodies, work.sleepers.bodies(), work.solver.h);

@@ -119,7 +119,7 @@ void Candidates::place(const State& state, double dt, Rows colliders) {
     const std::uint32_t body = colliders_.body[row];
     fastest = std::max(fastest, state.velocity[body].squaredNorm());
     if (colliders_.swing.empty()) return;
-    spin = std::max(spin, std::abs(state.spin[body]));
+    if (!is_disc(colliders_, row)) spin = std::max(spin, std::abs(state.spin[body]));
     turns = std::max(turns, std::abs(state.spin[body]) * scene_.bodies.radius[body]);
   });
   dt_ = dt;

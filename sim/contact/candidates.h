@@ -107,7 +107,7 @@ class Candidates {
   /// How far the fastest of them gets within the step by its velocity (m).
   double chain() const { return chain_; }
 
-  /// rad, how far the one that spins fastest turns in a step; 0 where only discs are.
+  /// rad, how far the one that spins fastest, of those that aren't discs, turns in a step.
   double farthest_turn() const { return farthest_turn_; }
 
   /// How far the fastest body's velocity, gravity and the widest turn take any point within the step (m);

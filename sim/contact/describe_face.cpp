@@ -67,16 +67,15 @@ void turn_back(PointContact& contact, double turn_a, double turn_b) {
 
 /// Whether the two touch, or nearly so.
 bool is_met(const Colliders& colliders, const Touch& touch, const Manifold& m) {
-  const double a = colliders.radius[touch.pair.a];
-  const double near = kTouches * (touch.obstacle ? a : std::min(a, colliders.radius[touch.pair.b]));
+  const double near = kTouches * smaller_radius(colliders, touch);
   return std::ranges::any_of(std::span(m.points).first(static_cast<std::size_t>(m.count)),
                              [&](const ManifoldPoint& point) { return point.separation <= near; });
 }
 
 /// Whether an obstacle has a face there. A side of the domain's box is nothing else.
 bool has_face(const Obstacles& obstacles, std::uint32_t row, const Vec& outward) {
-  if (row < obstacles.side.size()) return true;
-  return std::ranges::any_of(obstacles.part[row - obstacles.side.size()].normals,
+  if (obstacles.is_side(row)) return true;
+  return std::ranges::any_of(obstacles.part_at(row).normals,
                              [&](const Vec& normal) { return normal.dot(outward) > kOneNormal; });
 }
 
@@ -122,7 +121,7 @@ std::span<PointContact> describe_face(const StepStart& start, const Touch& touch
   const SolverBody &a = start.bodies[touch.a], &b = start.bodies[touch.b];
   const auto count = static_cast<std::size_t>(m.count);
   const Turner turner = turner_of(start, touch, m, meeting ? meeting->when : 0.0, dt);
-  const bool of_side = touch.obstacle && touch.pair.b < start.obstacles().side.size();
+  const bool of_side = is_side(start, touch);
   for (std::size_t p = 0; p < count; ++p) {
     describe(colliders, touch, surface, m.normal, points[p]);
     points[p].is_second = p > 0, points[p].turner = turner;

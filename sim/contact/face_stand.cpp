@@ -18,8 +18,9 @@ bool is_of_a(const PointContact& contact) {
 
 /// What Turn is but for the cube, to rounding.
 Turn exact_turn(double angle) {
-  const narrowphase::Pose pose = narrowphase::pose(Vec(0.0, 0.0), angle);
   Turn turn(0.0);
+  if (angle == 0.0) return turn;
+  const narrowphase::Pose pose = narrowphase::pose(Vec(0.0, 0.0), angle);
   turn.cosine = pose.cos, turn.sine = pose.sin;
   return turn;
 }

@@ -14,8 +14,7 @@ double rolling_radius(const Colliders& colliders, std::uint32_t row) {
 }
 
 double rolling_radius(const Obstacles& obstacles, std::uint32_t row) {
-  const std::size_t sides = obstacles.side.size();
-  return row < sides ? 0.0 : throng::rolling_radius(obstacles.part[row - sides]);
+  return obstacles.is_side(row) ? 0.0 : throng::rolling_radius(obstacles.part_at(row));
 }
 
 double rolling(const ContactImpulse* kept) {

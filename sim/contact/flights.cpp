@@ -86,20 +86,18 @@ DiscFlight Flights::flight(std::uint32_t pair, double now) const {
     return narrowphase::disc_flight(between({a, b}, now), velocity(b) - velocity(a), reach_[pair],
                                     scene_.time.dt - now);
   const Obstacles& obstacles = candidates_->obstacles();
-  const std::size_t sides = obstacles.side.size();
   const Vec centre = place(a, now);
   const double radius = candidates_->colliders().radius[a];
-  if (b < sides) return narrowphase::disc_flight(centre, radius, velocity(a), obstacles.side[b]);
-  return narrowphase::disc_flight(centre, radius, velocity(a), obstacles.part[b - sides]);
+  if (obstacles.is_side(b)) return narrowphase::disc_flight(centre, radius, velocity(a), obstacles.side[b]);
+  return narrowphase::disc_flight(centre, radius, velocity(a), obstacles.part_at(b));
 }
 
 Vec Flights::normal(std::uint32_t pair, double now) const {
   const auto [a, b] = discs(pair);
   if (is_pair(pair)) return between({a, b}, now).normalized();
   const Obstacles& obstacles = candidates_->obstacles();
-  const std::size_t sides = obstacles.side.size();
-  if (b < sides) return -obstacles.side[b].normal;
-  return narrowphase::towards(place(a, now), obstacles.part[b - sides]);
+  if (obstacles.is_side(b)) return -obstacles.side[b].normal;
+  return narrowphase::towards(place(a, now), obstacles.part_at(b));
 }
 
 const Surface& Flights::surface(std::uint32_t pair) const {

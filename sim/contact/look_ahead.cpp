@@ -45,8 +45,7 @@ LookAhead::LookAhead(const Scene& scene, const Plan& plan, const Colliders& coll
 
 /// m, how far the two may get in a step and are slow.
 double LookAhead::slow_way(const Colliders& colliders, const Touch& touch) const {
-  const double a = colliders.radius[touch.pair.a];
-  return kAheadWay * (touch.obstacle ? a : std::min(a, colliders.radius[touch.pair.b]));
+  return kAheadWay * smaller_radius(colliders, touch);
 }
 
 bool LookAhead::nears(const StepStart& start, const Touch& touch, const Manifold& m) const {
@@ -110,8 +109,7 @@ LookAhead::Meeting LookAhead::first_meeting(const StepStart& start, const Touch&
                                             const Manifold& m) const {
   const Courses courses = this->courses(start, touch);
   const double gap = least_separation(m);
-  if (gap > 0.0 && !(touch.obstacle && touch.pair.b < start.obstacles().side.size()))
-    return meeting_on(start.candidates, touch, courses);
+  if (gap > 0.0 && !is_side(start, touch)) return meeting_on(start.candidates, touch, courses);
   // What touches now, and a straight border: the normal is known.
   const double closing = -(courses.b.velocity - courses.a.velocity).dot(m.normal), dt = scene_.time.dt;
   const double left = std::max(gap, 0.0);
@@ -125,9 +123,8 @@ LookAhead::Meeting LookAhead::meeting_on(const Candidates& candidates, const Tou
   const Colliders& colliders = candidates.colliders();
   thread_local Convex disc_a = narrowphase::disc(1.0), disc_b = disc_a;
   const Convex& a = shape(colliders, touch.pair.a, disc_a);
-  const Obstacles& obstacles = candidates.obstacles();
-  const Convex& b = touch.obstacle ? obstacles.part[touch.pair.b - obstacles.side.size()]
-                                   : shape(colliders, touch.pair.b, disc_b);
+  const Convex& b =
+      touch.obstacle ? candidates.obstacles().part_at(touch.pair.b) : shape(colliders, touch.pair.b, disc_b);
   const double left = scene_.time.dt - courses.from;
   const FirstContact found = narrowphase::first_contact(a, courses.a, b, courses.b, left,
                                                         {.width = kExact, .evaluations = kMostLooks});

@@ -15,16 +15,11 @@ using narrowphase::ManifoldPoint;
 namespace {
 
 constexpr double kLittleWay = 0.25;               // of the radius, to the step's middle
+constexpr double kNearly = 1e-3;                  // of the radius, in a step: what it falls, or is pushed
 constexpr double kOne = 1.0 - 0.5 * 2e-2 * 2e-2;  // cosine, of normals that are as good as one
 
 std::span<const ManifoldPoint> points_of(const Manifold& m) {
   return std::span(m.points).first(static_cast<std::size_t>(m.count));
-}
-
-bool touches_what_bends(const StepStart& start, const Touch& touch) {
-  const Obstacles& obstacles = start.obstacles();
-  const std::size_t sides = obstacles.side.size();
-  return touch.pair.b >= sides && obstacles.bends[touch.pair.b - sides];
 }
 
 /// A disc and how it goes on.
@@ -39,7 +34,7 @@ struct Slider {
 
   /// Whether it doesn't get to any of the points in the step.
   bool stays_apart(const Manifold& m) const {
-    const double near = 2.0 * m.normal.dot(way) + kAheadWay * radius;
+    const double near = 2.0 * m.normal.dot(way) + kNearly * radius;
     return std::ranges::all_of(points_of(m), [&](const ManifoldPoint& p) { return p.separation > near; });
   }
 
@@ -64,7 +59,7 @@ void touch_midway(const FoundTouches& found, std::size_t first, std::span<Manifo
                   std::span<std::uint8_t> points) {
   const StepStart& start = found.start;
   const std::span<const Touch> touches = found.touches.subspan(first, manifolds.size());
-  const auto bends = [&](const Touch& touch) { return touches_what_bends(start, touch); };
+  const auto bends = [&](const Touch& touch) { return start.obstacles().bends_at(touch.pair.b); };
   if (!is_disc(start.colliders(), touches[0].pair.a) || std::ranges::none_of(touches, bends)) return;
   const Slider disc{start.colliders().radius[touches[0].pair.a],
                     0.5 * found.dt * start.bodies[touches[0].a].velocity};

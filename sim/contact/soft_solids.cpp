@@ -61,11 +61,10 @@ void SoftSolids::find_kinematic(const Candidates& candidates, const State& state
 void SoftSolids::find_obstacles(const Candidates& candidates, const SoftPlaces& places,
                                 std::span<const SolverBody> bodies) {
   const Obstacles& obstacles = candidates.obstacles();
-  const std::size_t sides = obstacles.side.size();
   const auto last = static_cast<std::uint32_t>(bodies.size() - 1);
   for (const broadphase::Pair& pair : candidates.obstacle_pairs()) {
-    const auto* side = pair.b < sides ? &obstacles.side[pair.b] : nullptr;
-    const auto* part = side ? nullptr : &obstacles.part[pair.b - sides];
+    const auto* side = obstacles.is_side(pair.b) ? &obstacles.side[pair.b] : nullptr;
+    const auto* part = side ? nullptr : &obstacles.part_at(pair.b);
     const std::uint32_t disc = candidates.colliders().body[pair.a], place = places.place(disc);
     add({key_of(pair, true), place, last, 0.0, side, part, candidates.obstacle_shift(pair.a), {}}, disc,
         obstacles.material[pair.b], bodies[place]);

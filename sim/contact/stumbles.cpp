@@ -61,17 +61,12 @@ std::uint32_t own_part(const Touch& touch, std::uint32_t body) {
   return is_a(touch, body) ? touch.pair.a : touch.pair.b;
 }
 
-bool is_side(const StepStart& start, const Touch& touch) {
-  return touch.obstacle && touch.pair.b < start.obstacles().side.size();
-}
-
 /// m, how far that way the collider reaches that is the touch's a, or its b, where A stands itself.
 double reach_of_collider(const StepStart& start, const Touch& touch, bool of_a, const Vec& shift,
                          const Vec& way) {
   thread_local Convex disc = narrowphase::disc(1.0);
-  const Obstacles& obstacles = start.obstacles();
   const Convex& part = !of_a && touch.obstacle
-                           ? obstacles.part[touch.pair.b - obstacles.side.size()]
+                           ? start.obstacles().part_at(touch.pair.b)
                            : shape(start.colliders(), of_a ? touch.pair.a : touch.pair.b, disc);
   const TouchPoses poses = touch_poses(start, touch);
   Pose pose = of_a ? poses.a : poses.b;
@@ -92,12 +87,6 @@ bool is_heavier(const StepStart& start, const Touch& touch, std::uint32_t body) 
   const SolverBody &a = start.bodies[touch.a], &b = start.bodies[touch.b];
   const SolverBody &own = is_a(touch, body) ? a : b, &other = is_a(touch, body) ? b : a;
   return own.inverse_mass > 0.0 && other.inverse_mass <= own.inverse_mass;
-}
-
-/// m; of an obstacle's part it isn't known.
-double smaller_radius(const Colliders& colliders, const Touch& touch) {
-  const double a = colliders.radius[touch.pair.a];
-  return touch.obstacle ? a : std::min(a, colliders.radius[touch.pair.b]);
 }
 
 /// m/s, of b against a at the first of the points. A disc that rolls goes on though its surface stands there:

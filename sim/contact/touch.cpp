@@ -73,11 +73,10 @@ Manifold touch_manifold(const Candidates& candidates, const Touch& touch, const 
   }
   const Obstacles& obstacles = candidates.obstacles();
   const double reach = candidates.reach(row_a);
-  const std::size_t sides = obstacles.side.size();
-  if (row_b < sides) return narrowphase::manifold(a, pose_a, obstacles.side[row_b], reach);
-  const Convex& part = obstacles.part[row_b - sides];
+  if (obstacles.is_side(row_b)) return narrowphase::manifold(a, pose_a, obstacles.side[row_b], reach);
+  const Convex& part = obstacles.part_at(row_b);
   return on_outline_of_b(narrowphase::manifold(a, pose_a, part, pose_b, reach, reference(kept, a, part)),
-                         {a, pose_a}, {part, pose_b}, obstacles.rim[row_b - sides], reach);
+                         {a, pose_a}, {part, pose_b}, obstacles.rim_at(row_b), reach);
 }
 
 }  // namespace throng

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "broadphase/pairs.h"
@@ -39,6 +40,17 @@ struct Touch {
 
   std::uint64_t key() const { return key_of(pair, obstacle); }
 };
+
+/// Whether it is with a side of the domain's box.
+inline bool is_side(const StepStart& start, const Touch& touch) {
+  return touch.obstacle && start.obstacles().is_side(touch.pair.b);
+}
+
+/// m; of an obstacle it isn't known.
+inline double smaller_radius(const Colliders& colliders, const Touch& touch) {
+  const double a = colliders.radius[touch.pair.a];
+  return touch.obstacle ? a : std::min(a, colliders.radius[touch.pair.b]);
+}
 
 /// How the two act on each other.
 const Surface& surface_of(const Scene& scene, const Plan& plan, const Obstacles& obstacles,

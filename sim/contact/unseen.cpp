@@ -105,8 +105,7 @@ bool Unseen::met_obstacle(const Step& step, std::uint32_t collider) {
   bool any = false;
   candidates_.for_each_obstacle_near(box(collider), [&](std::uint32_t row) {
     if (any) return;
-    const Convex& part = obstacles.part[row - obstacles.side.size()];
-    any = met_part(step, collider, row, part);
+    any = met_part(step, collider, row, obstacles.part_at(row));
   });
   return any;
 }

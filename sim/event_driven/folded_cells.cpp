@@ -87,17 +87,16 @@ void FoldedCells::for_each_slot(const Eigen::AlignedBox2d& box, Visit visit) con
 
 void FoldedCells::list(const Obstacles& obstacles, double reach) {
   if (obstacles.size() == 0) return;
-  const std::size_t sides = obstacles.side.size();
   std::vector<std::pair<std::size_t, std::uint32_t>> listed;
   const Vec end(border(0, count_[0]), border(1, count_[1])), grown(reach, reach);
   for (std::uint32_t row = 0; row < obstacles.size(); ++row) {
     Eigen::AlignedBox2d box(origin_, end);
-    if (row < sides) {  // from its line inwards
+    if (obstacles.is_side(row)) {  // from its line inwards
       const narrowphase::HalfPlane& side = obstacles.side[row];
       const int axis = side.normal.x() != 0.0 ? 0 : 1;
       (side.normal[axis] > 0.0 ? box.max() : box.min())[axis] = side.point[axis];
     } else {
-      box = bounds(obstacles.part[row - sides]);
+      box = bounds(obstacles.part_at(row));
     }
     box.min() -= grown, box.max() += grown;
     for_each_slot(box, [&](std::size_t slot) { listed.emplace_back(slot, row); });

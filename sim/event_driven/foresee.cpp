@@ -79,22 +79,20 @@ void HardDiscs::foresee_straight_crossing(const Flying& one, double now, Next& n
 void HardDiscs::foresee_obstacles(std::uint32_t disc, double now, std::uint32_t collided) {
   const Flying& one = discs_[disc];
   Next& next = next_[disc];
-  const std::size_t sides = obstacles_.side.size();
   const auto rows = cells_.obstacles(cells_.slot(next_[disc].cell));
   if (rows.empty()) return;
   const narrowphase::Fall fall{place(one, now), velocity(one, now), pull_};
   for (const std::uint32_t row : rows) {
     const auto other = static_cast<std::uint32_t>(discs_.size()) + row;
     double time;
-    if (row < sides)
+    if (obstacles_.is_side(row))
       time = narrowphase::fall_time(fall, one.radius, obstacles_.side[row]);
     else if (plan_.gravity)
-      time = narrowphase::fall_time(fall, one.radius, obstacles_.part[row - sides], next.crossing - now);
+      time = narrowphase::fall_time(fall, one.radius, obstacles_.part_at(row), next.crossing - now);
     else if (other == collided)
       continue;
     else
-      time = narrowphase::disc_flight(fall.position, one.radius, fall.velocity, obstacles_.part[row - sides])
-                 .time;
+      time = narrowphase::disc_flight(fall.position, one.radius, fall.velocity, obstacles_.part_at(row)).time;
     if (now + time < std::min(next.collision, next.crossing)) next.collision = now + time, next.other = other;
   }
 }

@@ -105,7 +105,6 @@ void HardDiscs::refuse_overlaps() {
     throw InputError("engine event_driven: body " + std::to_string(body(disc) + 1) + " and " + name(other) +
                      " overlap by " + depth + " m at the beginning: hard discs can't");
   };
-  const std::size_t sides = obstacles_.side.size();
   for (std::uint32_t disc = 0; disc < discs_.size(); ++disc) {
     const Flying& one = discs_[disc];
     for_each_near(disc, {}, [&](std::span<const std::uint32_t> near, const Vec& shift) {
@@ -116,12 +115,11 @@ void HardDiscs::refuse_overlaps() {
     });
     for (const std::uint32_t row : cells_.obstacles(cells_.slot(next_[disc].cell))) {
       const auto count = static_cast<std::uint32_t>(discs_.size());
-      refuse(
-          disc, count + row,
-          row < sides
-              ? narrowphase::disc_flight(one.position, one.radius, one.velocity, obstacles_.side[row]).gap
-              : narrowphase::disc_flight(one.position, one.radius, one.velocity, obstacles_.part[row - sides])
-                    .gap);
+      refuse(disc, count + row,
+             obstacles_.is_side(row)
+                 ? narrowphase::disc_flight(one.position, one.radius, one.velocity, obstacles_.side[row]).gap
+                 : narrowphase::disc_flight(one.position, one.radius, one.velocity, obstacles_.part_at(row))
+                       .gap);
     }
   }
 }
@@ -270,9 +268,9 @@ Vec HardDiscs::normal(std::uint32_t disc, std::uint32_t other) const {
     const Vec way = discs_[other].position - from;
     return (plan_.periodic ? nearest_image(way, period_) : way).normalized();
   }
-  const std::size_t row = other - discs_.size(), sides = obstacles_.side.size();
-  if (row < sides) return -obstacles_.side[row].normal;
-  return narrowphase::towards(from, obstacles_.part[row - sides]);
+  const auto row = static_cast<std::uint32_t>(other - discs_.size());
+  if (obstacles_.is_side(row)) return -obstacles_.side[row].normal;
+  return narrowphase::towards(from, obstacles_.part_at(row));
 }
 
 void HardDiscs::collide(std::uint32_t disc, double now, std::vector<ContactRow>& rows) {

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "narrowphase/decompose.h"
 #include "narrowphase/weld.h"
@@ -49,6 +50,15 @@ TEST(Rims, KnowHowAWallTurnsOnEachSide) {
     EXPECT_EQ(top.at_head, Turn::convex) << "the free end";
     EXPECT_EQ(under.at_head, angle == 0.0 ? Turn::flat : angle > 0.0 ? Turn::convex : Turn::concave);
   }
+}
+
+TEST(Rims, TellPiecesThatBendGently) {
+  for (const auto& [angle, gently] : {std::pair{0.0, false}, {0.005, true}, {-0.005, true}, {0.02, false}}) {
+    const std::vector<Convex> parts = bent_wall(angle);
+    const std::vector<Rim> r = rims(parts);
+    for (int i = 0; i < 2; ++i) EXPECT_EQ(bends_gently(parts[i], r[i]), gently) << angle;
+  }
+  EXPECT_FALSE(bends_gently(segment({0, 0}, {1, 0}), {})) << "it meets no other";
 }
 
 TEST(Rims, TakeTheNearestOfSeveralWallsRoundAPoint) {
