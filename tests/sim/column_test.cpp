@@ -13,7 +13,8 @@ std::vector<Column> columns_of(std::initializer_list<Vec> places) {
   std::string text =
       "gravity = [0, -9.81]\n[shapes]\nbox = { polygon = [[0, 0], [0.5, 0], [0.5, 1], [0, 1]] }\n";
   for (const Vec& at : places)
-    text += "[[bodies]]\nshape = \"box\"\nat = [" + std::to_string(at.x()) + ", " + std::to_string(at.y()) + "]\n";
+    text += "[[bodies]]\nshape = \"box\"\nat = [" + std::to_string(at.x()) + ", " + std::to_string(at.y()) +
+            "]\n";
   return columns(scene_from(text));
 }
 
