@@ -45,7 +45,8 @@ void read_time(const toml::table& root, Scene& scene, Report& report) {
   if (const toml::node* dt = table.get("dt"); dt && dt->is_string())
     return read_wanted_error(table, time, report);
   if (const toml::node* error = table.get("error"))
-    report.error(*error, "time.error", "needs dt = \"auto\", which is chosen for it");
+    report.error(*error, "time.error",
+                 "needs dt = \"auto\", which is chosen for it; leave it out where dt is given");
   time.dt = number(table, "dt", time.dt);
   time.until = number(table, "until", time.until);
   time.substeps = static_cast<int>(number(table, "substeps", substeps_of(time.dt)));

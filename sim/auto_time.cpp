@@ -152,7 +152,8 @@ AutoTime standing(const Scene& scene) {
   double sways = kInfinite, falls = kInfinite, load = 0.0;
   for (const Column& column : columns(scene)) {
     if (column.thinnest > kThinnest)
-      return refused("what stands on one another is more than four times as high as wide, and sways");
+      return refused(
+          "a body of those that stand on one another is more than four times as high as wide, and sways");
     sways = std::min(sways, sways_by(column, allowed, g));
     falls = std::min(falls, stands_by(column, radius, g)), load = std::max(load, column.load);
   }
