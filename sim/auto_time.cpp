@@ -29,7 +29,7 @@ constexpr double kLateBounces = 1.5;  // of g h t, how late who bounces is
 constexpr double kLeans = 2.0;        // times the mean load, as who lies between others presses aside, too
 constexpr double kJams = 6.0;         // widths of a body, in a box narrower than which it jams
 constexpr double kThinnest = 4.001;   // height over width of bodies whose towers' sway is known
-constexpr double kStands = 3.0;       // sqrt(L / g) / n², the substep up to which towers stand
+constexpr double kStands = 2.85;      // sqrt(L / g) / n², the substep up to which towers stand
 constexpr double kLongestStep = 1.0 / 60.0;  // s, of steps in which contacts are found once
 constexpr int kSubsteps = 16;                // as cheap as fewer, longer steps of as many substeps are dear
 constexpr int kFewestSubsteps = 4;           // of them
@@ -164,7 +164,7 @@ AutoTime standing(const Scene& scene) {
   result.why +=
       sways < falls
           ? text(", and may move by %.3g m: h <= %.3g s", allowed, substep)
-          : text(", and a tower of so many falls from 1.2 times %.3g s on: h is no longer", substep);
+          : text(", and a tower of so many falls from 1.3 times %.3g s on: h is no longer", substep);
   return result;
 }
 
