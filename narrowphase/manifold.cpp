@@ -198,10 +198,6 @@ double edge_length(const Convex& shape, std::size_t edge) {
   return (shape.vertices[next(edge, shape.vertices.size())] - shape.vertices[edge]).norm();
 }
 
-double deepest(const Manifold& m) {
-  return m.count == 1 ? m.points[0].separation : std::min(m.points[0].separation, m.points[1].separation);
-}
-
 /// On the reference's face `edge`, which was the last manifold's; empty where `widest`, a face of `owner`, is
 /// wider by much, or where this one leaves out the deepest place.
 Manifold kept_manifold(const Roles& roles, std::size_t edge, const Face& widest, const Convex& owner,
@@ -213,7 +209,7 @@ Manifold kept_manifold(const Roles& roles, std::size_t edge, const Face& widest,
   if (widest.separation > face.separation + much) return {};
   const Manifold m = clip(roles, face, reach);
   const double radii = roles.reference.radius + roles.incident.radius;
-  return m.count > 0 && deepest(m) + radii <= widest.separation + much ? m : Manifold{};
+  return m.count > 0 && least_separation(m) + radii <= widest.separation + much ? m : Manifold{};
 }
 
 Manifold polygon_manifold(const Convex& a, const Pose& pose_a, const Convex& b, const Pose& pose_b,

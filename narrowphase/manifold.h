@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 
 #include "narrowphase/convex.h"
 
@@ -29,6 +31,13 @@ struct Manifold {
   int count = 0;
   std::array<ManifoldPoint, 2> points;
 };
+
+/// m: infinite where there is no point.
+inline double least_separation(const Manifold& manifold) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < manifold.count; ++i) least = std::min(least, manifold.points[i].separation);
+  return least;
+}
 
 /// Of the shorter of two faces: by so much the one that isn't the reference may be wider. More would press in
 /// what the wider face lets go: from 2^-16 on the deepest overlap of a pyramid at rest grows by 6 %; the mean

@@ -30,7 +30,7 @@ Height height(const Scene& scene, const Workspace& work, F counts) {
   const Vec up = -scene.gravity.normalized();
   Height height;
   work.sleepers.bodies().for_each([&](std::uint32_t i) {
-    if (work.bodies[i].inverse_mass > 0.0 && counts(i)) height.add(i, up.dot(work.bodies[i].position));
+    if (work.bodies[i].is_dynamic() && counts(i)) height.add(i, up.dot(work.bodies[i].position));
   });
   return height;
 }

@@ -135,7 +135,7 @@ void push(const Scene& scene, const Plan& plan, State& state, Workspace& work, b
   by_parts(work, [&](Rows rows) { load(plan, state, rows, work.bodies); });
   if (plan.contacts()) {
     work.finder.find({work.candidates, state, work.bodies}, work.contacts, work.workers);
-    work.bounces.start_step(work.contacts);
+    work.bounces.start_step(work.contacts, work.finder.parts());
     work.ahead = 2.0 * work.candidates.chain() > work.finder.least_way() ? work.solver.h : 0.0;
     clock.lap(work.times.find_contacts);
   }

@@ -39,7 +39,7 @@ int hit_sweeps(const Contacts& contacts) {
 
 void fall(BodyRows<SolverBody> bodies, Rows awake, const Vec& kick) {
   awake.for_each([&](std::uint32_t i) {
-    if (bodies[i].inverse_mass > 0.0) bodies[i].velocity += kick;
+    if (bodies[i].is_dynamic()) bodies[i].velocity += kick;
   });
 }
 
@@ -57,7 +57,7 @@ void bounce(Workspace& work, BounceRule rule, int bounces) {
   for (int sweep = 0; sweep < std::max(bounces, hits); ++sweep) {
     if (sweep == hits) rule.hit_speed = rule.follow_speed = kNever;
     if (sweep == bounces) rule.threshold = kNever;
-    if (!work.bounces.sweep(work.contacts, work.bodies, rule)) return;
+    if (!work.bounces.sweep(work.contacts, work.bodies, rule, work.workers)) return;
   }
 }
 
@@ -65,7 +65,7 @@ void bounce(const Plan& plan, Workspace& work, const Vec& kick, const Vec* perio
   if (work.contacts.disc_bounces.empty() && work.contacts.point_bounces.empty()) return;
   const double h = work.solver.h, hit_speed = work.finder.hit_speed();
   const BounceRule rule{h, h, kRestSpeed * kick.norm(), hit_speed, hit_speed, kick, period, work.ahead, h};
-  work.bounces.start(work.bodies, rule);
+  work.bounces.start(work.bodies, rule, work.workers);
   bounce(work, rule, bounce_sweeps(plan));
 }
 
@@ -164,7 +164,6 @@ void substep(const Scene& scene, const Plan& plan, const State& state, Workspace
   bounce(plan, work, plan.gravity ? kick : Vec(0.0, 0.0), period);
   if (plan.gravity) by_parts(work, [&](Rows rows) { fall(work.bodies, rows, kick); });
   work.solver.backward = way.backward;
-  if (plan.restitution) forget_elsewhere(scene, work);
   if (plan.contacts()) start_and_push_apart(work, period);
   const bool at_once = plan.contacts() && !way.guarded && work.contacts.hits == 0;
   if (way.guarded)
@@ -172,6 +171,7 @@ void substep(const Scene& scene, const Plan& plan, const State& state, Workspace
   else if (!at_once)
     by_parts(work, [&](Rows rows) { move(work.bodies, rows, work.solver.h, plan.rotation); });
   stop(work, period);
+  if (plan.restitution) forget_elsewhere(scene, work);
   work.solver.backward = !way.backward;
   if (plan.contacts()) relax(work, plan, at_once);
 }

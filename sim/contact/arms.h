@@ -65,7 +65,7 @@ inline Vec place(const DiscContact& contact, const SolverBody& a, const SolverBo
 /// The same of a point, on the surface of who yields, who has turned for `time` (s) since arms were as they
 /// are: a face that is driven may be felt elsewhere.
 inline Vec place(const PointContact& contact, const SolverBody& a, const SolverBody& b, double time) {
-  const bool of_a = a.inverse_mass > 0.0;
+  const bool of_a = a.is_dynamic();
   const SolverBody& body = of_a ? a : b;
   const Vec round = of_a ? Vec(contact.round_a * contact.normal) : Vec(-contact.round_b * contact.normal);
   const Vec turning = (of_a ? contact.arm_a : contact.arm_b) - round;

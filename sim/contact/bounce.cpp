@@ -23,7 +23,7 @@ constexpr double kLeastRubbed = 0.1;      // of what Coulomb's law lets friction
 
 /// The velocity that gravity adds to b against a, along the normal: nothing where both fall.
 double relative_kick(const ContactBase& c, const SolverBody& a, const SolverBody& b, const Vec& kick) {
-  const double falls_a = a.inverse_mass > 0.0 ? 1.0 : 0.0, falls_b = b.inverse_mass > 0.0 ? 1.0 : 0.0;
+  const double falls_a = a.is_dynamic() ? 1.0 : 0.0, falls_b = b.is_dynamic() ? 1.0 : 0.0;
   return (falls_b - falls_a) * kick.dot(c.normal);
 }
 

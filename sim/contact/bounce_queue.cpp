@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "sim/contact/solve.h"
@@ -16,13 +17,14 @@ namespace {
 
 constexpr double kRounding = 1e-9;
 
+constexpr std::uint32_t kAcross = std::uint32_t{1} << 31;  // of an entry: joins parts
+
+/// So many entries are worth a hand-over.
+constexpr std::size_t kManyWait = 128;
+
 /// m/s, of what may bounce, or hit.
 double least_speed(bool bounces, const BounceRule& rule) {
   return (1.0 - kRounding) * (bounces ? rule.threshold : rule.hit_speed);
-}
-
-bool moves(const SolverBody& body) {
-  return body.inverse_mass > 0.0;
 }
 
 /// The contacts at the front that are of the same two bodies.
@@ -35,12 +37,20 @@ std::size_t of_one_pair(std::span<const PointContact> contacts) {
 
 }  // namespace
 
+std::size_t BounceQueue::Group::count_waiting() const {
+  const auto add = [](std::size_t n, std::uint64_t word) {
+    return n + static_cast<std::size_t>(std::popcount(word));
+  };
+  return std::accumulate(waiting.begin(), waiting.end(), std::size_t{0}, add);
+}
+
 void BounceQueue::list(std::span<const DiscContact> contacts) {
   for (std::uint32_t i = 0; i < contacts.size(); ++i) {
     const DiscContact& contact = contacts[i];
     const bool bounces = contact.restitution > 0.0;
-    if (bounces || contact.hits)
-      entries_.push_back({contact.a, contact.b, i, 1, contact.radius_a + contact.radius_b, bounces});
+    if (!bounces && !contact.hits) continue;
+    groups_[parts_->group(contact.a, contact.b)].entries.push_back(
+        {contact.a, contact.b, i, 1, contact.radius_a + contact.radius_b, bounces});
   }
 }
 
@@ -61,23 +71,26 @@ void BounceQueue::list(std::span<const PointContact> contacts) {
       reach.of_b = std::max(reach.of_b, contact.first_b.norm() + contact.round_b);
       entry.bounces |= contact.restitution > 0.0, hits |= contact.hits;
     }
-    if (entry.bounces || hits) entries_.push_back(entry), reaches_.push_back(reach);
+    if (!entry.bounces && !hits) continue;
+    Group& group = groups_[parts_->group(entry.a, entry.b)];
+    group.entries.push_back(entry), group.reaches.push_back(reach);
   }
 }
 
-void BounceQueue::start_step(const Contacts& contacts) {
-  entries_.clear(), reaches_.clear(), joined_ = false;
+void BounceQueue::start_step(const Contacts& contacts, const Parts& parts) {
+  parts_ = &parts, joined_ = false;
+  groups_.resize(parts.groups());
+  for (Group& group : groups_) group.entries.clear(), group.reaches.clear();
   list(contacts.disc_bounces);
-  discs_ = entries_.size();
+  for (Group& group : groups_) group.discs = group.entries.size();
   list(contacts.point_bounces);
+  for (Group& group : groups_) group.prepared.assign(group.entries.size(), 0);
   stands_.resize(contacts.point_bounces.size());
-  prepared_.assign(entries_.size(), 0);
 }
 
 /// By how fast their centres are against each other, and how far apart. A little is left to rounding.
-bool BounceQueue::discs_may_meet(std::size_t i, BodyRows<const SolverBody> bodies,
-                                 const BounceRule& rule) const {
-  const Entry& entry = entries_[i];
+bool BounceQueue::discs_may_meet(const Entry& entry, BodyRows<const SolverBody> bodies,
+                                 const BounceRule& rule) {
   const SolverBody &a = bodies[entry.a], &b = bodies[entry.b];
   const double speed = (b.velocity - a.velocity).norm();
   if (speed < least_speed(entry.bounces, rule)) return false;
@@ -89,10 +102,8 @@ bool BounceQueue::discs_may_meet(std::size_t i, BodyRows<const SolverBody> bodie
 
 /// Along their normal, which stays for the step, by no more than spins add to the speed there, and to the way
 /// since the step began; by the speed alone where there are several normals.
-bool BounceQueue::points_may_meet(std::size_t i, BodyRows<const SolverBody> bodies,
-                                  const BounceRule& rule) const {
-  const Entry& entry = entries_[i];
-  const Reach& reach = reaches_[i - discs_];
+bool BounceQueue::points_may_meet(const Entry& entry, const Reach& reach, BodyRows<const SolverBody> bodies,
+                                  const BounceRule& rule) {
   const SolverBody &a = bodies[entry.a], &b = bodies[entry.b];
   const Vec velocity = b.velocity - a.velocity, between = b.position - a.position;
   const bool one_normal = reach.normal != Vec(0.0, 0.0);
@@ -105,33 +116,56 @@ bool BounceQueue::points_may_meet(std::size_t i, BodyRows<const SolverBody> bodi
   return !(apart - kRounding * between.lpNorm<1>() > rule.h * (nears + rule.kick.norm()));
 }
 
-void BounceQueue::start(BodyRows<const SolverBody> bodies, const BounceRule& rule) {
+bool BounceQueue::may_meet(const Group& group, std::uint32_t i, BodyRows<const SolverBody> bodies,
+                           const BounceRule& rule) {
+  const Entry& entry = group.entries[i];
+  return i < group.discs ? discs_may_meet(entry, bodies, rule)
+                         : points_may_meet(entry, group.reaches[i - group.discs], bodies, rule);
+}
+
+void BounceQueue::start(BodyRows<const SolverBody> bodies, const BounceRule& rule, Workers& workers) {
   substep_ = ++phase_;
   struck_in_.resize(bodies.size());
-  struck_.clear();
-  waiting_.assign((entries_.size() + 63) / 64, 0);
-  for (std::uint32_t i = 0; i < entries_.size(); ++i)
-    if (i < discs_ ? discs_may_meet(i, bodies, rule) : points_may_meet(i, bodies, rule)) wait(i);
+  workers.for_few(groups_.size(), [&](std::size_t g) {
+    Group& group = groups_[g];
+    group.struck.clear();
+    group.waiting.assign((group.entries.size() + 63) / 64, 0);
+    for (std::uint32_t i = 0; i < group.entries.size(); ++i)
+      if (may_meet(group, i, bodies, rule)) group.wait(i);
+  });
 }
 
 void BounceQueue::go_on() {
   ++phase_;
-  std::ranges::fill(waiting_, 0);
-  for (const std::uint32_t body : struck_) wait_for(body);
+  for (Group& group : groups_) std::ranges::fill(group.waiting, 0);
+  for (const Group& group : groups_)
+    for (const std::uint32_t body : group.struck) wait_for(groups_.back(), body);
 }
 
-/// All of them: to look is as quick as to ask whether to, where most are near.
-void BounceQueue::wait_for(std::uint32_t body) {
-  for (std::uint32_t i = first_of_[body]; i < first_of_[body + 1]; ++i) wait(of_body_[i]);
+/// All of them: to look is as quick as to ask whether to, where most are near. By a group of a part those
+/// that join parts come to wait after all such groups.
+void BounceQueue::wait_for(Group& group, std::uint32_t body) {
+  Group& its = groups_[parts_->group(body)];
+  bool across = false;
+  for (std::uint32_t i = first_of_[body]; i < first_of_[body + 1]; ++i)
+    (of_body_[i] & kAcross) ? void(across = true) : its.wait(of_body_[i]);
+  if (!across) return;
+  joins_parts(group) ? wait_across(body) : group.outward.push_back(body);
+}
+
+void BounceQueue::wait_across(std::uint32_t body) {
+  for (std::uint32_t i = first_of_[body]; i < first_of_[body + 1]; ++i)
+    if (of_body_[i] & kAcross) groups_.back().wait(of_body_[i] & ~kAcross);
 }
 
 /// Lists the entries of each body that moves.
 void BounceQueue::join(BodyRows<const SolverBody> bodies) {
   first_of_.assign(bodies.size() + 1, 0);
   const auto for_each_end = [&](auto f) {
-    for (std::uint32_t i = 0; i < entries_.size(); ++i)
-      for (const std::uint32_t body : {entries_[i].a, entries_[i].b})
-        if (moves(bodies[body])) f(body, i);
+    for (const Group& group : groups_)
+      for (std::uint32_t i = 0; i < group.entries.size(); ++i)
+        for (const std::uint32_t body : {group.entries[i].a, group.entries[i].b})
+          if (bodies[body].is_dynamic()) f(body, joins_parts(group) ? i | kAcross : i);
   };
   for_each_end([&](std::uint32_t body, std::uint32_t) { ++first_of_[body]; });
   std::uint32_t end = 0;
@@ -142,18 +176,19 @@ void BounceQueue::join(BodyRows<const SolverBody> bodies) {
 }
 
 /// What doesn't move isn't struck.
-void BounceQueue::note_strike(std::uint32_t body, BodyRows<const SolverBody> bodies) {
-  if (!moves(bodies[body])) return;
-  if (struck_in_[body] < substep_) struck_.push_back(body);
-  struck_in_[body] = phase_;
-  wait_for(body);
+void BounceQueue::note_strike(Group& group, std::uint32_t body, BodyRows<const SolverBody> bodies) {
+  if (!bodies[body].is_dynamic()) return;
+  std::uint64_t& struck_in = struck_in_[bodies.slots().slot(body)];
+  if (struck_in < substep_) group.struck.push_back(body);
+  struck_in = phase_;
+  wait_for(group, body);
 }
 
-bool BounceQueue::look_at(std::uint32_t i, Contacts& contacts, BodyRows<SolverBody> bodies,
+bool BounceQueue::look_at(Group& group, std::uint32_t i, Contacts& contacts, BodyRows<SolverBody> bodies,
                           const BounceRule& rule) {
-  const Entry& entry = entries_[i];
-  const bool is_new = std::exchange(prepared_[i], phase_) != phase_;
-  if (i < discs_) {
+  const Entry& entry = group.entries[i];
+  const bool is_new = std::exchange(group.prepared[i], phase_) != phase_;
+  if (i < group.discs) {
     const std::span<DiscContact> one = std::span(contacts.disc_bounces).subspan(entry.first, 1);
     if (is_new) prepare(one, bodies, rule.period, rule.ahead);
     return bounce(one[0], bodies, rule);
@@ -169,24 +204,45 @@ bool BounceQueue::look_at(std::uint32_t i, Contacts& contacts, BodyRows<SolverBo
   return bounce(pair, bodies, rule);
 }
 
-bool BounceQueue::sweep(Contacts& contacts, BodyRows<SolverBody> bodies, const BounceRule& rule) {
+void BounceQueue::sweep(Group& group, Contacts& contacts, BodyRows<SolverBody> bodies,
+                        const BounceRule& rule) {
   BounceRule in_course = rule;
   in_course.hit_speed = rule.follow_speed;
-  for (std::size_t word = 0; word < waiting_.size(); ++word) {
+  const auto was_struck = [&](std::uint32_t body) { return struck_in_[bodies.slots().slot(body)] == phase_; };
+  for (std::size_t word = 0; word < group.waiting.size(); ++word) {
     std::uint64_t ahead = ~std::uint64_t{0};
-    while (const std::uint64_t left = waiting_[word] & ahead) {
+    while (const std::uint64_t left = group.waiting[word] & ahead) {
       const std::uint64_t bit = left & -left;
       ahead = ~(bit | (bit - 1));
-      waiting_[word] &= ~bit;
+      group.waiting[word] &= ~bit;
       const std::uint32_t i =
           static_cast<std::uint32_t>(64 * word) + static_cast<std::uint32_t>(std::countr_zero(bit));
-      const auto [a, b] = std::pair(entries_[i].a, entries_[i].b);
-      if (!look_at(i, contacts, bodies, was_struck(a) || was_struck(b) ? in_course : rule)) continue;
-      if (!joined_) join(bodies);
-      note_strike(a, bodies), note_strike(b, bodies);
+      const auto [a, b] = std::pair(group.entries[i].a, group.entries[i].b);
+      if (!look_at(group, i, contacts, bodies, was_struck(a) || was_struck(b) ? in_course : rule)) continue;
+      note_strike(group, a, bodies), note_strike(group, b, bodies);
     }
   }
-  return std::ranges::any_of(waiting_, [](std::uint64_t word) { return word != 0; });
+}
+
+bool BounceQueue::sweep(Contacts& contacts, BodyRows<SolverBody> bodies, const BounceRule& rule,
+                        Workers& workers) {
+  std::size_t wait = 0;
+  for (const Group& group : groups_) wait += group.count_waiting();
+  if (wait == 0) return false;
+  if (!joined_) join(bodies);
+  const std::size_t parts = parts_->count();
+  auto sweep_part = [&](std::size_t part) {
+    groups_[part].outward.clear();
+    sweep(groups_[part], contacts, bodies, rule);
+  };
+  if (wait < kManyWait)
+    for (std::size_t part = 0; part < parts; ++part) sweep_part(part);
+  else
+    workers.for_few(parts, sweep_part);
+  for (std::size_t part = 0; part < parts; ++part)
+    for (const std::uint32_t body : groups_[part].outward) wait_across(body);
+  if (parts > 1) sweep(groups_.back(), contacts, bodies, rule);
+  return std::ranges::any_of(groups_, [](const Group& group) { return group.count_waiting() > 0; });
 }
 
 }  // namespace throng

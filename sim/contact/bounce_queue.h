@@ -10,27 +10,30 @@
 #include "sim/contact/bounce.h"
 #include "sim/contact/contacts.h"
 #include "sim/contact/face_stand.h"
+#include "sim/contact/parts.h"
+#include "sim/workers.h"
 
 namespace throng {
 
 /// Which contacts of a step are to be looked at for bounces: at first those of two who may meet in the
 /// substep, then all those of bodies that were struck. Costs what is looked at, and of the others a few
-/// additions and a bit.
+/// additions and a bit. Those of parts are swept at the same time, those that join parts after; the answer is
+/// the same for any number of threads.
 class BounceQueue {
  public:
-  /// The contacts that a step lists among bounces. O(contacts).
-  void start_step(const Contacts& contacts);
+  /// The contacts that a step lists among bounces. `parts` is asked until the next call. O(contacts).
+  void start_step(const Contacts& contacts, const Parts& parts);
 
   /// Before the first sweep of a substep: waiting are all who may bounce or hit by the rule. O(contacts).
-  void start(BodyRows<const SolverBody> bodies, const BounceRule& rule);
+  void start(BodyRows<const SolverBody> bodies, const BounceRule& rule, Workers& workers);
   /// Before further sweeps of it, after bodies have moved: waiting is who touches somebody that was struck.
   void go_on();
 
-  /// Looks once at each contact that waits, discs' first, in their order, and at those further on of who is
-  /// struck meanwhile; the contacts of two bodies at their points are looked at together. Contacts are
-  /// prepared when they are first looked at since start() or go_on(), by the velocities of that moment, which
-  /// a strike before may have changed. Returns whether any waits then.
-  bool sweep(Contacts& contacts, BodyRows<SolverBody> bodies, const BounceRule& rule);
+  /// Looks once at each contact that waits, group after group, in a group discs' first, in their order, and
+  /// at those further on of who is struck meanwhile; the contacts of two bodies at their points are looked at
+  /// together. Contacts are prepared when they are first looked at since start() or go_on(), by the
+  /// velocities of that moment, which a strike before may have changed. Returns whether any waits then.
+  bool sweep(Contacts& contacts, BodyRows<SolverBody> bodies, const BounceRule& rule, Workers& workers);
 
  private:
   /// A contact of two discs, or those of two bodies at points that stand one after the other.
@@ -48,28 +51,44 @@ class BounceQueue {
     Vec normal{0.0, 0.0};           // zero where there are several
   };
 
-  bool discs_may_meet(std::size_t i, BodyRows<const SolverBody> bodies, const BounceRule& rule) const;
-  bool points_may_meet(std::size_t i, BodyRows<const SolverBody> bodies, const BounceRule& rule) const;
-  bool look_at(std::uint32_t entry, Contacts& contacts, BodyRows<SolverBody> bodies, const BounceRule& rule);
+  /// The contacts of a part, or those that join parts.
+  struct Group {
+    std::vector<Entry> entries;
+    std::size_t discs = 0;                // how many of them are of discs
+    std::vector<Reach> reaches;           // of the others
+    std::vector<std::uint64_t> waiting;   // a bit an entry
+    std::vector<std::uint64_t> prepared;  // of each entry, in which phase
+    std::vector<std::uint32_t> struck;    // bodies, by its contacts first in this substep
+    std::vector<std::uint32_t> outward;   // in this sweep, who may touch somebody of another part
+
+    void wait(std::uint32_t entry) { waiting[entry / 64] |= std::uint64_t{1} << entry % 64; }
+    std::size_t count_waiting() const;
+  };
+
+  static bool discs_may_meet(const Entry& entry, BodyRows<const SolverBody> bodies, const BounceRule& rule);
+  static bool points_may_meet(const Entry& entry, const Reach& reach, BodyRows<const SolverBody> bodies,
+                              const BounceRule& rule);
+  static bool may_meet(const Group& group, std::uint32_t entry, BodyRows<const SolverBody> bodies,
+                       const BounceRule& rule);
   void list(std::span<const DiscContact> contacts);
   void list(std::span<const PointContact> contacts);
-  void note_strike(std::uint32_t body, BodyRows<const SolverBody> bodies);
   void join(BodyRows<const SolverBody> bodies);
-  void wait_for(std::uint32_t body);
-  bool was_struck(std::uint32_t body) const { return struck_in_[body] == phase_; }
-  void wait(std::uint32_t entry) { waiting_[entry / 64] |= std::uint64_t{1} << entry % 64; }
+  void sweep(Group& group, Contacts& contacts, BodyRows<SolverBody> bodies, const BounceRule& rule);
+  bool look_at(Group& group, std::uint32_t entry, Contacts& contacts, BodyRows<SolverBody> bodies,
+               const BounceRule& rule);
+  void note_strike(Group& group, std::uint32_t body, BodyRows<const SolverBody> bodies);
+  void wait_for(Group& group, std::uint32_t body);
+  void wait_across(std::uint32_t body);
+  bool joins_parts(const Group& group) const { return groups_.size() > 1 && &group == &groups_.back(); }
 
-  std::vector<Entry> entries_;
-  std::size_t discs_ = 0;                  // how many of them are of discs
-  std::vector<Reach> reaches_;             // of the others
-  std::vector<std::uint64_t> waiting_;     // a bit an entry
-  std::vector<std::uint64_t> prepared_;    // of each entry, in which phase
+  const Parts* parts_ = nullptr;
+  std::vector<Group> groups_;
   std::vector<FaceStand> stands_;          // of each contact at a point, in that phase, where faces turn
   std::uint64_t phase_ = 0, substep_ = 0;  // counted from start() and go_on(); the substep's first phase
-  std::vector<std::uint64_t> struck_in_;   // of each body, the phase
-  std::vector<std::uint32_t> struck_;      // bodies, in this substep, each once
+  std::vector<std::uint64_t> struck_in_;   // by slot of the body, the phase
   bool joined_ = false;                    // whether these are of this step:
-  std::vector<std::uint32_t> first_of_, of_body_;
+  std::vector<std::uint32_t> first_of_, of_body_;  // its entries in the group of its part, or kAcross and
+                                                   // those in the last one
 };
 
 }  // namespace throng

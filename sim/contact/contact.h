@@ -24,6 +24,8 @@ struct alignas(64) SolverBody {
   Vec position;            ///< m
   double turn;             ///< rad, since the step began
   double inverse_inertia;  ///< 1/(kg m²), as the inverse mass; 0 where nothing turns
+
+  bool is_dynamic() const { return inverse_mass > 0.0; }
 };
 static_assert(sizeof(SolverBody) == 64);
 
@@ -107,6 +109,12 @@ inline double effective_mass(const SolverBody& a, const SolverBody& b, double le
 inline double effective_mass(const SolverBody& a, const SolverBody& b, const Vec& arm_a, const Vec& arm_b,
                              const Vec& direction) {
   return effective_mass(a, b, cross(arm_a, direction), cross(arm_b, direction));
+}
+
+/// Those that the contact feels at its arms as they are.
+inline void set_masses(PointContact& contact, const SolverBody& a, const SolverBody& b) {
+  contact.normal_mass = effective_mass(a, b, contact.arm_a, contact.arm_b, contact.normal);
+  contact.tangent_mass = effective_mass(a, b, contact.arm_a, contact.arm_b, tangent(contact.normal));
 }
 
 }  // namespace throng

@@ -49,8 +49,7 @@ void place(PointContact& contact, const ManifoldPoint& point, const SolverBody& 
   contact.arm_a = contact.first_a + contact.round_a * n,
   contact.arm_b = contact.first_b - contact.round_b * n;
   contact.gap = point.separation - n.dot((b.position - a.position) + (contact.arm_b - contact.arm_a));
-  contact.normal_mass = effective_mass(a, b, contact.arm_a, contact.arm_b, n);
-  contact.tangent_mass = effective_mass(a, b, contact.arm_a, contact.arm_b, tangent(n));
+  set_masses(contact, a, b);
 }
 
 SolverBody moved(SolverBody body, const Vec& to) {
@@ -104,8 +103,8 @@ Turner turner_of(const StepStart& start, const Touch& touch, const Manifold& m, 
   const Turner of_b = touch.obstacle ? Turner{} : face(Turner::Body::b, touch.pair.b, b.spin, touch.b);
   const bool face_b = touch.obstacle ? has_face(start.obstacles(), touch.pair.b, Vec(-m.normal))
                                      : of_b.body != Turner::Body::none;
-  const bool yields_a = a.inverse_mass > 0.0, yields_b = b.inverse_mass > 0.0;
-  const bool rather_b = yields_a != yields_b ? yields_a : narrowphase::reference_is_b(m.points[0].feature);
+  const bool rather_b =
+      a.is_dynamic() != b.is_dynamic() ? a.is_dynamic() : narrowphase::reference_is_b(m.points[0].feature);
   const bool is_b = face_b && (of_a.body == Turner::Body::none || rather_b);
   return is_b ? (far_b ? of_b : Turner{}) : (far_a ? of_a : Turner{});
 }

@@ -43,8 +43,7 @@ void DiscBlocks::start(std::size_t bodies, std::size_t groups, const BodySlots& 
 void DiscBlocks::add(std::uint64_t key, const DiscContact& contact, const SolverBody& a, const SolverBody& b,
                      std::size_t group) {
   Group& own = groups_[group];
-  const std::uint32_t lane =
-      own.order.place(contact.a, a.inverse_mass > 0.0, contact.b, b.inverse_mass > 0.0);
+  const std::uint32_t lane = own.order.place(contact.a, a.is_dynamic(), contact.b, b.is_dynamic());
   key_.push_back(key), taken_.push_back(1);
   owner_.push_back({slots_->slot(contact.a), slots_->slot(contact.b), contact.normal_mass});
   seat_lane_.push_back({static_cast<std::uint32_t>(group), lane});

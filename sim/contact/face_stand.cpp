@@ -136,8 +136,7 @@ void turn_to(PointContact& contact, const FaceStand& felt, double separation, co
              const SolverBody& b) {
   contact.normal = felt.normal, contact.arm_a = felt.arm_a, contact.arm_b = felt.arm_b;
   contact.gap = separation - felt.normal.dot(b.position + felt.arm_b - a.position - felt.arm_a);
-  contact.normal_mass = effective_mass(a, b, felt.arm_a, felt.arm_b, felt.normal);
-  contact.tangent_mass = effective_mass(a, b, felt.arm_a, felt.arm_b, tangent(felt.normal));
+  set_masses(contact, a, b);
 }
 
 /// Who bounces off a face meets it as it stands; who hits it, as it is felt: else the sweeps would undo that.

@@ -81,7 +81,7 @@ bool ContactFinder::find_meetings(const StepStart& start, std::span<const std::u
 }
 
 bool ContactFinder::both_move(const Meeting& meeting, BodyRows<const SolverBody> bodies) {
-  return bodies[meeting.a].inverse_mass > 0.0 && bodies[meeting.b].inverse_mass > 0.0;
+  return bodies[meeting.a].is_dynamic() && bodies[meeting.b].is_dynamic();
 }
 
 /// Of who hang together by meetings.
@@ -97,7 +97,7 @@ void ContactFinder::find_clusters(BodyRows<const SolverBody> bodies) {
 }
 
 ContactFinder::Cluster& ContactFinder::cluster_of(const Meeting& meeting, BodyRows<const SolverBody> bodies) {
-  return clusters_[islands_.first(bodies[meeting.a].inverse_mass > 0.0 ? meeting.a : meeting.b)];
+  return clusters_[islands_.first(bodies[meeting.a].is_dynamic() ? meeting.a : meeting.b)];
 }
 
 /// Where a surface bounces, all contacts are listed anyway: these are told of hits.

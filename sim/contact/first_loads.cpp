@@ -53,7 +53,7 @@ void for_each_group(const Parts& parts, Workers& workers, F f) {
 void sweep_both_ways(Contacts& contacts, const Parts& parts, BodyRows<SolverBody> bodies,
                      SolverSettings settings, const Vec& kick, const Vec* period, Workers& workers) {
   for (SolverBody& body : bodies.by_slot()) {
-    body.velocity = body.inverse_mass > 0.0 ? kick : Vec(0.0, 0.0);
+    body.velocity = body.is_dynamic() ? kick : Vec(0.0, 0.0);
     body.spin = 0.0;
   }
   for_each_group(parts, workers, [&](std::size_t group) {

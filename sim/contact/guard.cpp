@@ -82,10 +82,7 @@ Vec struck_point(const narrowphase::Manifold& touch, const Motion& a, const Moti
 }
 
 double overlap(const narrowphase::Manifold& touch) {
-  double deepest = 0.0;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(touch.count); ++i)
-    deepest = std::max(deepest, -touch.points[i].separation);
-  return deepest;
+  return std::max(-least_separation(touch), 0.0);
 }
 
 /// What is behind a side of the domain's box, as far as anybody gets who isn't stopped there.
@@ -96,12 +93,8 @@ narrowphase::Convex solid(const narrowphase::HalfPlane& side, const Domain& doma
       {side.point - along, side.point + along, side.point + along + behind, side.point - along + behind});
 }
 
-bool yields(const SolverBody& body) {
-  return body.inverse_mass > 0.0;
-}
-
 bool is_driven(const SolverBody& body) {
-  return !yields(body) && (body.velocity != Vec(0.0, 0.0) || body.spin != 0.0);
+  return !body.is_dynamic() && (body.velocity != Vec(0.0, 0.0) || body.spin != 0.0);
 }
 
 }  // namespace
@@ -307,7 +300,7 @@ Motion Guard::motion(const Substep& sub, const Meeting& m, bool of_b, double tim
 
 void Guard::advance(const Substep& sub, std::uint32_t body, double time) {
   SolverBody& moving = sub.bodies[body];
-  if (!yields(moving)) return;
+  if (!moving.is_dynamic()) return;
   if (!stands_[body]) {
     moving.position += (time - since_[body]) * moving.velocity;
     moving.turn += (time - since_[body]) * moving.spin;
@@ -341,14 +334,14 @@ void Guard::collide(const Substep& sub, Meeting& m) {
   if (!is_last || !driven || ++m.pushes > kMostPushes) ++m.depth;
   if (is_last && !driven) stand(a, m.a), stand(b, m.b);
   m.time = kNever;
-  if (yields(a)) look_again(sub, m.a);
-  if (yields(b)) look_again(sub, m.b);
+  if (a.is_dynamic()) look_again(sub, m.a);
+  if (b.is_dynamic()) look_again(sub, m.b);
 }
 
 /// Who does so again in the step rests: with the speed that it would else gather, as long as others hold it,
 /// it would be thrown in the end.
 void Guard::stand(SolverBody& body, std::uint32_t row) {
-  if (!yields(body)) return;
+  if (!body.is_dynamic()) return;
   if (stood_[row]) body.velocity = {0.0, 0.0}, body.spin = 0.0;
   stands_[row] = stood_[row] = 1;
 }

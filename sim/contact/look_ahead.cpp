@@ -23,10 +23,6 @@ namespace {
 constexpr double kExact = 1e-8;  // of the two, how far from each other they are where they are said to meet
 constexpr int kMostLooks = 64;   // until then: who rolls along what turns would be looked at for ever
 
-double least_separation(const Manifold& m) {
-  return m.count == 2 ? std::min(m.points[0].separation, m.points[1].separation) : m.points[0].separation;
-}
-
 /// How far (m) a turn by so much (rad) may bring a collider's surface.
 double turn_way(const Colliders& colliders, std::uint32_t row, double turn) {
   if (is_disc(colliders, row)) return 0.0;
@@ -56,7 +52,7 @@ bool LookAhead::nears(const StepStart& start, const Touch& touch, const Manifold
   const Vec way = dt * (b.velocity - a.velocity);
   const double turn = turn_way(colliders, touch.pair.a, dt * std::abs(a.spin)) +
                       (touch.obstacle ? 0.0 : turn_way(colliders, touch.pair.b, dt * std::abs(b.spin)));
-  const bool falls_a = a.inverse_mass > 0.0, falls_b = b.inverse_mass > 0.0;
+  const bool falls_a = a.is_dynamic(), falls_b = b.is_dynamic();
   const double drop = plan_.gravity && falls_a != falls_b ? dt * dt * scene_.gravity.dot(m.normal) : 0.0;
   const double fall = std::max(falls_a ? drop : -drop, 0.0);
   if (!(turn + fall - way.dot(m.normal) > least_separation(m))) return false;
@@ -88,7 +84,7 @@ void LookAhead::look(const StepStart& start, std::span<const Touch> touches, std
 
 /// m/s, the mean over the step. What something held in the last one it will hardly let fall in this one.
 Vec LookAhead::velocity_ahead(BodyRows<const SolverBody> bodies, std::uint32_t row) const {
-  const bool falls = plan_.gravity && bodies[row].inverse_mass > 0.0 && pressed_[row] == 0;
+  const bool falls = plan_.gravity && bodies[row].is_dynamic() && pressed_[row] == 0;
   if (!falls) return bodies[row].velocity;
   return bodies[row].velocity + 0.5 * (scene_.time.dt + plan_.substep) * scene_.gravity;
 }
@@ -157,7 +153,7 @@ void LookAhead::turn_aside(const StepStart& start, const Touch& touch, const Mee
   const Vec impulse = (1.0 + restitution) * mass * (of_b - of_a).dot(meeting.normal) * meeting.normal;
   const auto turn = [&](std::uint32_t row, const Vec& velocity) {
     const bool can_go_on = std::isfinite(4.0 * velocity.squaredNorm());  // else the step fails at its end
-    if (start.bodies[row].inverse_mass > 0.0 && meeting.turns_aside < turned_[row].when && can_go_on)
+    if (start.bodies[row].is_dynamic() && meeting.turns_aside < turned_[row].when && can_go_on)
       turned_[row] = {meeting.turns_aside, velocity};
   };
   turn(touch.a, of_a + a.inverse_mass * impulse);

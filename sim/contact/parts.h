@@ -32,8 +32,9 @@ class Parts {
   Rows rows(std::size_t part) const { return Rows::of(rows_[part]); }
 
   std::size_t group(std::uint32_t a) const { return cuts_.empty() ? 0 : part_[a]; }
+  /// `b` may stand for obstacles, behind all bodies.
   std::size_t group(std::uint32_t a, std::uint32_t b) const {
-    return group(a) == group(b) ? group(a) : count();
+    return b >= part_.size() || group(a) == group(b) ? group(a) : count();
   }
 
  private:

@@ -19,7 +19,7 @@ constexpr std::uint32_t kNobody = ~std::uint32_t{0};
 }  // namespace
 
 std::size_t ContactFinder::group_of(const Touch& touch) const {
-  return touch.obstacle ? parts_.group(touch.a) : parts_.group(touch.a, touch.b);
+  return parts_.group(touch.a, touch.b);
 }
 
 void ContactFinder::name_lanes(FaceBlocks& faces) {

@@ -113,7 +113,7 @@ void SoftContacts::foretell(std::uint32_t begin, std::uint32_t end) {
     const SolverBody& body = bodies_[i];
     speeds_[i] = {body.velocity + 0.5 * h_ * body.inverse_mass * pushes_[i].force,
                   body.spin + 0.5 * h_ * body.inverse_inertia * pushes_[i].torque};
-    if (body.inverse_mass > 0.0) speeds_[i].velocity += fall;
+    if (body.is_dynamic()) speeds_[i].velocity += fall;
     pushes_[i] = {};
   }
 }
@@ -127,7 +127,7 @@ void SoftContacts::kick_and_drift(std::uint32_t begin, std::uint32_t end, double
     SolverBody& body = bodies_[i];
     body.velocity += h_ * body.inverse_mass * pushes_[i].force;
     body.spin += h_ * body.inverse_inertia * pushes_[i].torque;
-    if (body.inverse_mass > 0.0) body.velocity += fall;
+    if (body.is_dynamic()) body.velocity += fall;
     pushes_[i] = {};
     fastest2 = std::max(fastest2, body.velocity.squaredNorm());
     body.position += time * body.velocity;

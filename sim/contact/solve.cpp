@@ -36,12 +36,6 @@ double separation(const PointContact& c, const SolverBody& a, const SolverBody& 
   return (c.offset + way) + (rise(c.arm_b, c) * b.turn - rise(c.arm_a, c) * a.turn);
 }
 
-/// As the arms are now.
-void feel_again(PointContact& contact, const SolverBody& a, const SolverBody& b) {
-  contact.normal_mass = effective_mass(a, b, contact.arm_a, contact.arm_b, contact.normal);
-  contact.tangent_mass = effective_mass(a, b, contact.arm_a, contact.arm_b, tangent(contact.normal));
-}
-
 /// What a sweep asks of a contact: a normal velocity of at least -bias, more or less softly.
 struct Wish {
   double bias;     ///< m/s
@@ -175,7 +169,7 @@ void prepare(std::span<PointContact> contacts, BodyRows<const SolverBody> bodies
     if (contact.turner.body != Turner::Body::none) contact.gap = contact.normal.dot(contact.turner.shift);
     contact.arm_a = Turn(a.turn)(contact.first_a) + contact.round_a * contact.normal;
     contact.arm_b = Turn(b.turn)(contact.first_b) - contact.round_b * contact.normal;
-    if (std::max(std::abs(a.turn), std::abs(b.turn)) > kFarTurn) feel_again(contact, a, b);
+    if (std::max(std::abs(a.turn), std::abs(b.turn)) > kFarTurn) set_masses(contact, a, b);
     const double offset = contact.gap + contact.normal.dot(contact.arm_b - contact.arm_a);
     contact.separation = offset + contact.normal.dot(b.position - a.position);
     contact.offset = offset - (rise(contact.arm_b, contact) * b.turn - rise(contact.arm_a, contact) * a.turn);

@@ -32,13 +32,10 @@ struct Seen {
   double depth;  // m, of A in the other, at the deepest point
 
   Seen(const Touch& touch, const Manifold& m, bool is_a)
-      : normal(is_a ? m.normal : -m.normal), count(m.count) {
+      : normal(is_a ? m.normal : -m.normal), count(m.count), depth(-least_separation(m)) {
     const Vec shift = is_a ? Vec(0.0, 0.0) : Vec(-touch.shift);
-    depth = -m.points[0].separation;
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < count; ++i)
       place[i] = m.points[i].point + 0.5 * m.points[i].separation * normal + shift;
-      depth = std::max(depth, -m.points[i].separation);
-    }
   }
 
   /// m, how high that surface is.
@@ -86,7 +83,7 @@ double reach_of_other(const StepStart& start, const Touch& touch, bool is_a, con
 bool is_heavier(const StepStart& start, const Touch& touch, std::uint32_t body) {
   const SolverBody &a = start.bodies[touch.a], &b = start.bodies[touch.b];
   const SolverBody &own = is_a(touch, body) ? a : b, &other = is_a(touch, body) ? b : a;
-  return own.inverse_mass > 0.0 && other.inverse_mass <= own.inverse_mass;
+  return own.is_dynamic() && other.inverse_mass <= own.inverse_mass;
 }
 
 /// m/s, of b against a at the first of the points. A disc that rolls goes on though its surface stands there:

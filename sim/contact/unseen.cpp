@@ -29,13 +29,6 @@ Listed listed(const Contacts& contacts, std::uint64_t key) {
   return first == end ? Listed::no : end - first == 1 ? Listed::at_one_point : Listed::all;
 }
 
-/// m, below 0: how deep.
-double deepest(const narrowphase::Manifold& manifold) {
-  double least = 0.0;
-  for (int i = 0; i < manifold.count; ++i) least = std::min(least, manifold.points[i].separation);
-  return least;
-}
-
 }  // namespace
 
 bool Unseen::met(std::span<const Reached> strays, const State& state, BodyRows<const SolverBody> bodies,
@@ -93,7 +86,8 @@ bool Unseen::sank(std::uint32_t collider, const Motion& way, const Convex& other
   const Convex& its = widened(collider, 0.0);
   if (its.vertices.size() < 2 || other.vertices.size() < 2) return false;
   const auto depth = [&](double time) {
-    return deepest(manifold(its, pose_at(way, time), other, pose_at(other_way, time), 0.0));
+    return std::min(least_separation(manifold(its, pose_at(way, time), other, pose_at(other_way, time), 0.0)),
+                    0.0);
   };
   return depth(1.0) < depth(0.0) - kSunk * candidates_.colliders().radius[collider];
 }

@@ -42,7 +42,7 @@ void PrintTo(const Golden& golden, std::ostream* out) {
 }
 
 constexpr Golden kGallery[] = {
-    {"gas", 400, 0xb7deb10a72f11b9f},          {"pile", 60, 0x652eed628d29123e},
+    {"gas", 400, 0xb7deb10a72f11b9f},          {"pile", 60, 0xead388409f187f81},
     {"polygons", 40, 0x6967e7899534ae04},      {"pyramid", 10, 0x9d966bd3b671b17a},
     {"hopper", 100, 0xf47f9e10d99f30cb},       {"gears", 100, 0x859c27623f1d9f1b},
     {"billiard", 1500, 0x91a45388a7a4e721},    {"cradle", 2000, 0x7db3d1ee537b00be},

@@ -56,6 +56,7 @@ const std::vector<StepCase>& step_cases() {
       {"gas n=10000", "gas", wider_gas("10000", "161.8"), 0.0, 20, 10, true, false},
       {"gas n=100000", "gas", wider_gas("100000", "511.66"), 0.0, 5, 2, true, false},
       {"pile n=10000 falling", "pile", {}, 0.5, 0, 4, true, true},
+      {"pile n=10000 landing", "pile", {}, 3.5, 0, 4, true, true},
       {"pile n=10000 settled", "pile", {}, 15.0, 1000, 40, true, true, false, 2},
       {"pile n=100000 settled", "pile", wider_pile(), 15.0, 1000, 10, false, true, false, 8},
       {"pile n=10000 asleep", "pile", {}, 15.0, 600, 40, false, false, true},

@@ -313,7 +313,7 @@ class FaceBlocksOnEachTarget : public Blocks {
     std::uint32_t lane = kNoLane;
   };
 
-  bool moves(std::uint32_t row) const { return bodies_[row].inverse_mass > 0.0; }
+  bool moves(std::uint32_t row) const { return bodies_[row].is_dynamic(); }
 
   static std::vector<Face> faces_of(std::span<const PointContact> points) {
     std::vector<Face> faces;
