@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 
+#include "sim/contact/contact_key.h"
 #include "sim/contact/fast.h"
 
 namespace throng {
@@ -26,7 +27,7 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 
 constexpr double kAtOnce = 0.01;  // of a substep: who meets so soon has arrived
 
-constexpr double kElsewhere = 0.5;  // radii, or rad, in a substep
+constexpr double kElsewhere = 0.5;  // radii, half lengths of walls, or rad, in a substep
 
 int bounce_sweeps(const Plan& plan) {
   return plan.elastic ? kElasticSweeps : plan.restitution ? kBounceSweeps : 0;
@@ -104,32 +105,44 @@ void relax(Workspace& work, std::size_t group, bool periodic) {
   if (backward) relax(work.contacts.discs.blocks(group), work.bodies, work.solver, periodic);
 }
 
+/// m: who gets so far in a substep against the other touches elsewhere then. Along a wall it is the wall's
+/// length that counts.
+double length_of_touch(const Scene& scene, const Obstacles& obstacles, const BlockContact& at,
+                       std::uint64_t key) {
+  const double radius = scene.bodies.radius[at.a];
+  if (!is_of_obstacle(key)) return kElsewhere * std::min(radius, scene.bodies.radius[at.b]);
+  const std::uint32_t row = pair_of(key).b;
+  if (obstacles.is_side(row)) return std::numeric_limits<double>::infinity();
+  return kElsewhere * std::max(radius, 0.5 * bounds(obstacles.part_at(row)).diagonal().norm());
+}
+
 /// Whether the two get elsewhere against each other in a substep: other contacts are theirs then.
-bool get_elsewhere(const Scene& scene, const Workspace& work, std::uint32_t a, std::uint32_t b) {
-  const SolverBody &one = work.bodies[a], &other = work.bodies[b];
-  const auto radius = [&](std::uint32_t row) {
-    return row < scene.bodies.size() ? scene.bodies.radius[row] : std::numeric_limits<double>::infinity();
-  };
+bool get_elsewhere(const Scene& scene, const Workspace& work, const BlockContact& at, std::uint64_t key) {
   const auto spin = [&](std::uint32_t row) {  // of a disc it takes nobody elsewhere
     const bool turns =
         row < scene.bodies.size() && scene.shapes[scene.bodies.shape[row]].kind != ShapeKind::disc;
     return turns ? std::abs(work.bodies[row].spin) : 0.0;
   };
-  const double way = work.solver.h * (one.velocity - other.velocity).norm();
-  const double turn = work.solver.h * std::max(spin(a), spin(b));
-  return way > kElsewhere * std::min(radius(a), radius(b)) || turn > kElsewhere;
+  const double h = work.solver.h;
+  const double way = h * (work.bodies[at.a].velocity - work.bodies[at.b].velocity).norm();
+  return way > length_of_touch(scene, work.candidates.obstacles(), at, key) ||
+         h * std::max(spin(at.a), spin(at.b)) > kElsewhere;
 }
 
-/// What contacts did in the substep before would push at random who has got elsewhere since, and give energy
-/// to who bounces there: others are soon stopped.
-void forget_elsewhere(const Scene& scene, Workspace& work) {
+/// Contacts at points don't relax between who gets elsewhere in this substep, nor are they warm-started in
+/// the next: with other arms, what they did would be taken back or done again at random, and give energy to
+/// who bounces there. Others are soon stopped.
+void forget_elsewhere(const Scene& scene, const Plan& plan, Workspace& work) {
   const double substeps = scene.time.substeps, least_radius = work.finder.least_way() / kAheadWay;
   const bool any = work.candidates.chain() > 0.5 * kElsewhere * substeps * least_radius ||
                    work.candidates.farthest_turn() > 0.5 * kElsewhere * substeps;
   FaceBlocks& faces = work.contacts.faces;
-  for (std::size_t i = 0; any && i < faces.size(); ++i)
-    if (const BlockContact at = faces.contact(i); get_elsewhere(scene, work, at.a, at.b))
-      *at.normal_impulse = *at.tangent_impulse = *at.preload = 0.0;
+  for (std::size_t i = 0; any && i < faces.size(); ++i) {
+    const BlockContact at = faces.contact(i);
+    if (!get_elsewhere(scene, work, at, work.contacts.point_key[i])) continue;
+    if (plan.sums_impulses) work.impulses.add_face(i, work.contacts, work.bodies, work.solver.h);
+    *at.normal_impulse = *at.tangent_impulse = *at.preload = 0.0;
+  }
 }
 
 /// Parts side by side; what joins them begins before and is pushed apart after.
@@ -165,13 +178,13 @@ void substep(const Scene& scene, const Plan& plan, const State& state, Workspace
   if (plan.gravity) by_parts(work, [&](Rows rows) { fall(work.bodies, rows, kick); });
   work.solver.backward = way.backward;
   if (plan.contacts()) start_and_push_apart(work, period);
+  if (plan.restitution) forget_elsewhere(scene, plan, work);
   const bool at_once = plan.contacts() && !way.guarded && work.contacts.hits == 0;
   if (way.guarded)
     work.guard->move(state, work.bodies, work.sleepers.bodies(), work.solver.h);
   else if (!at_once)
     by_parts(work, [&](Rows rows) { move(work.bodies, rows, work.solver.h, plan.rotation); });
   stop(work, period);
-  if (plan.restitution) forget_elsewhere(scene, work);
   work.solver.backward = !way.backward;
   if (plan.contacts()) relax(work, plan, at_once);
 }

@@ -19,8 +19,7 @@ constexpr double kRounding = 1e-9;
 
 constexpr std::uint32_t kAcross = std::uint32_t{1} << 31;  // of an entry: joins parts
 
-/// So many entries are worth a hand-over.
-constexpr std::size_t kManyWait = 128;
+constexpr std::size_t kMany = 128;  // entries are worth handing over to other threads
 
 /// m/s, of what may bounce, or hit.
 double least_speed(bool bounces, const BounceRule& rule) {
@@ -123,11 +122,20 @@ bool BounceQueue::may_meet(const Group& group, std::uint32_t i, BodyRows<const S
                          : points_may_meet(entry, group.reaches[i - group.discs], bodies, rule);
 }
 
+/// Calls f(group) for the first `n` groups, by several threads where so many entries are worth it.
+template <class F>
+void BounceQueue::for_groups(std::size_t n, std::size_t entries, Workers& workers, F f) {
+  auto of_number = [&](std::size_t i) { f(groups_[i]); };
+  if (entries >= kMany) return workers.for_few(n, of_number);
+  for (std::size_t i = 0; i < n; ++i) of_number(i);
+}
+
 void BounceQueue::start(BodyRows<const SolverBody> bodies, const BounceRule& rule, Workers& workers) {
   substep_ = ++phase_;
   struck_in_.resize(bodies.size());
-  workers.for_few(groups_.size(), [&](std::size_t g) {
-    Group& group = groups_[g];
+  std::size_t entries = 0;
+  for (const Group& group : groups_) entries += group.entries.size();
+  for_groups(groups_.size(), entries, workers, [&](Group& group) {
     group.struck.clear();
     group.waiting.assign((group.entries.size() + 63) / 64, 0);
     for (std::uint32_t i = 0; i < group.entries.size(); ++i)
@@ -139,18 +147,21 @@ void BounceQueue::go_on() {
   ++phase_;
   for (Group& group : groups_) std::ranges::fill(group.waiting, 0);
   for (const Group& group : groups_)
-    for (const std::uint32_t body : group.struck) wait_for(groups_.back(), body);
+    for (const std::uint32_t body : group.struck)
+      if (wait_within_part(body)) wait_across(body);
 }
 
-/// All of them: to look is as quick as to ask whether to, where most are near. By a group of a part those
-/// that join parts come to wait after all such groups.
-void BounceQueue::wait_for(Group& group, std::uint32_t body) {
+/// All of them: to look is as quick as to ask whether to, where most are near. Returns whether the body has
+/// contacts that join parts, too.
+bool BounceQueue::wait_within_part(std::uint32_t body) {
   Group& its = groups_[parts_->group(body)];
   bool across = false;
   for (std::uint32_t i = first_of_[body]; i < first_of_[body + 1]; ++i)
-    (of_body_[i] & kAcross) ? void(across = true) : its.wait(of_body_[i]);
-  if (!across) return;
-  joins_parts(group) ? wait_across(body) : group.outward.push_back(body);
+    if (of_body_[i] & kAcross)
+      across = true;
+    else
+      its.wait(of_body_[i]);
+  return across;
 }
 
 void BounceQueue::wait_across(std::uint32_t body) {
@@ -175,13 +186,19 @@ void BounceQueue::join(BodyRows<const SolverBody> bodies) {
   joined_ = true;
 }
 
-/// What doesn't move isn't struck.
+/// What doesn't move isn't struck. Contacts that join parts come to wait at once if it was by one of them,
+/// else when all parts have been swept. A few may be listed here: then one thread sweeps all.
 void BounceQueue::note_strike(Group& group, std::uint32_t body, BodyRows<const SolverBody> bodies) {
   if (!bodies[body].is_dynamic()) return;
+  if (!joined_) join(bodies);
   std::uint64_t& struck_in = struck_in_[bodies.slots().slot(body)];
   if (struck_in < substep_) group.struck.push_back(body);
   struck_in = phase_;
-  wait_for(group, body);
+  if (!wait_within_part(body)) return;
+  if (joins_parts(group))
+    wait_across(body);
+  else
+    group.outward.push_back(body);
 }
 
 bool BounceQueue::look_at(Group& group, std::uint32_t i, Contacts& contacts, BodyRows<SolverBody> bodies,
@@ -228,21 +245,17 @@ bool BounceQueue::sweep(Contacts& contacts, BodyRows<SolverBody> bodies, const B
                         Workers& workers) {
   std::size_t wait = 0;
   for (const Group& group : groups_) wait += group.count_waiting();
-  if (wait == 0) return false;
-  if (!joined_) join(bodies);
-  const std::size_t parts = parts_->count();
-  auto sweep_part = [&](std::size_t part) {
-    groups_[part].outward.clear();
-    sweep(groups_[part], contacts, bodies, rule);
-  };
-  if (wait < kManyWait)
-    for (std::size_t part = 0; part < parts; ++part) sweep_part(part);
-  else
-    workers.for_few(parts, sweep_part);
-  for (std::size_t part = 0; part < parts; ++part)
+  if (wait >= kMany && !joined_) join(bodies);
+  for_groups(parts_->count(), wait, workers, [&](Group& part) {
+    part.outward.clear();
+    sweep(part, contacts, bodies, rule);
+  });
+  for (std::size_t part = 0; part < parts_->count(); ++part)
     for (const std::uint32_t body : groups_[part].outward) wait_across(body);
-  if (parts > 1) sweep(groups_.back(), contacts, bodies, rule);
-  return std::ranges::any_of(groups_, [](const Group& group) { return group.count_waiting() > 0; });
+  if (groups_.size() > 1) sweep(groups_.back(), contacts, bodies, rule);
+  return std::ranges::any_of(groups_, [](const Group& group) {
+    return std::ranges::any_of(group.waiting, [](std::uint64_t word) { return word != 0; });
+  });
 }
 
 }  // namespace throng

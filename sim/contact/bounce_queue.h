@@ -21,7 +21,8 @@ namespace throng {
 /// the same for any number of threads.
 class BounceQueue {
  public:
-  /// The contacts that a step lists among bounces. `parts` is asked until the next call. O(contacts).
+  /// The contacts that a step lists among bounces. `parts` is asked until the next call, and nobody is to be
+  /// placed anew until then. O(contacts).
   void start_step(const Contacts& contacts, const Parts& parts);
 
   /// Before the first sweep of a substep: waiting are all who may bounce or hit by the rule. O(contacts).
@@ -51,15 +52,15 @@ class BounceQueue {
     Vec normal{0.0, 0.0};           // zero where there are several
   };
 
-  /// The contacts of a part, or those that join parts.
-  struct Group {
+  /// The contacts of a part, or those that join parts. At its own lines of cache: threads write there.
+  struct alignas(64) Group {
     std::vector<Entry> entries;
     std::size_t discs = 0;                // how many of them are of discs
     std::vector<Reach> reaches;           // of the others
     std::vector<std::uint64_t> waiting;   // a bit an entry
     std::vector<std::uint64_t> prepared;  // of each entry, in which phase
     std::vector<std::uint32_t> struck;    // bodies, by its contacts first in this substep
-    std::vector<std::uint32_t> outward;   // in this sweep, who may touch somebody of another part
+    std::vector<std::uint32_t> outward;   // in this sweep, at each strike, who has contacts that join parts
 
     void wait(std::uint32_t entry) { waiting[entry / 64] |= std::uint64_t{1} << entry % 64; }
     std::size_t count_waiting() const;
@@ -76,8 +77,10 @@ class BounceQueue {
   void sweep(Group& group, Contacts& contacts, BodyRows<SolverBody> bodies, const BounceRule& rule);
   bool look_at(Group& group, std::uint32_t entry, Contacts& contacts, BodyRows<SolverBody> bodies,
                const BounceRule& rule);
+  template <class F>
+  void for_groups(std::size_t n, std::size_t entries, Workers& workers, F f);
   void note_strike(Group& group, std::uint32_t body, BodyRows<const SolverBody> bodies);
-  void wait_for(Group& group, std::uint32_t body);
+  bool wait_within_part(std::uint32_t body);
   void wait_across(std::uint32_t body);
   bool joins_parts(const Group& group) const { return groups_.size() > 1 && &group == &groups_.back(); }
 
@@ -87,8 +90,8 @@ class BounceQueue {
   std::uint64_t phase_ = 0, substep_ = 0;  // counted from start() and go_on(); the substep's first phase
   std::vector<std::uint64_t> struck_in_;   // by slot of the body, the phase
   bool joined_ = false;                    // whether these are of this step:
-  std::vector<std::uint32_t> first_of_, of_body_;  // its entries in the group of its part, or kAcross and
-                                                   // those in the last one
+  std::vector<std::uint32_t> first_of_, of_body_;  // those of a body in the group of its part, and, marked by
+                                                   // the highest bit, those in the last one
 };
 
 }  // namespace throng

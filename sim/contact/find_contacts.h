@@ -136,7 +136,6 @@ class ContactFinder {
   void take_seats(FaceBlocks& faces);
   void seat_anew(BodyRows<const SolverBody> bodies, FaceBlocks& faces, Workers& workers);
   void seat_group(std::size_t group, FaceBlocks& faces);
-  std::size_t group_of(const Touch& touch) const;
 
   const Scene& scene_;
   const Plan& plan_;

@@ -32,9 +32,10 @@ class Parts {
   Rows rows(std::size_t part) const { return Rows::of(rows_[part]); }
 
   std::size_t group(std::uint32_t a) const { return cuts_.empty() ? 0 : part_[a]; }
-  /// `b` may stand for obstacles, behind all bodies.
+  /// `a` is a body, `b` may stand behind all bodies, for the obstacles of a's part.
   std::size_t group(std::uint32_t a, std::uint32_t b) const {
-    return b >= part_.size() || group(a) == group(b) ? group(a) : count();
+    if (cuts_.empty()) return 0;
+    return b >= part_.size() || part_[a] == part_[b] ? part_[a] : count();
   }
 
  private:

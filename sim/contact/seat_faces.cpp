@@ -18,10 +18,6 @@ constexpr std::uint32_t kNobody = ~std::uint32_t{0};
 
 }  // namespace
 
-std::size_t ContactFinder::group_of(const Touch& touch) const {
-  return parts_.group(touch.a, touch.b);
-}
-
 void ContactFinder::name_lanes(FaceBlocks& faces) {
   book_.start(), named_ = 0;
   for (Touch& touch : touches_) {
@@ -65,7 +61,7 @@ bool ContactFinder::seat_newcomers(FaceBlocks& faces) {
 ContactFinder::Neighbour ContactFinder::neighbour(const Touch& touch) const {
   const std::uint32_t a = colliders_.movable[touch.pair.a] ? touch.a : kNobody;
   const std::uint32_t b = !touch.obstacle && colliders_.movable[touch.pair.b] ? touch.b : kNobody;
-  return {touch.key(), a, b, static_cast<std::uint32_t>(group_of(touch)), touch.lane};
+  return {touch.key(), a, b, static_cast<std::uint32_t>(parts_.group(touch.a, touch.b)), touch.lane};
 }
 
 /// Who shares a body that moves with them and has a seat, whether or not it is taken.
@@ -131,7 +127,7 @@ void ContactFinder::seat_anew(BodyRows<const SolverBody> bodies, FaceBlocks& fac
   seated_.resize(parts_.groups()), seat_.assign(touches_.size(), kNoLane);
   for (auto& touches : seated_) touches.clear();
   for (std::uint32_t i = 0; i < touches_.size(); ++i)
-    if (points_[i] > 0) seated_[group_of(touches_[i])].push_back(i);
+    if (points_[i] > 0) seated_[parts_.group(touches_[i].a, touches_[i].b)].push_back(i);
   faces.start(bodies.size(), parts_.groups(), bodies.slots());
   workers.for_few(parts_.groups(), [&](std::size_t group) { seat_group(group, faces); });
   faces.finish();

@@ -8,14 +8,12 @@ namespace throng {
 namespace {
 
 template <class Blocks>
-void add_pressing(const Blocks& contacts, BodyRows<const SolverBody> bodies, double h,
-                  std::vector<StepImpulses::Sum>& sums) {
-  for (std::size_t i = 0; i < sums.size(); ++i) {
-    if (!(contacts.normal_impulse(i) > 0.0)) continue;
-    const auto contact = contacts[i];
-    sums[i].impulse += contact.normal_impulse;
-    sums[i].at = place(contact, bodies[contact.a], bodies[contact.b], h);
-  }
+void add_if_pressing(const Blocks& contacts, std::size_t i, BodyRows<const SolverBody> bodies, double h,
+                     StepImpulses::Sum& sum) {
+  if (!(contacts.normal_impulse(i) > 0.0)) return;
+  const auto contact = contacts[i];
+  sum.impulse += contact.normal_impulse;
+  sum.at = place(contact, bodies[contact.a], bodies[contact.b], h);
 }
 
 /// What is struck and presses by the end is told where it presses.
@@ -38,8 +36,13 @@ void StepImpulses::start(const Contacts& contacts) {
 }
 
 void StepImpulses::add(const Contacts& contacts, BodyRows<const SolverBody> bodies, double h) {
-  add_pressing(contacts.discs, bodies, h, discs_);
-  add_pressing(contacts.faces, bodies, h, faces_);
+  for (std::size_t i = 0; i < discs_.size(); ++i) add_if_pressing(contacts.discs, i, bodies, h, discs_[i]);
+  for (std::size_t i = 0; i < faces_.size(); ++i) add_if_pressing(contacts.faces, i, bodies, h, faces_[i]);
+}
+
+void StepImpulses::add_face(std::size_t i, const Contacts& contacts, BodyRows<const SolverBody> bodies,
+                            double h) {
+  add_if_pressing(contacts.faces, i, bodies, h, faces_[i]);
 }
 
 void StepImpulses::add_bounces(const Contacts& contacts) {

@@ -22,6 +22,8 @@ class StepImpulses {
 
   /// Before the first substep, or where there is none. O(contacts).
   void start(const Contacts& contacts);
+  /// What the i-th of `faces` has pressed in this substep (of h, s), if it is forgotten then.
+  void add_face(std::size_t i, const Contacts& contacts, BodyRows<const SolverBody> bodies, double h);
   /// What they press in the substep (of h, s) that ends. O(contacts).
   void add(const Contacts& contacts, BodyRows<const SolverBody> bodies, double h);
   /// What struck in all substeps. O(bounces).

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 
@@ -33,6 +34,7 @@ struct Seen {
 
   Seen(const Touch& touch, const Manifold& m, bool is_a)
       : normal(is_a ? m.normal : -m.normal), count(m.count), depth(-least_separation(m)) {
+    assert(count > 0);
     const Vec shift = is_a ? Vec(0.0, 0.0) : Vec(-touch.shift);
     for (int i = 0; i < count; ++i)
       place[i] = m.points[i].point + 0.5 * m.points[i].separation * normal + shift;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "tests/sim/trial.h"
 
@@ -288,6 +290,25 @@ TEST(Bounce, NobodyGainsEnergyAmongManyPiecesThatBendTowardsHim) {
         ASSERT_LT(run.energy(), 1.001 * before) << "at " << speed << " m/s, step " << i + 1;
       }
     }
+}
+
+/// It gets farther in a substep than half a box, but not than half the floor.
+TEST(Bounce, AStackThatSlidesFastIsHeldAsOneThatSlidesSlowly) {
+  const auto heights = [](double speed) {
+    std::string text =
+        "gravity = [0, -9.81]\nsleep = false\ntime = { dt = 0.016666666666666666, substeps = 4 }\n" +
+        material(0.3, 0) +
+        "[shapes]\nball = { polygon = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]] }\n"
+        "[[walls]]\nsegment = [[-10, 0], [1000, 0]]\n";
+    for (int i = 0; i < 8; ++i) text += ball(0, 0.5 + i, speed, 0);
+    Trial run(text);
+    run.steps(240);
+    std::vector<double> y;
+    for (const Vec& position : run.state.position) y.push_back(position.y());
+    return y;
+  };
+  const std::vector<double> slow = heights(20), fast = heights(200);
+  for (std::size_t i = 0; i < slow.size(); ++i) EXPECT_NEAR(fast[i], slow[i], 1e-6) << i;
 }
 
 }  // namespace

@@ -313,7 +313,7 @@ class FaceBlocksOnEachTarget : public Blocks {
     std::uint32_t lane = kNoLane;
   };
 
-  bool moves(std::uint32_t row) const { return bodies_[row].is_dynamic(); }
+  bool is_dynamic(std::uint32_t row) const { return bodies_[row].is_dynamic(); }
 
   static std::vector<Face> faces_of(std::span<const PointContact> points) {
     std::vector<Face> faces;
@@ -330,7 +330,8 @@ class FaceBlocksOnEachTarget : public Blocks {
     for (Face& face : faces) {
       if (!face.seated) continue;
       const auto [a, b] = std::pair(face.points[0].a, face.points[0].b);
-      face.lane = blocks.seat(std::max<std::size_t>(face.points.size(), room()), a, moves(a), b, moves(b));
+      face.lane =
+          blocks.seat(std::max<std::size_t>(face.points.size(), room()), a, is_dynamic(a), b, is_dynamic(b));
     }
     blocks.finish();
     for (const Face& face : faces)
@@ -351,7 +352,7 @@ class FaceBlocksOnEachTarget : public Blocks {
     const std::uint32_t a = faces[i].points[0].a, b = faces[i].points[0].b;
     std::size_t first = 0, end = blocks.blocks().size();
     for (std::size_t j = 0; j < faces.size(); ++j) {
-      const auto is_shared = [&](std::uint32_t row) { return moves(row) && (row == a || row == b); };
+      const auto is_shared = [&](std::uint32_t row) { return is_dynamic(row) && (row == a || row == b); };
       if (faces[j].lane == kNoLane) continue;
       if (!is_shared(faces[j].points[0].a) && !is_shared(faces[j].points[0].b)) continue;
       if (j < i) first = std::max(first, blocks.rank(faces[j].lane) + 1);

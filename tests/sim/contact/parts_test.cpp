@@ -68,6 +68,9 @@ TEST(Parts, AreCutAcrossTheGroundAndTellWhoLeavesThem) {
   EXPECT_EQ(parts.group(first, first), 0u);
   EXPECT_EQ(parts.group(second, second), 1u);
   EXPECT_EQ(parts.group(first, second), 2u) << "what joins them";
+  const auto obstacles = static_cast<std::uint32_t>(scene.bodies.size());  // rows behind all bodies
+  EXPECT_EQ(parts.group(first, obstacles), 0u);
+  EXPECT_EQ(parts.group(second, obstacles + 1), 1u);
   EXPECT_FALSE(parts.place(state, all));
   state.position[first].x() = 90.0;
   EXPECT_TRUE(parts.place(state, all));

@@ -91,6 +91,16 @@ TEST(StepImpulses, AreWhatMomentumChangesByWhereBodiesLand) {
                       1, 30.0);
 }
 
+/// Along a plank, so fast that what touches there is forgotten before it relaxes.
+TEST(StepImpulses, AreWhatMomentumChangesByWhereBodiesGetElsewhere) {
+  expect_balanced(
+      "gravity = [0, -9.81]\nsleep = false\ntime = { dt = 0.01, until = 0.3 }\n" + frictionless(0.3) +
+          "plank = { polygon = [[-100, -0.5], [100, -0.5], [100, 0.5], [-100, 0.5]] }\n"
+          "[[walls]]\nsegment = [[-200, 0], [200, 0]]\n" +
+          placed("plank", "at = [0, 0.5]\n") + placed("box", "at = [-45, 1.52]\nvelocity = [300, 0]\n"),
+      1, 5.0);
+}
+
 /// Under guard: so fast that it would be through the wall.
 TEST(StepImpulses, AreWhatMomentumChangesByUnderGuard) {
   expect_balanced("time = { dt = 0.05, until = 0.5 }\n" + frictionless(0.0) +
