@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "narrowphase/motion/first_contact.h"
 #include "sim/contact/corner_impact.h"
@@ -38,6 +39,9 @@ constexpr double kLeaves = 0.25, kNearer = 1e-3;
 /// Times its width and height, how deep and how far along a side of the domain's box reaches.
 constexpr double kFarBehind = 4.0;
 
+/// Cosine of the angle between what is one wall to who rests there.
+constexpr double kSameWall = 0.9;
+
 /// How often at most, if others hold up who is pushed.
 constexpr int kMostPushes = 8;
 
@@ -55,6 +59,23 @@ double part(const PointArms& at, SolverBody& a, SolverBody& b, const Surface& su
   const double pushed = normal + leaves * effective_mass(a, b, at.arm_a, at.arm_b, at.normal);
   at.apply(a, b, pushed, across);
   return pushed;
+}
+
+/// Both go on as one rigid body, with the momentum and the spin that they have together; `between` (m): from
+/// a to b.
+void join(SolverBody& a, SolverBody& b, const Vec& between) {
+  const double inverse = a.inverse_mass + b.inverse_mass;
+  const double of_a = b.inverse_mass / inverse, of_b = a.inverse_mass / inverse;  // of the mass
+  double spin = 0.0;
+  if (a.inverse_inertia > 0.0 && b.inverse_inertia > 0.0) {
+    const double inertia_a = 1.0 / a.inverse_inertia, inertia_b = 1.0 / b.inverse_inertia;
+    const double momentum =
+        inertia_a * a.spin + inertia_b * b.spin + cross(between, Vec(b.velocity - a.velocity)) / inverse;
+    spin = momentum / (inertia_a + inertia_b + between.squaredNorm() / inverse);
+  }
+  const Vec velocity = of_a * a.velocity + of_b * b.velocity, about = spin * tangent(between);
+  a.velocity = velocity - of_b * about, b.velocity = velocity + of_a * about;
+  a.spin = b.spin = spin;
 }
 
 /// m/s, at which two whose hearts touch come nearer at that point.
@@ -322,6 +343,7 @@ void Guard::collide(const Substep& sub, Meeting& m) {
   advance(sub, m.a, m.time), advance(sub, m.b, m.time);
   const bool is_last = m.depth + 1 == Hearts::kDepths;
   const bool driven = is_driven(a) || (!m.obstacle && is_driven(b));
+  if (driven) leave(m.a), leave(m.b);
   const double leaves = is_last && driven ? kLeaves * thickness(m) / sub.h : 0.0;
   const Motion of_a = motion(sub, m, false, m.time), of_b = motion(sub, m, true, m.time);
   const narrowphase::Manifold touch = manifold(m, of_a, of_b);
@@ -332,18 +354,48 @@ void Guard::collide(const Substep& sub, Meeting& m) {
     if (plan_.sums_impulses && impulse > 0.0) list(sub, m, point, impulse);
   }
   if (!is_last || !driven || ++m.pushes > kMostPushes) ++m.depth;
-  if (is_last && !driven) stand(a, m.a), stand(b, m.b);
+  if (is_last && !driven) hold(sub, m, touch);
   m.time = kNever;
   if (a.is_dynamic()) look_again(sub, m.a);
   if (b.is_dynamic()) look_again(sub, m.b);
 }
 
-/// Who does so again in the step rests: with the speed that it would else gather, as long as others hold it,
-/// it would be thrown in the end.
-void Guard::stand(SolverBody& body, std::uint32_t row) {
-  if (!body.is_dynamic()) return;
-  if (stood_[row]) body.velocity = {0.0, 0.0}, body.spin = 0.0;
-  stands_[row] = stood_[row] = 1;
+/// The two stay where they are for the rest of the substep. Where one of them has before in the step, they go
+/// on as one, or not into what doesn't move: with the speed that they would else gather, as long as others
+/// hold them, they would be thrown in the end.
+void Guard::hold(const Substep& sub, const Meeting& m, const narrowphase::Manifold& touch) {
+  SolverBody &a = sub.bodies[m.a], &b = sub.bodies[m.b];
+  const Vec before_a = a.velocity, before_b = b.velocity;
+  const bool again = stood_[m.a] || stood_[m.b];
+  if (a.is_dynamic() && b.is_dynamic()) {
+    if (again) join(a, b, b.position + m.shift - a.position);
+  } else {
+    const Vec normal = touch.count > 0 ? touch.normal : Vec(0.0, 0.0);
+    if (a.is_dynamic()) rest(a, m.a, normal);
+    if (b.is_dynamic()) rest(b, m.b, -normal);
+  }
+  for (const std::uint32_t body : {m.a, m.b})
+    if (sub.bodies[body].is_dynamic()) stands_[body] = stood_[body] = 1;
+  if (!plan_.sums_impulses || touch.count == 0) return;
+  const Vec change = a.is_dynamic() ? Vec((before_a - a.velocity) / a.inverse_mass)
+                                    : Vec((b.velocity - before_b) / b.inverse_mass);
+  if (const double impulse = change.dot(touch.normal); impulse > 0.0)
+    list(sub, m, touch.points[0].point, impulse);
+}
+
+/// At what doesn't move, `normal` towards it. Who has stood before slides along it alone, or, where it was at
+/// something else, not at all.
+void Guard::rest(SolverBody& body, std::uint32_t row, const Vec& normal) {
+  const Vec wall = std::exchange(wall_[row], normal);
+  if (!stood_[row]) return;
+  const bool crushed = wall != Vec(0.0, 0.0) && !(wall.dot(normal) > kSameWall);
+  body.velocity -= crushed ? body.velocity : Vec(std::max(body.velocity.dot(normal), 0.0) * normal);
+  body.spin = 0.0;
+}
+
+/// Before a body that is driven nobody stands, but at a wall.
+void Guard::leave(std::uint32_t row) {
+  if (wall_[row] == Vec(0.0, 0.0)) stands_[row] = 0;
 }
 
 void Guard::look_again(const Substep& sub, std::uint32_t body) {

@@ -35,7 +35,9 @@ class Guard {
   bool saw_meeting(const State& state, BodyRows<const SolverBody> bodies, Workers& workers);
 
   /// To be called before a step is taken under guard, each time that it is.
-  void start_step() { stood_.assign(scene_.bodies.size() + 1, 0), strikes_.clear(); }
+  void start_step() {
+    stood_.assign(scene_.bodies.size() + 1, 0), wall_.assign(stood_.size(), Vec(0.0, 0.0)), strikes_.clear();
+  }
 
   /// Those of the substeps since then, where contacts are recorded.
   std::span<const ContactRow> strikes() const { return strikes_; }
@@ -97,7 +99,9 @@ class Guard {
   void collide(const Substep& sub, Meeting& m);
   void list(const Substep& sub, const Meeting& m, const Vec& point, double impulse);
   void advance(const Substep& sub, std::uint32_t body, double time);
-  void stand(SolverBody& body, std::uint32_t row);
+  void hold(const Substep& sub, const Meeting& m, const narrowphase::Manifold& touch);
+  void rest(SolverBody& body, std::uint32_t row, const Vec& normal);
+  void leave(std::uint32_t row);
   void look_again(const Substep& sub, std::uint32_t body);
   const Surface& surface(const Meeting& m) const;
 
@@ -117,6 +121,7 @@ class Guard {
   std::vector<double> since_;         // s, of each body, in the substep: when it was where its row has it
   std::vector<std::uint8_t> stands_;  // of each body: stays there for the rest of the substep
   std::vector<std::uint8_t> stood_;   // likewise, of the step under guard: it has stood before
+  std::vector<Vec> wall_;             // and at what that doesn't move, towards it; or zero
   std::vector<ContactRow> strikes_;   // of that step
 };
 

@@ -314,6 +314,50 @@ TEST(Guard, ACupWhoseTilesSleepHoldsAllThatFallsIntoIt) {
   EXPECT_GT(guarded(run), 5);
 }
 
+/// Who meets again and again in a step is held in the end, as one with whom it met, or at a floor, which
+/// doesn't rub.
+TEST(Guard, MomentumStaysWhereManyMeetAgainAndAgain) {
+  std::int64_t guarded = 0;
+  for (const char* floor : {"", "[[walls]]\nsegment = [[-200, 0], [200, 0]]\n"})
+    for (int seed = 1; seed <= 6; ++seed) {
+      std::string text = "seed = " + std::to_string(seed) + "\n" + thrown_with(0.01, 0, 0) +
+                         "chip = { polygon = [[0, 0], [0.6, 0], [0.3, 0.6]] }\n" + floor;
+      for (const char* velocity : {"[200, -50]", "[-150, -50]"})
+        text +=
+            "[[bodies]]\nshape = \"chip\"\ncount = 10\nangle = { uniform = [0, 6.28] }\nplace = { random = { "
+            "within = [[-4, 0.5], [4, 8.5]] } }\nvelocity = " +
+            std::string(velocity) + "\n";
+      Trial run(text);
+      const auto momentum = [&] {
+        double sum = 0.0;
+        for (const Vec& velocity : run.state.velocity) sum += velocity.x();
+        return sum;
+      };
+      const double before = momentum();
+      run.steps(20);
+      EXPECT_NEAR(momentum(), before, 1e-8) << floor << seed;
+      guarded += run.work.guard->guarded_steps();
+    }
+  EXPECT_GT(guarded, 12);
+}
+
+TEST(Guard, APlateThatRunsIntoManyIsPassedByNobody) {
+  for (const double speed : {150.0, 300.0}) {
+    Trial run(
+        thrown_with(0.01, 0, 0) +
+        "brick = { polygon = [[0, 0], [0.4, 0], [0.4, 0.3], [0, 0.3]] }\nball = { disc = { radius = 0.2 } }\n"
+        "plate = { polygon = [[-0.1, -60], [0.1, -60], [0.1, 60], [-0.1, 60]] }\n" +
+        thrown("plate", {0, 0}, {speed, 0}, 0, "kind = \"kinematic\"\n") +
+        "[[bodies]]\nshape = \"brick\"\ncount = 60\nangle = { uniform = [0, 6.28] }\n"
+        "place = { random = { within = [[1, -4], [9, 4]] } }\n"
+        "[[bodies]]\nshape = \"ball\"\ncount = 60\nplace = { random = { within = [[1, -4], [9, 4]] } }\n");
+    run.steps(30);
+    for (std::size_t i = 1; i < run.state.position.size(); ++i)
+      EXPECT_GT(run.state.position[i].x(), run.state.position[0].x()) << i << " at " << speed;
+    EXPECT_GT(run.work.guard->guarded_steps(), 1);
+  }
+}
+
 /// Driven, it gives way to nobody: who is in its way is taken along.
 TEST(Guard, ABladeThatIsDrivenTakesAlongWhoeverItMeets) {
   for (const std::string shape : {"disc", "square"})
