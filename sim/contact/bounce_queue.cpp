@@ -122,11 +122,11 @@ bool BounceQueue::may_meet(const Group& group, std::uint32_t i, BodyRows<const S
                          : points_may_meet(entry, group.reaches[i - group.discs], bodies, rule);
 }
 
-/// Calls f(group) for the first `n` groups, by several threads where so many entries are worth it.
+/// Calls f(group) for the first `n` groups, one after the other or by several threads.
 template <class F>
-void BounceQueue::for_groups(std::size_t n, std::size_t entries, Workers& workers, F f) {
+void BounceQueue::for_groups(std::size_t n, bool shared, Workers& workers, F f) {
   auto of_number = [&](std::size_t i) { f(groups_[i]); };
-  if (entries >= kMany) return workers.for_few(n, of_number);
+  if (shared) return workers.for_few(n, of_number);
   for (std::size_t i = 0; i < n; ++i) of_number(i);
 }
 
@@ -135,7 +135,7 @@ void BounceQueue::start(BodyRows<const SolverBody> bodies, const BounceRule& rul
   struck_in_.resize(bodies.size());
   std::size_t entries = 0;
   for (const Group& group : groups_) entries += group.entries.size();
-  for_groups(groups_.size(), entries, workers, [&](Group& group) {
+  for_groups(groups_.size(), entries >= kMany, workers, [&](Group& group) {
     group.struck.clear();
     group.waiting.assign((group.entries.size() + 63) / 64, 0);
     for (std::uint32_t i = 0; i < group.entries.size(); ++i)
@@ -245,8 +245,9 @@ bool BounceQueue::sweep(Contacts& contacts, BodyRows<SolverBody> bodies, const B
                         Workers& workers) {
   std::size_t wait = 0;
   for (const Group& group : groups_) wait += group.count_waiting();
-  if (wait >= kMany && !joined_) join(bodies);
-  for_groups(parts_->count(), wait, workers, [&](Group& part) {
+  const bool shared = wait >= kMany;
+  if (shared && !joined_) join(bodies);
+  for_groups(parts_->count(), shared, workers, [&](Group& part) {
     part.outward.clear();
     sweep(part, contacts, bodies, rule);
   });

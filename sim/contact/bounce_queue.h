@@ -78,7 +78,7 @@ class BounceQueue {
   bool look_at(Group& group, std::uint32_t entry, Contacts& contacts, BodyRows<SolverBody> bodies,
                const BounceRule& rule);
   template <class F>
-  void for_groups(std::size_t n, std::size_t entries, Workers& workers, F f);
+  void for_groups(std::size_t n, bool shared, Workers& workers, F f);
   void note_strike(Group& group, std::uint32_t body, BodyRows<const SolverBody> bodies);
   bool wait_within_part(std::uint32_t body);
   void wait_across(std::uint32_t body);

@@ -50,15 +50,12 @@ double way(const SolverBody& body, const Vec& position, double reach) {
   return (body.position - position).norm() + std::abs(body.turn) * reach;
 }
 
-/// Restitution along the normal, Coulomb friction across; then the two part at `leaves` (m/s) more. Returns
-/// the impulse along the normal (N s).
-double part(const PointArms& at, SolverBody& a, SolverBody& b, const Surface& surface, double leaves) {
+/// Restitution along the normal, Coulomb friction across; then the two part at `leaves` (m/s) more.
+void part(const PointArms& at, SolverBody& a, SolverBody& b, const Surface& surface, double leaves) {
   const double speed = at.normal_velocity(a, b);
-  if (!(speed < 0.0)) return 0.0;
+  if (!(speed < 0.0)) return;
   const auto [normal, across] = corner_impact(at, surface.friction, a, b, -surface.restitution * speed);
-  const double pushed = normal + leaves * effective_mass(a, b, at.arm_a, at.arm_b, at.normal);
-  at.apply(a, b, pushed, across);
-  return pushed;
+  at.apply(a, b, normal + leaves * effective_mass(a, b, at.arm_a, at.arm_b, at.normal), across);
 }
 
 /// Both go on as one rigid body, with the momentum and the spin that they have together; `between` (m): from
@@ -67,7 +64,7 @@ void join(SolverBody& a, SolverBody& b, const Vec& between) {
   const double inverse = a.inverse_mass + b.inverse_mass;
   const double of_a = b.inverse_mass / inverse, of_b = a.inverse_mass / inverse;  // of the mass
   double spin = 0.0;
-  if (a.inverse_inertia > 0.0 && b.inverse_inertia > 0.0) {
+  if (a.inverse_inertia > 0.0) {
     const double inertia_a = 1.0 / a.inverse_inertia, inertia_b = 1.0 / b.inverse_inertia;
     const double momentum =
         inertia_a * a.spin + inertia_b * b.spin + cross(between, Vec(b.velocity - a.velocity)) / inverse;
@@ -336,55 +333,53 @@ void Guard::list(const Substep& sub, const Meeting& m, const Vec& point, double 
 }
 
 /// Two whose hearts meet are struck, and may then get as deep as to the next ones. Who gets to the last ones
-/// stays where it is for the rest of the substep; before a body that is driven, and goes on, it is pushed
-/// out.
+/// is held; before a body that is driven, and goes on, it is pushed out.
 void Guard::collide(const Substep& sub, Meeting& m) {
   SolverBody &a = sub.bodies[m.a], &b = sub.bodies[m.b];
   advance(sub, m.a, m.time), advance(sub, m.b, m.time);
   const bool is_last = m.depth + 1 == Hearts::kDepths;
   const bool driven = is_driven(a) || (!m.obstacle && is_driven(b));
-  if (driven) leave(m.a), leave(m.b);
   const double leaves = is_last && driven ? kLeaves * thickness(m) / sub.h : 0.0;
-  const Motion of_a = motion(sub, m, false, m.time), of_b = motion(sub, m, true, m.time);
-  const narrowphase::Manifold touch = manifold(m, of_a, of_b);
+  const narrowphase::Manifold touch =
+      manifold(m, motion(sub, m, false, m.time), motion(sub, m, true, m.time));
+  const Vec before_a = a.velocity, before_b = b.velocity;
   if (touch.count > 0) {
+    if (driven) leave(m.a, -touch.normal), leave(m.b, touch.normal);
+    const Motion of_a = motion(sub, m, false, m.time), of_b = motion(sub, m, true, m.time);
     const Vec point = struck_point(touch, of_a, of_b);
-    const double impulse =
-        part({point - of_a.position, point - of_b.position, touch.normal}, a, b, surface(m), leaves);
-    if (plan_.sums_impulses && impulse > 0.0) list(sub, m, point, impulse);
+    part({point - of_a.position, point - of_b.position, touch.normal}, a, b, surface(m), leaves);
+    if (is_last && !driven) go_on_held(sub, m, touch.normal);
+    const double impulse = a.is_dynamic() ? (before_a - a.velocity).dot(touch.normal) / a.inverse_mass
+                                          : (b.velocity - before_b).dot(touch.normal) / b.inverse_mass;
+    if (plan_.sums_impulses && impulse != 0.0) list(sub, m, point, impulse);
   }
+  if (is_last && !driven) stand(a, m.a), stand(b, m.b);
   if (!is_last || !driven || ++m.pushes > kMostPushes) ++m.depth;
-  if (is_last && !driven) hold(sub, m, touch);
   m.time = kNever;
   if (a.is_dynamic()) look_again(sub, m.a);
   if (b.is_dynamic()) look_again(sub, m.b);
 }
 
-/// The two stay where they are for the rest of the substep. Where one of them has before in the step, they go
-/// on as one, or not into what doesn't move: with the speed that they would else gather, as long as others
+/// How two go on who are held at each other, `normal` from a to b. Where one of them has stood before in the
+/// step, as one, or not into what doesn't move: with the speed that they would else gather, as long as others
 /// hold them, they would be thrown in the end.
-void Guard::hold(const Substep& sub, const Meeting& m, const narrowphase::Manifold& touch) {
+void Guard::go_on_held(const Substep& sub, const Meeting& m, const Vec& normal) {
   SolverBody &a = sub.bodies[m.a], &b = sub.bodies[m.b];
-  const Vec before_a = a.velocity, before_b = b.velocity;
-  const bool again = stood_[m.a] || stood_[m.b];
-  if (a.is_dynamic() && b.is_dynamic()) {
-    if (again) join(a, b, b.position + m.shift - a.position);
-  } else {
-    const Vec normal = touch.count > 0 ? touch.normal : Vec(0.0, 0.0);
-    if (a.is_dynamic()) rest(a, m.a, normal);
-    if (b.is_dynamic()) rest(b, m.b, -normal);
-  }
-  for (const std::uint32_t body : {m.a, m.b})
-    if (sub.bodies[body].is_dynamic()) stands_[body] = stood_[body] = 1;
-  if (!plan_.sums_impulses || touch.count == 0) return;
-  const Vec change = a.is_dynamic() ? Vec((before_a - a.velocity) / a.inverse_mass)
-                                    : Vec((b.velocity - before_b) / b.inverse_mass);
-  if (const double impulse = change.dot(touch.normal); impulse > 0.0)
-    list(sub, m, touch.points[0].point, impulse);
+  if (!b.is_dynamic())
+    rest(a, m.a, normal);
+  else if (!a.is_dynamic())
+    rest(b, m.b, -normal);
+  else if (stood_[m.a] || stood_[m.b])
+    join(a, b, b.position + m.shift - a.position);
 }
 
-/// At what doesn't move, `normal` towards it. Who has stood before slides along it alone, or, where it was at
-/// something else, not at all.
+/// For the rest of the substep.
+void Guard::stand(const SolverBody& body, std::uint32_t row) {
+  if (body.is_dynamic()) stands_[row] = stood_[row] = 1;
+}
+
+/// At what doesn't move, `normal` towards it. Who has stood before in the step slides along it alone and
+/// doesn't turn, or, where it was at something else, doesn't move at all.
 void Guard::rest(SolverBody& body, std::uint32_t row, const Vec& normal) {
   const Vec wall = std::exchange(wall_[row], normal);
   if (!stood_[row]) return;
@@ -393,9 +388,9 @@ void Guard::rest(SolverBody& body, std::uint32_t row, const Vec& normal) {
   body.spin = 0.0;
 }
 
-/// Before a body that is driven nobody stands, but at a wall.
-void Guard::leave(std::uint32_t row) {
-  if (wall_[row] == Vec(0.0, 0.0)) stands_[row] = 0;
+/// Who is pushed that way by a body that is driven stands no longer, but at a wall into which that would be.
+void Guard::leave(std::uint32_t row, const Vec& push) {
+  if (!(wall_[row].dot(push) > 0.0)) stands_[row] = 0;
 }
 
 void Guard::look_again(const Substep& sub, std::uint32_t body) {

@@ -99,9 +99,10 @@ class Guard {
   void collide(const Substep& sub, Meeting& m);
   void list(const Substep& sub, const Meeting& m, const Vec& point, double impulse);
   void advance(const Substep& sub, std::uint32_t body, double time);
-  void hold(const Substep& sub, const Meeting& m, const narrowphase::Manifold& touch);
+  void go_on_held(const Substep& sub, const Meeting& m, const Vec& normal);
+  void stand(const SolverBody& body, std::uint32_t row);
   void rest(SolverBody& body, std::uint32_t row, const Vec& normal);
-  void leave(std::uint32_t row);
+  void leave(std::uint32_t row, const Vec& push);
   void look_again(const Substep& sub, std::uint32_t body);
   const Surface& surface(const Meeting& m) const;
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <sstream>
 #include <string>
 
 #include "narrowphase/convex.h"
@@ -107,6 +108,37 @@ TEST(StepImpulses, AreWhatMomentumChangesByUnderGuard) {
                       "[[walls]]\nsegment = [[4, -2], [4, 2]]\n" +
                       placed("box", "at = [0, 0]\nvelocity = [300, 0]\n") +
                       placed("box", "at = [-3, 0]\nvelocity = [400, 0]\n"),
+                  0, 200.0);
+}
+
+/// Under guard, where who was held before goes on as one with whom he meets: of what threw them apart some is
+/// taken back.
+TEST(StepImpulses, AreWhatMomentumChangesByOfThoseThatGoOnAsOne) {
+  struct Disc {
+    double x, velocity;
+    bool heavy;
+  };
+  std::ostringstream discs;
+  for (const Disc& disc : {Disc{1.34, -276, true},
+                           {2.01, 281, true},
+                           {2.86, 3, true},
+                           {3.34, 71, true},
+                           {5.93, -114, false},
+                           {7.49, -17, false},
+                           {8.12, 67, false},
+                           {10.23, -34, true},
+                           {10.67, -244, true},
+                           {11.7, 67, true},
+                           {12.25, 122, false},
+                           {12.77, -157, false},
+                           {13.99, -245, true},
+                           {15.44, -235, true}})
+    discs << placed("small", disc.heavy ? "material = \"heavy\"\n" : "") << "at = [" << disc.x
+          << ", 0]\nvelocity = [" << disc.velocity << ", 0]\n";
+  expect_balanced("time = { dt = 0.05, until = 0.05 }\n" + frictionless(0.7) +
+                      "small = { disc = { radius = 0.2 } }\n[materials.heavy]\ndensity = 1000\nfriction = "
+                      "0\nrestitution = 0.7\n" +
+                      discs.str(),
                   0, 200.0);
 }
 
