@@ -10,6 +10,7 @@
 
 #include "narrowphase/motion/first_contact.h"
 #include "sim/contact/corner_impact.h"
+#include "sim/contact/go_on_as_one.h"
 #include "sim/periodic.h"
 
 namespace throng {
@@ -56,23 +57,6 @@ void part(const PointArms& at, SolverBody& a, SolverBody& b, const Surface& surf
   if (!(speed < 0.0)) return;
   const auto [normal, across] = corner_impact(at, surface.friction, a, b, -surface.restitution * speed);
   at.apply(a, b, normal + leaves * effective_mass(a, b, at.arm_a, at.arm_b, at.normal), across);
-}
-
-/// Both go on as one rigid body, with the momentum and the spin that they have together; `between` (m): from
-/// a to b.
-void join(SolverBody& a, SolverBody& b, const Vec& between) {
-  const double inverse = a.inverse_mass + b.inverse_mass;
-  const double of_a = b.inverse_mass / inverse, of_b = a.inverse_mass / inverse;  // of the mass
-  double spin = 0.0;
-  if (a.inverse_inertia > 0.0) {
-    const double inertia_a = 1.0 / a.inverse_inertia, inertia_b = 1.0 / b.inverse_inertia;
-    const double momentum =
-        inertia_a * a.spin + inertia_b * b.spin + cross(between, Vec(b.velocity - a.velocity)) / inverse;
-    spin = momentum / (inertia_a + inertia_b + between.squaredNorm() / inverse);
-  }
-  const Vec velocity = of_a * a.velocity + of_b * b.velocity, about = spin * tangent(between);
-  a.velocity = velocity - of_b * about, b.velocity = velocity + of_a * about;
-  a.spin = b.spin = spin;
 }
 
 /// m/s, at which two whose hearts touch come nearer at that point.
@@ -370,7 +354,7 @@ void Guard::go_on_held(const Substep& sub, const Meeting& m, const Vec& normal) 
   else if (!a.is_dynamic())
     rest(b, m.b, -normal);
   else if (stood_[m.a] || stood_[m.b])
-    join(a, b, b.position + m.shift - a.position);
+    go_on_as_one(a, b, b.position + m.shift - a.position);
 }
 
 /// For the rest of the substep.
