@@ -24,12 +24,11 @@ namespace throng {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr double kSoftness = 1.28;    // a contact sags by F h² / (kSoftness m): see README, of 16 substeps
-constexpr double kLateBounces = 1.5;  // of g h t, how late who bounces is
-constexpr double kLeans = 2.0;        // times the mean load, as who lies between others presses aside, too
-constexpr double kJams = 6.0;         // widths of a body, in a box narrower than which it jams
-constexpr double kThinnest = 4.001;   // height over width of bodies whose towers' sway is known
-constexpr double kStands = 2.85;      // sqrt(L / g) / n², the substep up to which towers stand
+constexpr double kSoftness = 1.28;   // a contact sags by F h² / (kSoftness m): see README, of 16 substeps
+constexpr double kLeans = 2.0;       // times the mean load, as who lies between others presses aside, too
+constexpr double kJams = 6.0;        // widths of a body, in a box narrower than which it jams
+constexpr double kThinnest = 4.001;  // height over width of bodies whose towers' sway is known
+constexpr double kStands = 2.85;     // sqrt(L / g) / n², the substep up to which towers stand
 constexpr double kLongestStep = 1.0 / 60.0;  // s, of steps in which contacts are found once
 constexpr int kSubsteps = 16;                // as cheap as fewer, longer steps of as many substeps are dear
 constexpr int kFewestSubsteps = 4;           // of them
@@ -80,31 +79,27 @@ AutoTime exact(const Scene& scene, std::string why) {
 }
 
 /// Steps in which nobody is off by more than allowed who is off by `speed` (m/s) times a substep at most.
-AutoTime falling(const Scene& scene, double longest, double speed, const char* late) {
+AutoTime late(const Scene& scene, double speed, const char* by) {
   const double allowed = scene.time.error * smallest_dynamic_radius(scene), substep = allowed / speed;
-  AutoTime result = steps(scene, longest, substep);
+  AutoTime result = steps(scene, std::min(0.1, time_of_a_radius(scene)), substep);
   result.promise = "how far off its exact way a body is at the end, of its radius";
   result.why = text("%.3g m are allowed at %.3g s: h <= %.3g s", allowed, scene.time.until, substep);
-  result.why = late + result.why;
+  result.why = by + result.why;
   return result;
 }
 
-AutoTime falling(const Scene& scene, double longest) {
-  return falling(scene, longest, 0.5 * scene.gravity.norm() * scene.time.until,
-                 "free fall is ahead by g h t / 2, and ");
-}
-
-/// A fall is ahead by g h t / 2, and so are all that follow; a bounce is off by what is left of its substep,
-/// and the way to go then is longer by what it turns round: as measured, 3 g h t / 2 and (1 + e) v h.
+/// Who rolls or slides is ahead by half of what his acceleration gives in a substep, g h t / 2 at most. Who
+/// bounces does so when he meets the wall, unless he meets two at once: then he is off by what is left of
+/// his substep.
 AutoTime alone(const Scene& scene, double impact) {
   if (impact == 0.0 && scene.gravity == Vec(0.0, 0.0)) return exact(scene, "nothing pulls, nothing is met");
-  const double longest = std::min(0.1, time_of_a_radius(scene));
-  if (impact == 0.0) return falling(scene, longest);
+  const double ahead = 0.5 * scene.gravity.norm() * scene.time.until;
+  if (impact == 0.0) return late(scene, ahead, "who rolls or slides is ahead by g h t / 2, and ");
   double restitution = 0.0;
   for (const auto& [a, b] : meeting_materials(scene))
     restitution = std::max({restitution, scene.materials[a].restitution, scene.materials[b].restitution});
-  const double speed = kLateBounces * scene.gravity.norm() * scene.time.until + (1.0 + restitution) * impact;
-  return falling(scene, longest, speed, "who hits a wall is off by 3 g h t / 2 + (1 + e) v h, and ");
+  return late(scene, ahead + (1.0 + restitution) * impact,
+              "who hits a wall is off by g h t / 2 + (1 + e) v h, and ");
 }
 
 AutoTime impacts(const Scene& scene) {
@@ -266,7 +261,8 @@ AutoTime native(const Scene& scene) {
   const Plan plan = plan_for(scene);
   if (plan.soft) return impacts(scene);
   if (!plan.contacts())
-    return plan.gravity ? falling(scene, 0.1) : exact(scene, "nothing pulls, nobody is met");
+    return exact(scene,
+                 plan.gravity ? "who falls freely keeps to a parabola" : "nothing pulls, nobody is met");
   if (plan.flights) return exact(scene, "discs fly from collision to collision");
   if (std::ranges::count(scene.bodies.kind, BodyKind::kinematic) > 0)
     return refused("kinematic bodies stir the others for ever");

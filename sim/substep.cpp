@@ -38,12 +38,6 @@ int hit_sweeps(const Contacts& contacts) {
   return std::clamp(static_cast<int>(kHitWork / contacts.hits), kHitSweeps, kMostHitSweeps);
 }
 
-void fall(BodyRows<SolverBody> bodies, Rows awake, const Vec& kick) {
-  awake.for_each([&](std::uint32_t i) {
-    if (bodies[i].is_dynamic()) bodies[i].velocity += kick;
-  });
-}
-
 void move(BodyRows<SolverBody> bodies, Rows awake, double h, bool rotation) {
   awake.for_each([&](std::uint32_t i) {
     bodies[i].position += h * bodies[i].velocity;
@@ -62,12 +56,28 @@ void bounce(Workspace& work, BounceRule rule, int bounces) {
   }
 }
 
-void bounce(const Plan& plan, Workspace& work, const Vec& kick, const Vec* period) {
-  if (work.contacts.disc_bounces.empty() && work.contacts.point_bounces.empty()) return;
+/// Of a substep in which gravity adds `kick` (m/s) to velocities.
+BounceRule bounce_rule(const Workspace& work, const Vec& kick, const Vec* period) {
   const double h = work.solver.h, hit_speed = work.finder.hit_speed();
-  const BounceRule rule{h, h, kRestSpeed * kick.norm(), hit_speed, hit_speed, kick, period, work.ahead, h};
+  return {h, h, kRestSpeed * kick.norm(), hit_speed, hit_speed, kick, period, work.ahead, h};
+}
+
+void bounce(const Plan& plan, Workspace& work, const BounceRule& rule) {
+  if (work.contacts.disc_bounces.empty() && work.contacts.point_bounces.empty()) return;
   work.bounces.start(work.bodies, rule, work.workers);
   bounce(work, rule, bounce_sweeps(plan));
+}
+
+void fall(Workspace& work, const Vec& kick) {
+  by_parts(work, [&](Rows rows) { work.free_fall.fall(work.bodies, rows, kick); });
+  work.bounces.for_each_stopped([&](std::uint32_t row) { work.free_fall.stop(work.bodies, row); });
+}
+
+/// Who fell or flew freely in the substep gets to where he would be.
+void land(const Plan& plan, Workspace& work, const BounceRule& rule) {
+  if (plan.gravity)
+    by_parts(work, [&](Rows rows) { work.free_fall.land(work.bodies, rows, rule.kick, rule.h); });
+  if (plan.restitution) work.bounces.land(work.contacts, work.bodies, work.free_fall, rule);
 }
 
 /// What hit has arrived at the other's surface and is stopped there, and who stands on it with it. Left to
@@ -174,8 +184,9 @@ void relax(Workspace& work, const Plan& plan, bool moving) {
 void substep(const Scene& scene, const Plan& plan, const State& state, Workspace& work, SubstepWay way) {
   const Vec kick = work.solver.h * scene.gravity;
   const Vec size = scene.domain.max - scene.domain.min, *period = plan.periodic ? &size : nullptr;
-  bounce(plan, work, plan.gravity ? kick : Vec(0.0, 0.0), period);
-  if (plan.gravity) by_parts(work, [&](Rows rows) { fall(work.bodies, rows, kick); });
+  const BounceRule rule = bounce_rule(work, plan.gravity ? kick : Vec(0.0, 0.0), period);
+  bounce(plan, work, rule);
+  if (plan.gravity || plan.restitution) fall(work, rule.kick);
   work.solver.backward = way.backward;
   if (plan.contacts()) start_and_push_apart(work, period);
   if (plan.restitution) forget_elsewhere(scene, plan, work);
@@ -187,6 +198,7 @@ void substep(const Scene& scene, const Plan& plan, const State& state, Workspace
   stop(work, period);
   work.solver.backward = !way.backward;
   if (plan.contacts()) relax(work, plan, at_once);
+  if (!way.guarded) land(plan, work, rule);
 }
 
 }  // namespace throng

@@ -19,7 +19,7 @@ struct SubstepWay {
   bool guarded;   ///< nobody gets through another or a wall, however fast
 };
 
-/// Takes `work.bodies` on by a substep: bounce, fall, push apart, move, relax. Semi-implicit Euler; `state`
+/// Takes `work.bodies` on by a substep: bounce, fall, push apart, move, relax, land. `state`
 /// is that of the step's beginning.
 void substep(const Scene& scene, const Plan& plan, const State& state, Workspace& work, SubstepWay way);
 

@@ -27,6 +27,7 @@ Workspace::Workspace(const Scene& scene, const Plan& plan, int threads)
       soft(scene, plan),
       finder(scene, plan, candidates.colliders()),
       bodies(scene.bodies.size() + finder.parts().groups()),
+      free_fall(scene, bodies.size()),
       unseen(candidates, scene.time.dt),
       mean_radius(mean_radius_of(candidates.colliders())),
       crowd(scene),

@@ -16,6 +16,7 @@
 #include "sim/contact/step_impulses.h"
 #include "sim/contact/unseen.h"
 #include "sim/crowd/walk.h"
+#include "sim/free_fall.h"
 #include "sim/plan.h"
 #include "sim/scene.h"
 #include "sim/sensing/sensing.h"
@@ -51,6 +52,7 @@ struct Workspace {
   BounceQueue bounces;
   StepImpulses impulses;
   SolverBodies bodies;  ///< a row per body, and one for all obstacles for each group of contacts
+  FreeFall free_fall;
   std::vector<std::uint8_t> pressed;  ///< a buffer of what learns
   Unseen unseen;
   double mean_radius;  ///< m, of what may touch

@@ -42,15 +42,20 @@ double tangent_mass(const DiscContact& contact, const SolverBody&, const SolverB
   return contact.tangent_mass;
 }
 
+/// What gravity adds to the square of the speed at which two meet who are `s` (m) apart (m²/s²).
+double gained(double s, double fall, double h) {
+  return -2.0 * s * fall / h;
+}
+
 /// The speed with which two part that meet at `speed` (m/s, below 0) while `s` (m) apart, after `fall` (m/s),
 /// what gravity does between them in the substep. As if they went on to the surface, bounced there, and came
-/// back to where they are: the flight's energy is that of the parabola on which substeps lie, at their
-/// middle. Not above 0 where they wouldn't get back: they arrive at the surface.
+/// back to where they are: energy stays that of their parabolas. Not above 0 where they wouldn't get back:
+/// they arrive at the surface.
 double parting_speed(double restitution, double speed, double s, double fall, double h) {
-  if (restitution == 1.0) return -speed - fall;
-  const double middle = speed + 0.5 * fall, drop = -2.0 * s * fall / h;
-  const double after = restitution * restitution * (middle * middle + drop) - drop;
-  return after > 0.0 ? std::sqrt(after) - 0.5 * fall : 0.0;
+  if (restitution == 1.0) return -speed;
+  const double more = gained(s, fall, h);
+  const double after = restitution * restitution * (speed * speed + more) - more;
+  return after > 0.0 ? std::sqrt(after) : 0.0;
 }
 
 /// The velocity at which what hits without a bounce arrives at the other's surface (m/s).
@@ -58,17 +63,29 @@ double arrival(const ContactBase& contact, double fall, double h) {
   return -std::max(contact.separation, 0.0) / h - fall;
 }
 
+/// Whether the two get to each other so soon, or together by rounding, after `fall`.
+bool meet(const ContactBase& contact, double speed, double fall, const BounceRule& rule) {
+  return contact.separation + rule.within * (speed + fall) < -kAtItsEnd * rule.within * speed;
+}
+
 /// The velocity that a bounce adds along the normal (m/s); 0 where the two don't meet so soon. What
-/// doesn't bounce but hits arrives at the other's surface.
+/// doesn't bounce but hits arrives at the other's surface; who hits one that falls as he does, but may be
+/// held by others, also as one that doesn't fall.
 template <class Contact>
-double rebound(const Contact& contact, const SolverBody& a, const SolverBody& b, const BounceRule& rule) {
+double rebound(Contact& contact, const SolverBody& a, const SolverBody& b, const BounceRule& rule) {
   const bool bounces = contact.restitution > 0.0;
   if (!bounces && !contact.hits) return 0.0;
   const double speed = arms(contact).normal_velocity(a, b);
-  if (!(speed < -(bounces ? rule.threshold : rule.hit_speed))) return 0.0;
-  const double fall = relative_kick(contact, a, b, rule.kick);
+  if (!(speed < -(bounces ? 0.0 : rule.hit_speed))) return 0.0;
+  double fall = relative_kick(contact, a, b, rule.kick);
   const double s = contact.separation;
-  if (!(s + rule.within * (speed + fall) < -kAtItsEnd * rule.within * speed)) return 0.0;
+  if (bounces && speed * speed + gained(s, fall, rule.h) < rule.threshold * rule.threshold) return 0.0;
+  if (!meet(contact, speed, fall, rule)) {
+    if (bounces || !a.is_dynamic() || !b.is_dynamic()) return 0.0;
+    fall = -std::abs(rule.kick.dot(contact.normal));
+    if (!meet(contact, speed, fall, rule)) return 0.0;
+  }
+  contact.fall = fall;
   const double parts = bounces ? parting_speed(contact.restitution, speed, s, fall, rule.h) : 0.0;
   return (parts > 0.0 ? parts : arrival(contact, fall, rule.h)) - speed;
 }
@@ -136,8 +153,7 @@ bool correct(Contact& contact, BodyRows<SolverBody> bodies, const BounceRule& ru
   if (contact.restitution > 0.0 || !(contact.struck > 0.0)) return false;
   SolverBody &a = bodies[contact.a], &b = bodies[contact.b];
   const auto at = arms(contact);
-  const double fall = relative_kick(contact, a, b, rule.kick);
-  const double parting = at.normal_velocity(a, b) - arrival(contact, fall, rule.h);
+  const double parting = at.normal_velocity(a, b) - arrival(contact, contact.fall, rule.h);
   double back = parting > 0.0 ? std::min(normal_mass(contact, a, b) * parting, contact.struck) : 0.0;
   if (!(back > kLeastTakenBack * contact.struck)) back = 0.0;
   if (back > 0.0) at.apply(a, b, -back, 0.0);
@@ -185,11 +201,11 @@ bool bounce_both(PointContact& i, PointContact& j, BodyRows<SolverBody> bodies, 
 
 /// Of the contacts of two bodies those farthest apart, in their order, of all that meet along the normal of
 /// that one: between them velocities are those between theirs.
-std::pair<std::size_t, std::size_t> outermost(std::span<const PointContact> contacts, std::size_t one,
+std::pair<std::size_t, std::size_t> outermost(std::span<PointContact> contacts, std::size_t one,
                                               BodyRows<const SolverBody> bodies, const BounceRule& rule) {
   std::size_t low = one, high = one;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const PointContact& contact = contacts[i];
+    PointContact& contact = contacts[i];
     if (!(contact.normal.dot(contacts[one].normal) > kSameNormal)) continue;
     if (!(rebound(contact, bodies[contact.a], bodies[contact.b], rule) > 0.0)) continue;
     const double lever = cross(contact.arm_a, contact.normal);

@@ -21,9 +21,9 @@ constexpr std::uint32_t kAcross = std::uint32_t{1} << 31;  // of an entry: joins
 
 constexpr std::size_t kMany = 128;  // entries are worth handing over to other threads
 
-/// m/s, of what may bounce, or hit.
+/// m/s, of what may bounce, though gravity make it faster on the way, or hit.
 double least_speed(bool bounces, const BounceRule& rule) {
-  return (1.0 - kRounding) * (bounces ? rule.threshold : rule.hit_speed);
+  return (1.0 - kRounding) * (bounces ? rule.threshold - rule.kick.norm() : rule.hit_speed);
 }
 
 /// The contacts at the front that are of the same two bodies.
@@ -46,10 +46,9 @@ std::size_t BounceQueue::Group::count_waiting() const {
 void BounceQueue::list(std::span<const DiscContact> contacts) {
   for (std::uint32_t i = 0; i < contacts.size(); ++i) {
     const DiscContact& contact = contacts[i];
-    const bool bounces = contact.restitution > 0.0;
-    if (!bounces && !contact.hits) continue;
-    groups_[parts_->group(contact.a, contact.b)].entries.push_back(
-        {contact.a, contact.b, i, 1, contact.radius_a + contact.radius_b, bounces});
+    groups_[parts_->group(contact.a, contact.b)].entries.push_back({contact.a, contact.b, i, 1,
+                                                                    contact.radius_a + contact.radius_b,
+                                                                    contact.restitution > 0.0, contact.hits});
   }
 }
 
@@ -60,7 +59,6 @@ void BounceQueue::list(std::span<const PointContact> contacts) {
     Entry entry{pair[0].a, pair[0].b, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count),
                 -std::numeric_limits<double>::infinity()};
     Reach reach{.normal = pair[0].normal};
-    bool hits = false;
     for (const PointContact& contact : pair) {
       entry.turns |= contact.turner.body != Turner::Body::none;
       if (contact.normal != pair[0].normal || entry.turns) reach.normal = Vec(0.0, 0.0);
@@ -68,9 +66,8 @@ void BounceQueue::list(std::span<const PointContact> contacts) {
                                               contact.normal.dot(contact.first_b - contact.first_a));
       reach.of_a = std::max(reach.of_a, contact.first_a.norm() + contact.round_a);
       reach.of_b = std::max(reach.of_b, contact.first_b.norm() + contact.round_b);
-      entry.bounces |= contact.restitution > 0.0, hits |= contact.hits;
+      entry.bounces |= contact.restitution > 0.0, entry.hits |= contact.hits;
     }
-    if (!entry.bounces && !hits) continue;
     Group& group = groups_[parts_->group(entry.a, entry.b)];
     group.entries.push_back(entry), group.reaches.push_back(reach);
   }
@@ -79,7 +76,8 @@ void BounceQueue::list(std::span<const PointContact> contacts) {
 void BounceQueue::start_step(const Contacts& contacts, const Parts& parts) {
   parts_ = &parts, joined_ = false;
   groups_.resize(parts.groups());
-  for (Group& group : groups_) group.entries.clear(), group.reaches.clear();
+  for (Group& group : groups_)
+    group.entries.clear(), group.reaches.clear(), group.bounces.clear(), group.stopped.clear();
   list(contacts.disc_bounces);
   for (Group& group : groups_) group.discs = group.entries.size();
   list(contacts.point_bounces);
@@ -131,20 +129,20 @@ void BounceQueue::for_groups(std::size_t n, bool shared, Workers& workers, F f) 
 }
 
 void BounceQueue::start(BodyRows<const SolverBody> bodies, const BounceRule& rule, Workers& workers) {
-  substep_ = ++phase_;
-  struck_in_.resize(bodies.size());
+  substep_ = ++phase_, stopping_ = false;
+  struck_in_.resize(bodies.size()), again_.resize(bodies.size());
   std::size_t entries = 0;
   for (const Group& group : groups_) entries += group.entries.size();
   for_groups(groups_.size(), entries >= kMany, workers, [&](Group& group) {
-    group.struck.clear();
+    group.struck.clear(), group.bounces.clear(), group.stopped.clear();
     group.waiting.assign((group.entries.size() + 63) / 64, 0);
     for (std::uint32_t i = 0; i < group.entries.size(); ++i)
-      if (may_meet(group, i, bodies, rule)) group.wait(i);
+      if (may_meet(group, i, bodies, rule)) wait(group, i);
   });
 }
 
 void BounceQueue::go_on() {
-  ++phase_;
+  ++phase_, stopping_ = true;
   for (Group& group : groups_) std::ranges::fill(group.waiting, 0);
   for (const Group& group : groups_)
     for (const std::uint32_t body : group.struck)
@@ -160,13 +158,13 @@ bool BounceQueue::wait_within_part(std::uint32_t body) {
     if (of_body_[i] & kAcross)
       across = true;
     else
-      its.wait(of_body_[i]);
+      wait(its, of_body_[i]);
   return across;
 }
 
 void BounceQueue::wait_across(std::uint32_t body) {
   for (std::uint32_t i = first_of_[body]; i < first_of_[body + 1]; ++i)
-    if (of_body_[i] & kAcross) groups_.back().wait(of_body_[i] & ~kAcross);
+    if (of_body_[i] & kAcross) wait(groups_.back(), of_body_[i] & ~kAcross);
 }
 
 /// Lists the entries of each body that moves.
@@ -186,13 +184,29 @@ void BounceQueue::join(BodyRows<const SolverBody> bodies) {
   joined_ = true;
 }
 
+/// Whether what is known of where two touch is true where they meet, too, and nobody else has struck them. Of
+/// faces of what moves it isn't: they turn and slide.
+bool BounceQueue::is_lone_bounce(const Group& group, std::uint32_t i,
+                                 BodyRows<const SolverBody> bodies) const {
+  const Entry& entry = group.entries[i];
+  const auto was_struck = [&](std::uint32_t row) { return struck_in_[bodies.slots().slot(row)] >= substep_; };
+  if (!entry.bounces || was_struck(entry.a) || was_struck(entry.b)) return false;
+  if (i < group.discs) return true;
+  return !entry.turns && !(bodies[entry.a].is_dynamic() && bodies[entry.b].is_dynamic());
+}
+
 /// What doesn't move isn't struck. Contacts that join parts come to wait at once if it was by one of them,
 /// else when all parts have been swept. A few may be listed here: then one thread sweeps all.
-void BounceQueue::note_strike(Group& group, std::uint32_t body, BodyRows<const SolverBody> bodies) {
+void BounceQueue::note_strike(Group& group, std::uint32_t body, bool bounces,
+                              BodyRows<const SolverBody> bodies) {
   if (!bodies[body].is_dynamic()) return;
+  if (!bounces) group.stopped.push_back(body);
   if (!joined_) join(bodies);
   std::uint64_t& struck_in = struck_in_[bodies.slots().slot(body)];
-  if (struck_in < substep_) group.struck.push_back(body);
+  if (struck_in < substep_)
+    group.struck.push_back(body);
+  else
+    again_[bodies.slots().slot(body)] = substep_;
   struck_in = phase_;
   if (!wait_within_part(body)) return;
   if (joins_parts(group))
@@ -201,8 +215,8 @@ void BounceQueue::note_strike(Group& group, std::uint32_t body, BodyRows<const S
     group.outward.push_back(body);
 }
 
-bool BounceQueue::look_at(Group& group, std::uint32_t i, Contacts& contacts, BodyRows<SolverBody> bodies,
-                          const BounceRule& rule) {
+bool BounceQueue::bounce_at(Group& group, std::uint32_t i, Contacts& contacts, BodyRows<SolverBody> bodies,
+                            const BounceRule& rule) {
   const Entry& entry = group.entries[i];
   const bool is_new = std::exchange(group.prepared[i], phase_) != phase_;
   if (i < group.discs) {
@@ -221,6 +235,67 @@ bool BounceQueue::look_at(Group& group, std::uint32_t i, Contacts& contacts, Bod
   return bounce(pair, bodies, rule);
 }
 
+void BounceQueue::look_at(Group& group, std::uint32_t i, Contacts& contacts, BodyRows<SolverBody> bodies,
+                          const BounceRule& rule) {
+  const Entry& entry = group.entries[i];
+  const SolverBody &a = bodies[entry.a], &b = bodies[entry.b];
+  const Bounce before{i, {a.velocity, a.spin}, {b.velocity, b.spin}};
+  if (!bounce_at(group, i, contacts, bodies, rule)) return;
+  if (is_lone_bounce(group, i, bodies)) group.bounces.push_back(before);
+  note_strike(group, entry.a, entry.bounces, bodies), note_strike(group, entry.b, entry.bounces, bodies);
+}
+
+/// Whether the two of an entry are so far from each other, at the substep's end, that they can't have met in
+/// it, whatever way they took at these speeds, and one at `before` (m/s), too.
+bool BounceQueue::is_far(const Group& group, std::uint32_t i, BodyRows<const SolverBody> bodies,
+                         const BounceRule& rule, double before) const {
+  const Entry& entry = group.entries[i];
+  const SolverBody &a = bodies[entry.a], &b = bodies[entry.b];
+  const double speeds = before + a.velocity.norm() + b.velocity.norm() + 2.0 * rule.kick.norm();
+  const Vec between = b.position - a.position;
+  if (i < group.discs) {
+    const double near = entry.touch + 2.0 * rule.h * speeds;
+    return (rule.period ? nearest_image(between, *rule.period) : between).squaredNorm() > near * near;
+  }
+  const Reach& reach = group.reaches[i - group.discs];
+  const double turned = (std::abs(a.turn) + 2.0 * rule.h * std::abs(a.spin)) * reach.of_a +
+                        (std::abs(b.turn) + 2.0 * rule.h * std::abs(b.spin)) * reach.of_b;
+  return reach.normal != Vec(0.0, 0.0) &&
+         reach.normal.dot(between) - entry.touch - turned > 2.0 * rule.h * speeds;
+}
+
+/// Whether all whom a body may touch, but for that one entry, are far.
+bool BounceQueue::nobody_is_near(std::uint32_t body, const Entry& but, double before,
+                                 BodyRows<const SolverBody> bodies, const BounceRule& rule) const {
+  if (!bodies[body].is_dynamic()) return true;
+  for (std::uint32_t k = first_of_[body]; k < first_of_[body + 1]; ++k) {
+    const bool across = of_body_[k] & kAcross;
+    const Group& group = across ? groups_.back() : groups_[parts_->group(body)];
+    const std::uint32_t i = across ? of_body_[k] & ~kAcross : of_body_[k];
+    if (&group.entries[i] != &but && !is_far(group, i, bodies, rule, before)) return false;
+  }
+  return true;
+}
+
+void BounceQueue::land(Contacts& contacts, BodyRows<SolverBody> bodies, const FreeFall& free_fall,
+                       const BounceRule& rule) {
+  for (Group& group : groups_)
+    for (const auto& [i, a, b] : group.bounces) {
+      const Entry& entry = group.entries[i];
+      const auto alone = [&](std::uint32_t row, const Velocities& before) {
+        return again_[bodies.slots().slot(row)] != substep_ && free_fall.flies(bodies, row) &&
+               nobody_is_near(row, entry, before.linear.norm(), bodies, rule);
+      };
+      if (group.prepared[i] != substep_ || !alone(entry.a, a) || !alone(entry.b, b)) continue;
+      if (i < group.discs)
+        bounce_as_they_meet(std::span(contacts.disc_bounces).subspan(entry.first, 1), a, b, bodies, rule,
+                            told_);
+      else
+        bounce_as_they_meet(std::span(contacts.point_bounces).subspan(entry.first, entry.count), a, b, bodies,
+                            rule, told_);
+    }
+}
+
 void BounceQueue::sweep(Group& group, Contacts& contacts, BodyRows<SolverBody> bodies,
                         const BounceRule& rule) {
   BounceRule in_course = rule;
@@ -234,9 +309,8 @@ void BounceQueue::sweep(Group& group, Contacts& contacts, BodyRows<SolverBody> b
       group.waiting[word] &= ~bit;
       const std::uint32_t i =
           static_cast<std::uint32_t>(64 * word) + static_cast<std::uint32_t>(std::countr_zero(bit));
-      const auto [a, b] = std::pair(group.entries[i].a, group.entries[i].b);
-      if (!look_at(group, i, contacts, bodies, was_struck(a) || was_struck(b) ? in_course : rule)) continue;
-      note_strike(group, a, bodies), note_strike(group, b, bodies);
+      const Entry& entry = group.entries[i];
+      look_at(group, i, contacts, bodies, was_struck(entry.a) || was_struck(entry.b) ? in_course : rule);
     }
   }
 }

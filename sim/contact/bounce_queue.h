@@ -10,7 +10,9 @@
 #include "sim/contact/bounce.h"
 #include "sim/contact/contacts.h"
 #include "sim/contact/face_stand.h"
+#include "sim/contact/lone_bounce.h"
 #include "sim/contact/parts.h"
+#include "sim/free_fall.h"
 #include "sim/workers.h"
 
 namespace throng {
@@ -27,7 +29,8 @@ class BounceQueue {
 
   /// Before the first sweep of a substep: waiting are all who may bounce or hit by the rule. O(contacts).
   void start(BodyRows<const SolverBody> bodies, const BounceRule& rule, Workers& workers);
-  /// Before further sweeps of it, after bodies have moved: waiting is who touches somebody that was struck.
+  /// Before further sweeps of it, after bodies have moved: waiting is who hits somebody that was struck.
+  /// Nobody bounces then.
   void go_on();
 
   /// Looks once at each contact that waits, group after group, in a group discs' first, in their order, and
@@ -36,6 +39,19 @@ class BounceQueue {
   /// velocities of that moment, which a strike before may have changed. Returns whether any waits then.
   bool sweep(Contacts& contacts, BodyRows<SolverBody> bodies, const BounceRule& rule, Workers& workers);
 
+  /// At the end of a substep, by the rule of its beginning: two discs that bounced off each other, or a body
+  /// off what doesn't move, do so when they meet, if nothing else strikes or presses them or is near.
+  /// O(those).
+  void land(Contacts& contacts, BodyRows<SolverBody> bodies, const FreeFall& free_fall,
+            const BounceRule& rule);
+
+  /// Calls f(row) for each body that was stopped by what it hit without a bounce since start(), maybe often.
+  template <class F>
+  void for_each_stopped(F f) const {
+    for (const Group& group : groups_)
+      for (const std::uint32_t body : group.stopped) f(body);
+  }
+
  private:
   /// A contact of two discs, or those of two bodies at points that stand one after the other.
   struct Entry {
@@ -43,6 +59,7 @@ class BounceQueue {
     std::uint32_t first, count;  // contacts
     double touch;  // m, from centre to centre where they touch: of discs in all, of points along the normal
     bool bounces = false;
+    bool hits = false;
     bool turns = false;  // a face of theirs turns far within the step
   };
 
@@ -50,6 +67,12 @@ class BounceQueue {
   struct Reach {
     double of_a = 0.0, of_b = 0.0;  // m, how far from the bodies' centres they are
     Vec normal{0.0, 0.0};           // zero where there are several
+  };
+
+  /// Two before they bounced off each other.
+  struct Bounce {
+    std::uint32_t entry;
+    Velocities a, b;
   };
 
   /// The contacts of a part, or those that join parts. At its own lines of cache: threads write there.
@@ -60,6 +83,8 @@ class BounceQueue {
     std::vector<std::uint64_t> waiting;   // a bit an entry
     std::vector<std::uint64_t> prepared;  // of each entry, in which phase
     std::vector<std::uint32_t> struck;    // bodies, by its contacts first in this substep
+    std::vector<Bounce> bounces;          // in this substep, of who was struck for the first time
+    std::vector<std::uint32_t> stopped;   // bodies, by hits without a bounce
     std::vector<std::uint32_t> outward;   // in this sweep, at each strike, who has contacts that join parts
 
     void wait(std::uint32_t entry) { waiting[entry / 64] |= std::uint64_t{1} << entry % 64; }
@@ -75,13 +100,24 @@ class BounceQueue {
   void list(std::span<const PointContact> contacts);
   void join(BodyRows<const SolverBody> bodies);
   void sweep(Group& group, Contacts& contacts, BodyRows<SolverBody> bodies, const BounceRule& rule);
-  bool look_at(Group& group, std::uint32_t entry, Contacts& contacts, BodyRows<SolverBody> bodies,
+  void look_at(Group& group, std::uint32_t entry, Contacts& contacts, BodyRows<SolverBody> bodies,
                const BounceRule& rule);
+  bool bounce_at(Group& group, std::uint32_t entry, Contacts& contacts, BodyRows<SolverBody> bodies,
+                 const BounceRule& rule);
   template <class F>
   void for_groups(std::size_t n, bool shared, Workers& workers, F f);
-  void note_strike(Group& group, std::uint32_t body, BodyRows<const SolverBody> bodies);
+  bool is_lone_bounce(const Group& group, std::uint32_t entry, BodyRows<const SolverBody> bodies) const;
+  void note_strike(Group& group, std::uint32_t body, bool bounces, BodyRows<const SolverBody> bodies);
   bool wait_within_part(std::uint32_t body);
   void wait_across(std::uint32_t body);
+  void wait(Group& group, std::uint32_t entry) {
+    const Entry& one = group.entries[entry];
+    if (stopping_ ? one.hits : one.bounces || one.hits) group.wait(entry);
+  }
+  bool is_far(const Group& group, std::uint32_t entry, BodyRows<const SolverBody> bodies,
+              const BounceRule& rule, double before) const;
+  bool nobody_is_near(std::uint32_t body, const Entry& but, double before, BodyRows<const SolverBody> bodies,
+                      const BounceRule& rule) const;
   bool joins_parts(const Group& group) const { return groups_.size() > 1 && &group == &groups_.back(); }
 
   const Parts* parts_ = nullptr;
@@ -89,6 +125,9 @@ class BounceQueue {
   std::vector<FaceStand> stands_;          // of each contact at a point, in that phase, where faces turn
   std::uint64_t phase_ = 0, substep_ = 0;  // counted from start() and go_on(); the substep's first phase
   std::vector<std::uint64_t> struck_in_;   // by slot of the body, the phase
+  std::vector<std::uint64_t> again_;       // likewise, in which substep more than once
+  std::vector<Told> told_;                 // a buffer
+  bool stopping_ = false;                  // since go_on()
   bool joined_ = false;                    // whether these are of this step:
   std::vector<std::uint32_t> first_of_, of_body_;  // those of a body in the group of its part, and, marked by
                                                    // the highest bit, those in the last one

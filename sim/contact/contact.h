@@ -47,8 +47,9 @@ struct ContactBase {
   double struck = 0.0;      ///< N s, among bounces: the normal impulses so far, and of friction in
   double rubbed = 0.0;      ///< them, on b,
   double rolled = 0.0;      ///< N m s, and of what holds back rolling, on b
-  double slip = 0.0;        ///< m/s, among bounces: along the normal turned left, after its last strike or
-                            ///< correction
+  double fall = 0.0;  ///< m/s, among bounces: what gravity does between the two, when it was last struck
+  double slip = 0.0;  ///< m/s, among bounces: along the normal turned left, after its last strike or
+                      ///< correction
   double struck_in_step = 0.0;  ///< N s, `struck` of all substeps so far
   Vec struck_at{0.0, 0.0};      ///< m, where the last of that was
   std::uint32_t row = 0;        ///< among bounces: of the contact among its like

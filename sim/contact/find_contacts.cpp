@@ -21,6 +21,7 @@ ContactFinder::ContactFinder(const Scene& scene, const Plan& plan, const Collide
       plan_(plan),
       colliders_(colliders),
       hit_speed_(throng::hit_speed(scene, plan)),
+      fall_(plan.gravity ? scene.gravity.norm() * scene.time.dt : 0.0),
       all_bounce_(std::ranges::all_of(plan.meeting, [](const Surface& s) { return s.restitution > 0.0; })),
       parts_(scene, plan),
       discs_(scene, plan),

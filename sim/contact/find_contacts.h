@@ -141,6 +141,7 @@ class ContactFinder {
   const Plan& plan_;
   const Colliders& colliders_;
   double hit_speed_;
+  double fall_;      // m/s, what gravity gives in a step, and not to who is held
   bool all_bounce_;  // whatever hits is listed, and nothing is to be stopped
   Parts parts_;
   bool moved_ = false;  // somebody is in another part than when contacts were found last

@@ -32,7 +32,7 @@ ContactFinder::Nearness ContactFinder::nearness(const StepStart& start, std::uin
   const double distance = way.norm(), gap = distance - colliders_.radius[pair.a] - colliders_.radius[pair.b];
   const double from_a = way.dot(a.velocity) / distance, from_b = -way.dot(b.velocity) / distance;
   const double speed = from_a + from_b, dt = scene_.time.dt;
-  if (speed > hit_speed_ && speed * dt > gap) return Nearness::hits;
+  if (speed > hit_speed_ && (speed + fall_) * dt > gap) return Nearness::hits;
   return gap < std::max(least_way(), std::max(from_a, from_b) * dt) ? Nearness::near : Nearness::apart;
 }
 

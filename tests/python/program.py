@@ -30,7 +30,7 @@ kind = "static"
 shape = "ball"
 material = "ice"
 place = { lattice = { origin = [0.7, 0.4], spacing = [1.0, 1.0], size = [3, 1] } }
-velocity = [1.0, 0.5]
+velocity = [1.0, 0.4]
 spin = 2.0
 [[walls]]
 segment = [[0, 2.9], [1, 2.9]]

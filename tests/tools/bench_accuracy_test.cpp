@@ -88,9 +88,9 @@ TEST_F(BenchAccuracy, FindsNoErrorWhereCollisionsAreSolvedInClosedForm) {
   for (const char* name :
        {"throw", "impact", "cradle", "billiard", "Sinai billiard", "gas, 1 mean free time"})
     EXPECT_LT(worst(rows[name]["event_driven"]), 1e-9) << name;
-  for (const char* name : {"flight", "cradle", "billiard", "Sinai billiard", "gas, 1 mean free time"})
-    EXPECT_LT(worst(rows[name]["native"]), 1e-9) << name << ": elastic discs fly and collide exactly";
-  EXPECT_GT(worst(rows["throw"]["native"]), 0.1) << "radii: semi-implicit Euler falls too late";
+  for (const char* name :
+       {"flight", "throw", "impact", "cradle", "billiard", "Sinai billiard", "gas, 1 mean free time"})
+    EXPECT_LT(worst(rows[name]["native"]), 1e-9) << name << ": who is alone falls and bounces exactly";
 }
 
 TEST_F(BenchAccuracy, KeepsWhatIsPromisedWhereItChoosesTheSteps) {
@@ -111,10 +111,11 @@ TEST_F(BenchAccuracy, KeepsWhatIsPromisedWhereItChoosesTheSteps) {
 
 TEST_F(BenchAccuracy, ConvergesAtTheOrderOfTheIntegrator) {
   auto rows = rows_of("--only throw --only rolling --only slipping --only slide --only spring");
-  EXPECT_NEAR(order(rows["throw"]["native"]), 1.0, 0.01) << "semi-implicit Euler";
-  for (const char* name : {"rolling", "slipping", "from slipping to rolling", "slide to rest"})
-    EXPECT_NEAR(order(rows[name]["native"]), 1.0, 0.05) << name;
-  EXPECT_NEAR(order(rows["throw"]["box2d"]), 1.0, 0.01);
+  for (const char* name : {"throw", "rolling", "slipping"})
+    EXPECT_LT(worst(rows[name]["native"]), 1e-9) << name << ": nothing is off but rounding";
+  for (const char* name : {"from slipping to rolling", "slide to rest"})
+    EXPECT_NEAR(order(rows[name]["native"]), 2.0, 0.4) << name;
+  EXPECT_NEAR(order(rows["throw"]["box2d"]), 1.0, 0.01) << "semi-implicit Euler";
   EXPECT_NEAR(order(rows["spring and dashpot"]["native"]), 2.0, 0.25) << "Verlet, eight phases of a step";
   EXPECT_TRUE(rows["throw"]["event_driven"][0].contains("exact"));
 }

@@ -267,11 +267,11 @@ TEST_F(RunCommand, ARunThatBreaksDownNamesStepAndBodyAndKeepsItsFrames) {
   const Result result = throng("run " + scene + " -o " + path("a.h5"));
   EXPECT_EQ(result.exit_code, 1) << result.err;
   EXPECT_THAT(result.err,
-              AllOf(HasSubstr("step 141"), HasSubstr("body 1"), HasSubstr("throng run " + scene)));
+              AllOf(HasSubstr("step 142"), HasSubstr("body 1"), HasSubstr("throng run " + scene)));
   EXPECT_FALSE(std::filesystem::exists(path("a.h5")));
   const Result info = throng("info --json " + path("a.h5.part"));
   EXPECT_EQ(info.exit_code, 0) << info.err;
-  EXPECT_EQ(json::parse(info.out)["frames"], 141);
+  EXPECT_EQ(json::parse(info.out)["frames"], 142);
 }
 
 TEST_F(RunCommand, AStoppedRunClosesItsFileAndNamesIt) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <random>
 #include <sstream>
@@ -165,7 +166,7 @@ Strikes compare(Trial& run, int rounds, int steps) {
     const Vec kick = h * run.scene.gravity;
     const BounceRule before{h, h, 2.0 * kick.norm(), 0.1, 0.005, kick, nullptr, 0.0, h};
     BounceRule after = before;
-    after.turning_h = -h;
+    after.turning_h = -h, after.threshold = std::numeric_limits<double>::infinity();
     AllOfThem all(contacts, parts, bodies);
     BounceQueue queue;
     queue.start_step(same, parts);
