@@ -21,9 +21,12 @@ constexpr std::uint32_t kAcross = std::uint32_t{1} << 31;  // of an entry: joins
 
 constexpr std::size_t kMany = 128;  // entries are worth handing over to other threads
 
-/// m/s, of what may bounce, though gravity make it faster on the way, or hit.
+/// m/s, of what may bounce, as gravity makes it faster on the way, which is as long as it gets in a substep,
+/// or of what hits.
 double least_speed(bool bounces, const BounceRule& rule) {
-  return (1.0 - kRounding) * (bounces ? rule.threshold - rule.kick.norm() : rule.hit_speed);
+  const double kick = rule.kick.norm(), rests = rule.threshold;
+  return (1.0 - kRounding) *
+         (bounces ? std::sqrt(std::max(rests * rests - kick * kick, 0.0)) - kick : rule.hit_speed);
 }
 
 /// The contacts at the front that are of the same two bodies.

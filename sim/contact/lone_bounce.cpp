@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <type_traits>
 
 #include "sim/contact/arms.h"
 #include "sim/contact/solve.h"
@@ -16,7 +17,8 @@ namespace {
 constexpr int kNewtons = 12;            // steps to when two meet: few are needed, more where they turn fast
 constexpr double kNear = 1e-6;          // of the substep: from so near one step of Newton's is exact
 constexpr double kAtOnce = 1e-6;        // of it: who meets so soon is struck at the same time
-constexpr double kLeastOverlap = 1e-9;  // of the way in a substep, by which two would get into each other
+constexpr double kLeastOverlap = 1e-9;  // of the way in a substep, by which two are in each other
+constexpr double kMostTurn = 0.1;       // rad, in the substep
 
 /// m/s, what gravity adds within `t` (s).
 Vec fall(const SolverBody& body, double t, const BounceRule& rule) {
@@ -79,15 +81,18 @@ std::optional<double> fly_to_meeting(std::span<Contact> contacts, BodyRows<Solve
   return {};
 }
 
-/// Whether any of the contacts meets within `t` (s).
+/// Whether the two are in each other.
 template <class Contact>
-bool meets_within(std::span<const Contact> contacts, SolverBody a, SolverBody b, double t,
-                  const BounceRule& rule) {
-  a.velocity += fall(a, t, rule), b.velocity += fall(b, t, rule);
-  return std::ranges::any_of(contacts, [&](const Contact& contact) {
-    const double speed = arms(contact).normal_velocity(a, b);
-    return contact.separation + t * speed < -kLeastOverlap * rule.h * std::abs(speed);
-  });
+bool overlap(std::span<Contact> contacts, BodyRows<const SolverBody> bodies, const BounceRule& rule) {
+  prepare_now(contacts, bodies, rule);
+  const double way = rule.h * (bodies[contacts[0].b].velocity - bodies[contacts[0].a].velocity).norm();
+  return std::ranges::any_of(
+      contacts, [&](const Contact& contact) { return contact.separation < -kLeastOverlap * way; });
+}
+
+/// Whether one may turn so far in the substep that its corners get into the other and out again.
+bool turns_far(const SolverBody& a, const SolverBody& b, const BounceRule& rule) {
+  return std::max(std::abs(a.spin), std::abs(b.spin)) * rule.h > kMostTurn;
 }
 
 /// Lets the two bounce who have met.
@@ -104,14 +109,16 @@ template <class Contact>
 bool try_to_bounce(std::span<Contact> contacts, BodyRows<SolverBody> bodies, const BounceRule& rule) {
   SolverBody &a = bodies[contacts[0].a], &b = bodies[contacts[0].b];
   for (Contact& contact : contacts) contact.struck_in_step -= contact.struck;
+  const bool points = std::is_same_v<Contact, PointContact>;
+  if (points && turns_far(a, b, rule)) return false;
   const std::optional<double> time = fly_to_meeting(contacts, bodies, rule);
   if (!time) return false;
   const double left = rule.h - *time;
-  if (left <= 0.0) return true;
-  if (!bounce_now(contacts, bodies, rule)) return false;
-  if (meets_within<Contact>(contacts, a, b, left, rule)) return false;
-  fly(a, left, rule), fly(b, left, rule);
-  return true;
+  if (left > 0.0) {
+    if (!bounce_now(contacts, bodies, rule) || (points && turns_far(a, b, rule))) return false;
+    fly(a, left, rule), fly(b, left, rule);
+  }
+  return !overlap(contacts, bodies, rule);
 }
 
 template <class Contact>

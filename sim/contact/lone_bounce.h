@@ -27,7 +27,8 @@ struct Told {
 /// velocities `a` and `b` that they had before the strike, fly to where they meet, turning as they do, bounce
 /// there, and fly on: or to the end, where they don't meet before. Exact but for rounding where the parts
 /// that meet are those of the contacts, which are of the same two bodies, and their normals stay. The bodies
-/// are left as they are where they were in each other as the substep began, or would meet twice. O(contacts
+/// are left as they are where they were in each other as the substep began, would meet twice, or what isn't
+/// a disc turns far. O(contacts
 /// squared), some ten times a strike.
 void bounce_as_they_meet(std::span<DiscContact> contacts, const Velocities& a, const Velocities& b,
                          BodyRows<SolverBody> bodies, const BounceRule& rule, std::vector<Told>& told);

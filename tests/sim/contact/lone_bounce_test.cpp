@@ -145,5 +145,23 @@ TEST(LoneBounce, LetsNobodyThroughWhoMeetsAgainWithinTheSubstep) {
   }
 }
 
+/// Its end may dip into the floor and be out again, or turn away there, before anybody looks.
+TEST(LoneBounce, IsNoneOfWhatTurnsFarInASubstep) {
+  for (int i = 0; i < 40; ++i) {
+    Trial run("gravity = [0, -10]\n" + in_steps_of(0.01, 1) + material(0.5, 0) +
+              "[shapes]\nbar = { polygon = [[-0.5, -0.05], [0.5, -0.05], [0.5, 0.05], [-0.5, 0.05]] }\n"
+              "[[bodies]]\nshape = \"bar\"\nat = [0, 0.7]\nvelocity = [0, -15]\nspin = " +
+              std::to_string(40 + i) + "\nangle = " + std::to_string(0.15 * i) +
+              "\n[[walls]]\nsegment = [[-9, 0], [9, 0]]\n");
+    for (int k = 0; k < 6; ++k) {
+      run.steps(1);
+      const double turn = run.state.angle[0];
+      const double low =
+          run.state.position[0].y() - 0.5 * std::abs(std::sin(turn)) - 0.05 * std::abs(std::cos(turn));
+      EXPECT_GT(low, -1e-6) << i << " " << k;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace throng
