@@ -34,33 +34,31 @@ void FreeFall::fall(BodyRows<SolverBody> bodies, Rows rows, const Vec& kick) {
     SolverBody& body = bodies[row];
     if (!body.is_dynamic()) return;
     body.velocity += kick;
-    fallen_[bodies.slots().slot(row)] = {body.velocity, body.spin};
+    fallen_[bodies.slot(row)] = {body.velocity, body.spin};
   });
 }
 
 void FreeFall::stop(BodyRows<SolverBody> bodies, std::uint32_t row) {
-  fallen_[bodies.slots().slot(row)].velocity.setConstant(std::numeric_limits<double>::quiet_NaN());
+  fallen_[bodies.slot(row)].velocity.setConstant(std::numeric_limits<double>::quiet_NaN());
 }
 
-bool FreeFall::flies(BodyRows<const SolverBody> bodies, std::uint32_t row) const {
-  const SolverBody& body = bodies[row];
-  if (!body.is_dynamic()) return true;
-  const Fallen& fallen = fallen_[bodies.slots().slot(row)];
+bool FreeFall::flies(const SolverBody& body, const Fallen& fallen) {
   const Vec change = body.velocity - fallen.velocity;
   return change.squaredNorm() <= kRounding * kRounding * body.velocity.squaredNorm() &&
          std::abs(body.spin - fallen.spin) <= kRounding * std::abs(body.spin);
 }
 
+bool FreeFall::flies(BodyRows<const SolverBody> bodies, std::uint32_t row) const {
+  return !bodies[row].is_dynamic() || flies(bodies[row], fallen_[bodies.slot(row)]);
+}
+
 /// Who rolls or slides straight on: half of what he got faster by in the substep is taken back along his way.
 void FreeFall::slide(SolverBody& body, const Fallen& fallen, const Vec& kick, double h) {
-  const double speed = std::sqrt(body.velocity.squaredNorm());
-  if (!(speed > 0.0)) return;
-  const Vec before = fallen.velocity - kick, ahead = body.velocity / speed;
-  const double faster = (body.velocity - before).dot(ahead);
-  const double aside = before.x() * ahead.y() - before.y() * ahead.x();
-  const bool goes_on = before.dot(ahead) >= 0.0 && std::abs(aside) <= kStraight * speed;
-  if (!(goes_on && faster * faster <= kick.squaredNorm())) return;
-  body.position -= 0.5 * h * faster * ahead;
+  const Vec before = fallen.velocity - kick, &after = body.velocity;
+  const double square = after.squaredNorm(), gain = (after - before).dot(after);
+  const bool goes_on = before.dot(after) >= 0.0 && std::abs(cross(before, after)) <= kStraight * square;
+  if (!(square > 0.0 && goes_on && gain * gain <= kick.squaredNorm() * square)) return;
+  body.position -= 0.5 * h * gain / square * after;
   body.turn -= 0.5 * h * (body.spin - fallen.spin);
 }
 
@@ -69,10 +67,11 @@ void FreeFall::land(BodyRows<SolverBody> bodies, Rows rows, const Vec& kick, dou
   rows.for_each([&](std::uint32_t row) {
     SolverBody& body = bodies[row];
     if (!body.is_dynamic()) return;
-    if (flies(bodies, row))
+    const Fallen& fallen = fallen_[bodies.slot(row)];
+    if (flies(body, fallen))
       body.position -= too_far;
     else if (is_straight_)
-      slide(body, fallen_[bodies.slots().slot(row)], kick, h);
+      slide(body, fallen, kick, h);
   });
 }
 

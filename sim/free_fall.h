@@ -39,6 +39,7 @@ class FreeFall {
     double spin;   // rad/s
   };
 
+  static bool flies(const SolverBody& body, const Fallen& fallen);
   static void slide(SolverBody& body, const Fallen& fallen, const Vec& kick, double h);
 
   bool is_straight_;            // what one slides on

@@ -70,7 +70,8 @@ void bounce(const Plan& plan, Workspace& work, const BounceRule& rule) {
 
 void fall(Workspace& work, const Vec& kick) {
   by_parts(work, [&](Rows rows) { work.free_fall.fall(work.bodies, rows, kick); });
-  work.bounces.for_each_stopped([&](std::uint32_t row) { work.free_fall.stop(work.bodies, row); });
+  work.bounces.for_each_stopped(work.bodies,
+                                [&](std::uint32_t row) { work.free_fall.stop(work.bodies, row); });
 }
 
 /// Who fell or flew freely in the substep gets to where he would be.

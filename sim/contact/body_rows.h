@@ -49,7 +49,8 @@ class BodyRows {
       : BodyRows(other.by_slot(), other.slots()) {}
 
   std::size_t size() const { return bodies_.size(); }
-  Body& operator[](std::size_t row) const { return bodies_[slot_ ? slot_[row] : row]; }
+  std::size_t slot(std::size_t row) const { return slot_ ? slot_[row] : row; }
+  Body& operator[](std::size_t row) const { return bodies_[slot(row)]; }
 
   std::span<Body> by_slot() const { return bodies_; }
   const BodySlots& slots() const { return *slots_; }

@@ -5,7 +5,6 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 #include "sim/contact/solve.h"
@@ -39,11 +38,20 @@ std::size_t of_one_pair(std::span<const PointContact> contacts) {
 
 }  // namespace
 
-std::size_t BounceQueue::Group::count_waiting() const {
-  const auto add = [](std::size_t n, std::uint64_t word) {
-    return n + static_cast<std::size_t>(std::popcount(word));
-  };
-  return std::accumulate(waiting.begin(), waiting.end(), std::size_t{0}, add);
+void BounceQueue::Group::mark() {
+  const std::size_t words = (entries.size() + 63) / 64;
+  acting.assign(words, 0), hitting.assign(words, 0);
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const std::uint64_t acts = entries[i].bounces || entries[i].hits, hits = entries[i].hits;
+    acting[i / 64] |= acts << i % 64, hitting[i / 64] |= hits << i % 64;
+  }
+}
+
+std::size_t BounceQueue::count_waiting(const Group& group) const {
+  std::size_t n = 0;
+  for (std::size_t word = 0; word < group.waiting.size(); ++word)
+    n += static_cast<std::size_t>(std::popcount(group.waiting[word] & asked(group)[word]));
+  return n;
 }
 
 void BounceQueue::list(std::span<const DiscContact> contacts) {
@@ -80,17 +88,17 @@ void BounceQueue::start_step(const Contacts& contacts, const Parts& parts) {
   parts_ = &parts, joined_ = false;
   groups_.resize(parts.groups());
   for (Group& group : groups_)
-    group.entries.clear(), group.reaches.clear(), group.bounces.clear(), group.stopped.clear();
+    group.entries.clear(), group.reaches.clear(), group.bounces.clear(), group.struck.clear();
   list(contacts.disc_bounces);
   for (Group& group : groups_) group.discs = group.entries.size();
   list(contacts.point_bounces);
-  for (Group& group : groups_) group.prepared.assign(group.entries.size(), 0);
+  for (Group& group : groups_) group.prepared.assign(group.entries.size(), 0), group.mark();
   stands_.resize(contacts.point_bounces.size());
 }
 
 /// By how fast their centres are against each other, and how far apart. A little is left to rounding.
-bool BounceQueue::discs_may_meet(const Entry& entry, BodyRows<const SolverBody> bodies,
-                                 const BounceRule& rule) {
+inline bool BounceQueue::discs_may_meet(const Entry& entry, BodyRows<const SolverBody> bodies,
+                                        const BounceRule& rule) {
   const SolverBody &a = bodies[entry.a], &b = bodies[entry.b];
   const double speed = (b.velocity - a.velocity).norm();
   if (speed < least_speed(entry.bounces, rule)) return false;
@@ -133,14 +141,14 @@ void BounceQueue::for_groups(std::size_t n, bool shared, Workers& workers, F f) 
 
 void BounceQueue::start(BodyRows<const SolverBody> bodies, const BounceRule& rule, Workers& workers) {
   substep_ = ++phase_, stopping_ = false;
-  struck_in_.resize(bodies.size()), again_.resize(bodies.size());
+  strikes_.resize(bodies.size());
   std::size_t entries = 0;
   for (const Group& group : groups_) entries += group.entries.size();
   for_groups(groups_.size(), entries >= kMany, workers, [&](Group& group) {
-    group.struck.clear(), group.bounces.clear(), group.stopped.clear();
+    group.struck.clear(), group.bounces.clear();
     group.waiting.assign((group.entries.size() + 63) / 64, 0);
     for (std::uint32_t i = 0; i < group.entries.size(); ++i)
-      if (may_meet(group, i, bodies, rule)) wait(group, i);
+      if (may_meet(group, i, bodies, rule)) group.wait(i);
   });
 }
 
@@ -161,13 +169,13 @@ bool BounceQueue::wait_within_part(std::uint32_t body) {
     if (of_body_[i] & kAcross)
       across = true;
     else
-      wait(its, of_body_[i]);
+      its.wait(of_body_[i]);
   return across;
 }
 
 void BounceQueue::wait_across(std::uint32_t body) {
   for (std::uint32_t i = first_of_[body]; i < first_of_[body + 1]; ++i)
-    if (of_body_[i] & kAcross) wait(groups_.back(), of_body_[i] & ~kAcross);
+    if (of_body_[i] & kAcross) groups_.back().wait(of_body_[i] & ~kAcross);
 }
 
 /// Lists the entries of each body that moves.
@@ -189,10 +197,10 @@ void BounceQueue::join(BodyRows<const SolverBody> bodies) {
 
 /// Whether what is known of where two touch is true where they meet, too, and nobody else has struck them. Of
 /// faces of what moves it isn't: they turn and slide.
-bool BounceQueue::is_lone_bounce(const Group& group, std::uint32_t i,
-                                 BodyRows<const SolverBody> bodies) const {
+inline bool BounceQueue::is_lone_bounce(const Group& group, std::uint32_t i,
+                                        BodyRows<const SolverBody> bodies) const {
   const Entry& entry = group.entries[i];
-  const auto was_struck = [&](std::uint32_t row) { return struck_in_[bodies.slots().slot(row)] >= substep_; };
+  const auto was_struck = [&](std::uint32_t row) { return strikes_[bodies.slot(row)].phase >= substep_; };
   if (!entry.bounces || was_struck(entry.a) || was_struck(entry.b)) return false;
   if (i < group.discs) return true;
   return !entry.turns && !(bodies[entry.a].is_dynamic() && bodies[entry.b].is_dynamic());
@@ -203,14 +211,11 @@ bool BounceQueue::is_lone_bounce(const Group& group, std::uint32_t i,
 void BounceQueue::note_strike(Group& group, std::uint32_t body, bool bounces,
                               BodyRows<const SolverBody> bodies) {
   if (!bodies[body].is_dynamic()) return;
-  if (!bounces) group.stopped.push_back(body);
   if (!joined_) join(bodies);
-  std::uint64_t& struck_in = struck_in_[bodies.slots().slot(body)];
-  if (struck_in < substep_)
-    group.struck.push_back(body);
-  else
-    again_[bodies.slots().slot(body)] = substep_;
-  struck_in = phase_;
+  Strikes& its = strikes_[bodies.slot(body)];
+  const bool again = its.phase >= substep_;
+  if (!again) group.struck.push_back(body);
+  its = {phase_, again, !bounces || (again && its.stopped)};
   if (!wait_within_part(body)) return;
   if (joins_parts(group))
     wait_across(body);
@@ -218,8 +223,8 @@ void BounceQueue::note_strike(Group& group, std::uint32_t body, bool bounces,
     group.outward.push_back(body);
 }
 
-bool BounceQueue::bounce_at(Group& group, std::uint32_t i, Contacts& contacts, BodyRows<SolverBody> bodies,
-                            const BounceRule& rule) {
+inline bool BounceQueue::bounce_at(Group& group, std::uint32_t i, Contacts& contacts,
+                                   BodyRows<SolverBody> bodies, const BounceRule& rule) {
   const Entry& entry = group.entries[i];
   const bool is_new = std::exchange(group.prepared[i], phase_) != phase_;
   if (i < group.discs) {
@@ -238,13 +243,14 @@ bool BounceQueue::bounce_at(Group& group, std::uint32_t i, Contacts& contacts, B
   return bounce(pair, bodies, rule);
 }
 
-void BounceQueue::look_at(Group& group, std::uint32_t i, Contacts& contacts, BodyRows<SolverBody> bodies,
-                          const BounceRule& rule) {
+inline void BounceQueue::look_at(Group& group, std::uint32_t i, Contacts& contacts,
+                                 BodyRows<SolverBody> bodies, const BounceRule& rule) {
   const Entry& entry = group.entries[i];
   const SolverBody &a = bodies[entry.a], &b = bodies[entry.b];
-  const Bounce before{i, {a.velocity, a.spin}, {b.velocity, b.spin}};
+  const bool is_lone = is_lone_bounce(group, i, bodies);
+  const Bounce before = is_lone ? Bounce{i, {a.velocity, a.spin}, {b.velocity, b.spin}} : Bounce();
   if (!bounce_at(group, i, contacts, bodies, rule)) return;
-  if (is_lone_bounce(group, i, bodies)) group.bounces.push_back(before);
+  if (is_lone) group.bounces.push_back(before);
   note_strike(group, entry.a, entry.bounces, bodies), note_strike(group, entry.b, entry.bounces, bodies);
 }
 
@@ -286,7 +292,7 @@ void BounceQueue::land(Contacts& contacts, BodyRows<SolverBody> bodies, const Fr
     for (const auto& [i, a, b] : group.bounces) {
       const Entry& entry = group.entries[i];
       const auto alone = [&](std::uint32_t row, const Velocities& before) {
-        return again_[bodies.slots().slot(row)] != substep_ && free_fall.flies(bodies, row) &&
+        return !strikes_[bodies.slot(row)].again && free_fall.flies(bodies, row) &&
                nobody_is_near(row, entry, before.linear.norm(), bodies, rule);
       };
       if (group.prepared[i] != substep_ || !alone(entry.a, a) || !alone(entry.b, b)) continue;
@@ -303,12 +309,12 @@ void BounceQueue::sweep(Group& group, Contacts& contacts, BodyRows<SolverBody> b
                         const BounceRule& rule) {
   BounceRule in_course = rule;
   in_course.hit_speed = rule.follow_speed;
-  const auto was_struck = [&](std::uint32_t body) { return struck_in_[bodies.slots().slot(body)] == phase_; };
+  const auto was_struck = [&](std::uint32_t body) { return strikes_[bodies.slot(body)].phase == phase_; };
   for (std::size_t word = 0; word < group.waiting.size(); ++word) {
-    std::uint64_t ahead = ~std::uint64_t{0};
+    std::uint64_t ahead = asked(group)[word];
     while (const std::uint64_t left = group.waiting[word] & ahead) {
       const std::uint64_t bit = left & -left;
-      ahead = ~(bit | (bit - 1));
+      ahead &= ~(bit | (bit - 1));
       group.waiting[word] &= ~bit;
       const std::uint32_t i =
           static_cast<std::uint32_t>(64 * word) + static_cast<std::uint32_t>(std::countr_zero(bit));
@@ -321,7 +327,7 @@ void BounceQueue::sweep(Group& group, Contacts& contacts, BodyRows<SolverBody> b
 bool BounceQueue::sweep(Contacts& contacts, BodyRows<SolverBody> bodies, const BounceRule& rule,
                         Workers& workers) {
   std::size_t wait = 0;
-  for (const Group& group : groups_) wait += group.count_waiting();
+  for (const Group& group : groups_) wait += count_waiting(group);
   const bool shared = wait >= kMany;
   if (shared && !joined_) join(bodies);
   for_groups(parts_->count(), shared, workers, [&](Group& part) {
@@ -331,9 +337,7 @@ bool BounceQueue::sweep(Contacts& contacts, BodyRows<SolverBody> bodies, const B
   for (std::size_t part = 0; part < parts_->count(); ++part)
     for (const std::uint32_t body : groups_[part].outward) wait_across(body);
   if (groups_.size() > 1) sweep(groups_.back(), contacts, bodies, rule);
-  return std::ranges::any_of(groups_, [](const Group& group) {
-    return std::ranges::any_of(group.waiting, [](std::uint64_t word) { return word != 0; });
-  });
+  return std::ranges::any_of(groups_, [&](const Group& group) { return count_waiting(group) > 0; });
 }
 
 }  // namespace throng

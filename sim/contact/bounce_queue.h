@@ -45,11 +45,12 @@ class BounceQueue {
   void land(Contacts& contacts, BodyRows<SolverBody> bodies, const FreeFall& free_fall,
             const BounceRule& rule);
 
-  /// Calls f(row) for each body that was stopped by what it hit without a bounce since start(), maybe often.
+  /// Calls f(row) for each body that was stopped by what it hit without a bounce since start().
   template <class F>
-  void for_each_stopped(F f) const {
+  void for_each_stopped(BodyRows<const SolverBody> bodies, F f) const {
     for (const Group& group : groups_)
-      for (const std::uint32_t body : group.stopped) f(body);
+      for (const std::uint32_t body : group.struck)
+        if (strikes_[bodies.slot(body)].stopped) f(body);
   }
 
  private:
@@ -75,20 +76,27 @@ class BounceQueue {
     Velocities a, b;
   };
 
+  /// Of a body, in a substep.
+  struct Strikes {
+    std::uint64_t phase = 0;  // of the last one
+    bool again = false;       // it was struck more than once
+    bool stopped = false;     // by what it hit without a bounce
+  };
+
   /// The contacts of a part, or those that join parts. At its own lines of cache: threads write there.
   struct alignas(64) Group {
     std::vector<Entry> entries;
-    std::size_t discs = 0;                // how many of them are of discs
-    std::vector<Reach> reaches;           // of the others
-    std::vector<std::uint64_t> waiting;   // a bit an entry
-    std::vector<std::uint64_t> prepared;  // of each entry, in which phase
-    std::vector<std::uint32_t> struck;    // bodies, by its contacts first in this substep
-    std::vector<Bounce> bounces;          // in this substep, of who was struck for the first time
-    std::vector<std::uint32_t> stopped;   // bodies, by hits without a bounce
-    std::vector<std::uint32_t> outward;   // in this sweep, at each strike, who has contacts that join parts
+    std::size_t discs = 0;                       // how many of them are of discs
+    std::vector<Reach> reaches;                  // of the others
+    std::vector<std::uint64_t> acting, hitting;  // a bit an entry, of those that bounce or hit, and that hit
+    std::vector<std::uint64_t> waiting;          // likewise, perhaps of others, too
+    std::vector<std::uint64_t> prepared;         // of each entry, in which phase
+    std::vector<std::uint32_t> struck;           // bodies, by its contacts first in this substep
+    std::vector<Bounce> bounces;                 // in this substep, of who was struck for the first time
+    std::vector<std::uint32_t> outward;  // in this sweep, at each strike, who has contacts that join parts
 
     void wait(std::uint32_t entry) { waiting[entry / 64] |= std::uint64_t{1} << entry % 64; }
-    std::size_t count_waiting() const;
+    void mark();
   };
 
   static bool discs_may_meet(const Entry& entry, BodyRows<const SolverBody> bodies, const BounceRule& rule);
@@ -110,10 +118,10 @@ class BounceQueue {
   void note_strike(Group& group, std::uint32_t body, bool bounces, BodyRows<const SolverBody> bodies);
   bool wait_within_part(std::uint32_t body);
   void wait_across(std::uint32_t body);
-  void wait(Group& group, std::uint32_t entry) {
-    const Entry& one = group.entries[entry];
-    if (stopping_ ? one.hits : one.bounces || one.hits) group.wait(entry);
+  const std::vector<std::uint64_t>& asked(const Group& group) const {
+    return stopping_ ? group.hitting : group.acting;
   }
+  std::size_t count_waiting(const Group& group) const;
   bool is_far(const Group& group, std::uint32_t entry, BodyRows<const SolverBody> bodies,
               const BounceRule& rule, double before) const;
   bool nobody_is_near(std::uint32_t body, const Entry& but, double before, BodyRows<const SolverBody> bodies,
@@ -124,8 +132,7 @@ class BounceQueue {
   std::vector<Group> groups_;
   std::vector<FaceStand> stands_;          // of each contact at a point, in that phase, where faces turn
   std::uint64_t phase_ = 0, substep_ = 0;  // counted from start() and go_on(); the substep's first phase
-  std::vector<std::uint64_t> struck_in_;   // by slot of the body, the phase
-  std::vector<std::uint64_t> again_;       // likewise, in which substep more than once
+  std::vector<Strikes> strikes_;           // by slot of the body
   std::vector<Told> told_;                 // a buffer
   bool stopping_ = false;                  // since go_on()
   bool joined_ = false;                    // whether these are of this step:
