@@ -38,6 +38,8 @@ class Overlaps {
     if (moves(row)) compare_with_walls(body, radius);
   }
 
+  bool any() const { return found_ > 0; }
+
   /// The row that the first overlap names first.
   std::uint32_t first() const { return first_; }
 
@@ -114,7 +116,10 @@ void warn_of_overlaps(std::span<const Entry> entries, const Scene& scene, Report
   if (message.empty()) return;
   const auto holds_first = [&](const Entry& entry) { return overlaps.first() < entry.first + entry.count; };
   const Entry& entry = *std::find_if(entries.begin(), entries.end(), holds_first);
-  report.warning(entry.node->source(), "bodies", message);
+  if (scene.engine == Engine::event_driven && overlaps.any())
+    report.error(*entry.node, "bodies", message + ": hard discs can't");
+  else
+    report.warning(entry.node->source(), "bodies", message);
 }
 
 }  // namespace throng::scenarios

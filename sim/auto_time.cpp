@@ -94,12 +94,12 @@ AutoTime late(const Scene& scene, double speed, const char* by) {
 AutoTime alone(const Scene& scene, double impact) {
   if (impact == 0.0 && scene.gravity == Vec(0.0, 0.0)) return exact(scene, "nothing pulls, nothing is met");
   const double ahead = 0.5 * scene.gravity.norm() * scene.time.until;
-  if (impact == 0.0) return late(scene, ahead, "who rolls or slides is ahead by g h t / 2, and ");
+  if (impact == 0.0) return late(scene, ahead, "who rolls or slides is ahead by g h t / 2 at most, and ");
   double restitution = 0.0;
   for (const auto& [a, b] : meeting_materials(scene))
     restitution = std::max({restitution, scene.materials[a].restitution, scene.materials[b].restitution});
   return late(scene, ahead + (1.0 + restitution) * impact,
-              "who hits a wall is off by g h t / 2 + (1 + e) v h, and ");
+              "who hits a wall is off by g h t / 2 + (1 + e) v h at most, and ");
 }
 
 AutoTime impacts(const Scene& scene) {

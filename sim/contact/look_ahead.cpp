@@ -21,7 +21,8 @@ using narrowphase::Verdict;
 namespace {
 
 constexpr double kExact = 1e-8;  // of the two, how far from each other they are where they are said to meet
-constexpr int kMostLooks = 64;   // until then: who rolls along what turns would be looked at for ever
+constexpr double kLyingStill = 1e-3;  // of what is slow
+constexpr int kMostLooks = 64;        // until then: who rolls along what turns would be looked at for ever
 
 /// How far (m) a turn by so much (rad) may bring a collider's surface.
 double turn_way(const Colliders& colliders, std::uint32_t row, double turn) {
@@ -44,6 +45,11 @@ double LookAhead::slow_way(const Colliders& colliders, const Touch& touch) const
   return kAheadWay * smaller_radius(colliders, touch);
 }
 
+/// A bounce shows where it happened, however slowly.
+bool LookAhead::bounces(const StepStart& start, const Touch& touch) const {
+  return plan_.restitution && surface_of(scene_, plan_, start.obstacles(), touch).restitution > 0.0;
+}
+
 bool LookAhead::nears(const StepStart& start, const Touch& touch, const Manifold& m) const {
   if (m.count == 0) return false;
   const Colliders& colliders = start.colliders();
@@ -56,7 +62,8 @@ bool LookAhead::nears(const StepStart& start, const Touch& touch, const Manifold
   const double drop = plan_.gravity && falls_a != falls_b ? dt * dt * scene_.gravity.dot(m.normal) : 0.0;
   const double fall = std::max(falls_a ? drop : -drop, 0.0);
   if (!(turn + fall - way.dot(m.normal) > least_separation(m))) return false;
-  return turn + way.norm() > slow_way(colliders, touch);
+  const double slow = slow_way(colliders, touch);
+  return turn + way.norm() > (bounces(start, touch) ? kLyingStill * slow : slow);
 }
 
 void LookAhead::look(const StepStart& start, std::span<const Touch> touches, std::span<Manifold> manifolds,

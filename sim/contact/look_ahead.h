@@ -31,7 +31,7 @@ class LookAhead {
 
   LookAhead(const Scene& scene, const Plan& plan, const Colliders& colliders);
 
-  /// m: of two that get together no farther in a step, none nears the other fast.
+  /// m: of two that get together no farther in a step, none nears the other fast, but where it bounces.
   double least_way() const { return least_way_; }
 
   /// Forgets all, of so many touches.
@@ -75,6 +75,7 @@ class LookAhead {
   };
 
   double slow_way(const Colliders& colliders, const Touch& touch) const;
+  bool bounces(const StepStart& start, const Touch& touch) const;
   bool nears(const StepStart& start, const Touch& touch, const narrowphase::Manifold& m) const;
   Vec velocity_ahead(BodyRows<const SolverBody> bodies, std::uint32_t row) const;
   Courses courses(const StepStart& start, const Touch& touch) const;

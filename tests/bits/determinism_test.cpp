@@ -46,7 +46,7 @@ constexpr Golden kGallery[] = {
     {"polygons", 40, 0x594fc994ce14686c},      {"pyramid", 10, 0xd65fe5b094eb29fb},
     {"hopper", 100, 0x7534e50fbee17659},       {"gears", 100, 0x89e6a5f5bed797b2},
     {"billiard", 1500, 0x75bdef655f57d91b},    {"cradle", 2000, 0x7db3d1ee537b00be},
-    {"mixed", 200, 0x8e42c5cc34f8c60a},        {"corridor", 1200, 0xdd6a7b723dc082a9},
+    {"mixed", 200, 0x5732d6d678e20e94},        {"corridor", 1200, 0xdd6a7b723dc082a9},
     {"bottleneck", 1200, 0xe17793fdbf77bb3f},  {"circle_swap", 300, 0x3098722b25df02fc},
     {"counterflow", 1200, 0xabe4155417f61517}, {"evacuation", 1500, 0x2cc71b77847dc07f},
     {"station", 200, 0xa9dbe0a7c3cb9d2a},      {"stadium", 6, 0xd8122e71098e5668},

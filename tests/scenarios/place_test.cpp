@@ -217,6 +217,15 @@ TEST(Overlaps, AreNamedByIdAndDepth) {
             "walls[0] by 0.25 m\n");
 }
 
+TEST(Overlaps, AreRefusedWhereDiscsAreHard) {
+  const Loaded loaded = load_text(
+      "throng = 1\nengine = 'event_driven'\nshapes.a.disc.radius = 0.5\n[[bodies]]\nshape = 'a'\nat = [0, "
+      "0]\n[[walls]]\nsegment = [[-1, 0.25], [1, 0.25]]\n");
+  EXPECT_EQ(faults(loaded),
+            "s.toml:4:1: error: bodies: 1 overlap at the start: body 1 and walls[0] by 0.25 m: hard discs "
+            "can't\n");
+}
+
 TEST(Overlaps, AreCountedBeyondTheFirstTen) {
   const Loaded loaded = load_text(
       "throng = 1\nshapes.a.disc.radius = 0.5\n[[bodies]]\nshape = 'a'\n"

@@ -23,11 +23,21 @@ struct Strikes {
   int all = 0, joining = 0;  // those of contacts that join parts
 };
 
+template <class Contact>
+bool bounces(std::span<const Contact> contacts) {
+  return std::ranges::any_of(contacts, [](const Contact& contact) { return contact.restitution > 0.0; });
+}
+
 /// Sweeps over all, with who was struck before in mind.
 class AllOfThem {
  public:
   AllOfThem(Contacts& contacts, const Parts& parts, std::vector<SolverBody>& bodies)
-      : contacts_(contacts), parts_(parts), bodies_(bodies), struck_(bodies.size()), touched_(bodies.size()) {
+      : contacts_(contacts),
+        parts_(parts),
+        bodies_(bodies),
+        struck_(bodies.size()),
+        touched_(bodies.size()),
+        stopped_(bodies.size()) {
     prepare_all();
   }
 
@@ -47,6 +57,9 @@ class AllOfThem {
     prepare_all();
   }
 
+  /// Of each body, since the beginning: by what it hit without a bounce.
+  const std::vector<bool>& stopped() const { return stopped_; }
+
  private:
   void prepare_all() {
     prepare(contacts_.disc_bounces, bodies_, nullptr);
@@ -57,7 +70,7 @@ class AllOfThem {
     int n = 0;
     for (DiscContact& contact : contacts_.disc_bounces)
       if (parts_.group(contact.a, contact.b) == group)
-        n += look(contact.a, contact.b, rule,
+        n += look(contact.a, contact.b, bounces<DiscContact>({&contact, 1}), rule,
                   [&](const BounceRule& r) { return bounce(contact, bodies_, r); });
     std::span<PointContact> left = contacts_.point_bounces;
     while (!left.empty()) {
@@ -74,16 +87,17 @@ class AllOfThem {
     std::vector<FaceStand> stands(pair.size());
     find_stands(pair, a, b, stands);
     turn_faces(pair, stands, a, b, rule.turning_h);
-    return look(pair[0].a, pair[0].b, rule, [&](const BounceRule& r) { return bounce(pair, bodies_, r); });
+    return look(pair[0].a, pair[0].b, bounces<PointContact>(pair), rule,
+                [&](const BounceRule& r) { return bounce(pair, bodies_, r); });
   }
 
   template <class F>
-  bool look(std::uint32_t a, std::uint32_t b, BounceRule rule, F f) {
+  bool look(std::uint32_t a, std::uint32_t b, bool bounces, BounceRule rule, F f) {
     if (of_touched_ && !touched_[a] && !touched_[b]) return false;
     if (struck_[a] || struck_[b]) rule.hit_speed = rule.follow_speed;
     if (!f(rule)) return false;
     for (const std::uint32_t i : {a, b})
-      if (bodies_[i].is_dynamic()) struck_[i] = touched_[i] = true;
+      if (bodies_[i].is_dynamic()) struck_[i] = touched_[i] = true, stopped_[i] = stopped_[i] || !bounces;
     return true;
   }
 
@@ -91,6 +105,7 @@ class AllOfThem {
   const Parts& parts_;
   std::vector<SolverBody>& bodies_;
   std::vector<bool> struck_, touched_;  // since prepare_all(), and since the beginning
+  std::vector<bool> stopped_;
   bool of_touched_ = false;
 };
 
@@ -114,17 +129,17 @@ struct Shuffled {
   BodyRows<SolverBody> rows() { return {bodies, slots}; }
 };
 
-/// `wide` times as many as fit into 9 m, `high` times as high.
+/// `wide` times as many as fit into 9 m, `high` times as high; two boxes don't bounce off each other.
 std::string bouncing_heap(double restitution, int wide, int high) {
   std::ostringstream text;
   const int width = 9 * wide, low = 14 * high, top = 24 * high;
   text << "gravity = [0, -9.81]\ntime = { dt = 0.01, substeps = 4 }\nsleep = false\nseed = 5\n"
        << material(restitution, 0.4) << "[domain]\nbox = [[0, 0], [" << width << ", " << top + 16
        << "]]\n[shapes]\nball = { disc = { radius = { uniform = [0.2, 0.4] } } }\n"
-          "box = { polygon = [[0, 0], [0.6, 0], [0.6, 0.4], [0, 0.4]] }\n[[bodies]]\nshape = \"ball\"\ncount "
-          "= "
+          "box = { polygon = [[0, 0], [0.6, 0], [0.6, 0.4], [0, 0.4]] }\n[materials.dull]\nfriction = 0.4\n"
+          "[[bodies]]\nshape = \"ball\"\ncount = "
        << 90 * wide * high << "\nplace = { random = { within = [[0, 0], [" << width << ", " << low
-       << "]] } }\n[[bodies]]\nshape = \"box\"\ncount = " << 60 * wide * high
+       << "]] } }\n[[bodies]]\nshape = \"box\"\nmaterial = \"dull\"\ncount = " << 60 * wide * high
        << "\nplace = { random = { within = [[0, " << low << "], [" << width << ", " << top << "]] } }\n";
   return text.str();
 }
@@ -147,12 +162,20 @@ void expect_same(const std::vector<SolverBody>& bodies, BodyRows<const SolverBod
   }
 }
 
+void expect_stopped(const std::vector<bool>& stopped, const BounceQueue& queue,
+                    BodyRows<const SolverBody> bodies) {
+  std::vector<bool> told(stopped.size());
+  queue.for_each_stopped(bodies, [&](std::uint32_t row) { told[row] = true; });
+  EXPECT_EQ(told, stopped);
+}
+
 /// Compares `rounds` times, so many steps apart, a substep's sweeps before and after bodies move, thrown
 /// about each time; who was struck.
 Strikes compare(Trial& run, int rounds, int steps) {
   std::mt19937 random(7);
   const Parts& parts = run.work.finder.parts();
   Workers two(2);
+  BounceQueue queue;
   Strikes strikes;
   for (int round = 0; round < rounds; ++round) {
     SCOPED_TRACE(round);
@@ -168,7 +191,6 @@ Strikes compare(Trial& run, int rounds, int steps) {
     BounceRule after = before;
     after.turning_h = -h, after.threshold = std::numeric_limits<double>::infinity();
     AllOfThem all(contacts, parts, bodies);
-    BounceQueue queue;
     queue.start_step(same, parts);
     queue.start(others.rows(), before, two);
     const auto sweep = [&](const BounceRule& rule) {
@@ -182,6 +204,7 @@ Strikes compare(Trial& run, int rounds, int steps) {
       }
     };
     sweep(before);
+    expect_stopped(all.stopped(), queue, others.rows());
     move(bodies, h), throw_about(bodies, random), others.copy(bodies);
     all.go_on(), queue.go_on();
     sweep(after);

@@ -43,6 +43,29 @@ TEST(LoneBounce, IsOnTimeWhileADiscBounces) {
     }
 }
 
+/// At any speed: the shorter the step, the slower it seems.
+TEST(LoneBounce, OffWhatIsRoundIsWhereTheyMeet) {
+  struct Round {
+    const char* text;
+    double apart;  // m, of its middle and the ball's when they meet
+  };
+  const Round disc{"[[bodies]]\nshape = \"ball\"\nat = [0, 0]\nkind = \"static\"\n", 1.0},
+      end{"[[walls]]\nsegment = [[0, -5], [0, 0]]\n", 0.5};
+  const double g = 10.0, fall = 1.0, until = 0.6;
+  for (const Round& round : {disc, end})
+    for (const double dt : {0.01, 0.001, 1e-4}) {
+      const Vec normal(0.6, 0.8), meets = round.apart * normal;
+      Trial run("gravity = [0, -10]\n" + in_steps_of(dt, 1) + material(0.8, 0) + kDisc +
+                ball(meets.x(), meets.y() + fall, 0, 0) + round.text);
+      run.steps(static_cast<int>(std::lround(until / dt)));
+      const double met = std::sqrt(2.0 * fall / g), t = until - met;
+      const Vec before(0.0, -g * met);
+      const Vec after = before - 1.8 * before.dot(normal) * normal, falls(0.0, -g);
+      EXPECT_LT((run.state.position[0] - meets - t * after - 0.5 * t * t * falls).norm(), 1e-10)
+          << round.text << dt;
+    }
+}
+
 /// Off their line of centres, and slowly, so that nobody looks ahead for where they meet.
 TEST(LoneBounce, OfTwoDiscsIsWhereTheyMeet) {
   const double aside = 0.6;  // m, of diameter 1
