@@ -217,7 +217,7 @@ TEST_F(RunCommand, StopsWhereHardDiscsComeToRestAndRefusesThoseThatOverlap) {
   EXPECT_THAT(rest.err, HasSubstr("inelastic collapse"));
   const Result overlap = throng("run " + scene + " --set bodies.1.at=[2.9,5]");
   EXPECT_EQ(overlap.exit_code, 2);
-  EXPECT_THAT(overlap.err, HasSubstr("body 1 and body 2 overlap by 0.1 m"));
+  EXPECT_THAT(overlap.err, HasSubstr("body 1 and body 2 by 0.1 m: hard discs can't"));
 }
 
 TEST_F(RunCommand, OverwritesOnlyWhenForced) {

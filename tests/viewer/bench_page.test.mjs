@@ -159,7 +159,7 @@ async function steps(page, what) {
     player.loop = true;
     player.speed = 60 * (player.last - player.first) / (player.times.length - 1);  // a frame each time that the screen is drawn anew
     player.play(true);
-    for (let start = performance.now(), last = start, frame = -1; performance.now() < start + 1000 * seconds;) {
+    for (let start = performance.now(), last = start, frame = -1; gaps.length < 2 || performance.now() < start + 1000 * seconds;) {
       await new Promise(requestAnimationFrame);
       if (replay.shown.frame === frame) continue;
       const now = performance.now();
